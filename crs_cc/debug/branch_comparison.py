@@ -1,7 +1,7 @@
-"""What differs between two branches at the same instant.
+"""Comparison of two branches at the same timestep.
 
-Both are taken to the start of the same timestep; there all that screens show of each robot, its
-program's global variables, and how much it has written are laid side by side.
+Both are moved to the start of the same timestep; there the displayed state of each robot, its
+program's global variables and the amount of its output are compared.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ if TYPE_CHECKING:
     from crs_cc.debug.world.rows import Row
 
 Facts = dict[tuple[str, str], str]
-"""What is so, by robot and by what it is about."""
+"""Comparable state by robot and name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """Something that is otherwise in another branch.
+    """A difference to another branch.
 
     Attributes:
         robot: the robot's name.
-        name: what it is about.
-        here: how it is in this branch; empty where there is no such thing.
-        there: how it is in the other one.
+        name: what differs.
+        here: its value in this branch; empty if it does not exist.
+        there: its value in the other branch.
     """
 
     robot: str
@@ -38,7 +38,7 @@ class Difference:
 
 
 def facts(view: View) -> Facts:
-    """Gives what is so where the run stands."""
+    """Return the comparable state of a run by robot and name."""
     found = {}
     for number, robot in enumerate(view.names):
         for name, text in _of_robot(view, number):
@@ -61,7 +61,7 @@ def _flat(rows: Sequence[Row], above: str) -> Iterator[tuple[str, str]]:
 
 
 def differences(here: Facts, there: Facts) -> list[Difference]:
-    """Gives what is not the same, in the order of this branch."""
+    """Return the differences, in the order of this branch."""
     keys = dict.fromkeys([*here, *there])
     return [
         Difference(robot, name, here.get((robot, name), ""), there.get((robot, name), ""))

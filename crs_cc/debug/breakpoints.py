@@ -1,4 +1,4 @@
-"""Breakpoints: what they are, and which of them an instant of a run meets."""
+"""Breakpoints, and which of them are hit."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ BreakpointKind = Literal["breakpoint", "watchpoint", "catchpoint"]
 
 @dataclass(slots=True)
 class Breakpoint:
-    """What the user wants a run to stop at.
+    """A breakpoint, watchpoint or catchpoint.
 
     Attributes:
-        number: its number, from 1; all kinds are counted together.
-        kind: what it is.
-        text: the place, expression or kind of happenings in the user's words.
-        place: where a breakpoint is; None for the other kinds.
-        watch: what a watchpoint watches; None for the other kinds.
+        number: its number, from 1; all kinds share one sequence.
+        kind: its kind.
+        text: the location, expression or event kind as the user wrote it.
+        place: the location of a breakpoint; None for the other kinds.
+        watch: the object of a watchpoint; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
-        ignore: so many hits are still passed over.
-        hits: how often it was hit, those passed over too.
-        temporary: whether it goes with its first hit.
-        enabled: whether it counts.
-        robot: whose it is; None for all robots.
-        log: what to say instead of stopping: text with C expressions in braces; empty to stop.
+        ignore: how many hits are still ignored.
+        hits: how often it was hit, ignored hits included.
+        temporary: whether it is deleted when hit.
+        enabled: whether it is enabled.
+        robot: the only robot that it stops; None for all robots.
+        log: the message to log instead of stopping, with C expressions in braces; empty to stop.
     """
 
     number: int
@@ -53,19 +53,19 @@ class Breakpoint:
     log: str = ""
 
     def concerns(self, robot: int) -> bool:
-        """Tells whether it counts, and for this robot."""
+        """Return whether it is enabled for a robot."""
         return self.enabled and self.robot in {None, robot}
 
 
 @dataclass(frozen=True, slots=True)
 class BreakpointHit:
-    """A breakpoint that was met.
+    """A hit of a breakpoint.
 
     Attributes:
         breakpoint: the breakpoint.
-        robot: by which robot; -1 for none.
-        text: what there is to say.
-        watch_hit: what the robot did to what is watched.
+        robot: the robot that hit it; -1 for none.
+        text: a description.
+        watch_hit: the access to the watched object.
     """
 
     breakpoint: Breakpoint
@@ -86,60 +86,60 @@ class Breakpoints:
 
     @property
     def next_number(self) -> int:
-        """The number that the next one will have."""
+        """The number of the next one."""
         return self._made + 1
 
     def add(self, breakpoint_: Callable[[int], Breakpoint]) -> Breakpoint:
-        """Adds what is made of the next number."""
+        """Add the breakpoint that is created with the next number."""
         self._made += 1
         self._all[self._made] = breakpoint_(self._made)
         return self._all[self._made]
 
     def get(self, number: int) -> Breakpoint:
-        """Gives a breakpoint.
+        """Return a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if number not in self._all:
-            raise DebugError(f"there is no breakpoint {number}")
+            raise DebugError(f"no breakpoint {number}")
         return self._all[number]
 
     def remove(self, number: int) -> None:
-        """Takes a breakpoint away.
+        """Remove a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.get(number)
         del self._all[number]
 
     def statements(self, robot: int) -> frozenset[int]:
-        """Gives the numbers of the statements that a robot's program must stop before."""
+        """Return the numbers of the statements with breakpoints in a robot's program."""
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
     def need_world(self) -> bool:
-        """Tells whether any of them waits for what happens in the world."""
+        """Return whether any of them catches an event of the world."""
         return any(
             each.kind == "catchpoint" and each.enabled and each.text != "exit"
             for each in self._all.values()
         )
 
     def watched(self, robot: int) -> tuple[WatchedObject, ...]:
-        """Gives what is watched in a robot's memory."""
+        """Return the watched objects in a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         return tuple(each.watched for each in points if each)
 
     def watchpoint_hits(self, instant: RunEvent) -> list[BreakpointHit]:
-        """Gives the watchpoints that an instant tells of, whatever their conditions."""
+        """Return the hits of watchpoints, whatever their conditions."""
         return [
             BreakpointHit(self._all[each.access.watched.number], each.robot, watch_hit=each)
             for each in instant.accesses
         ]
 
     def breakpoint_hits(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
-        """Gives the other breakpoints that an instant meets, whatever their conditions."""
+        """Return the hits of the other breakpoints, whatever their conditions."""
         match instant.kind:
             case "statement":
                 return self._at_statement(run)

@@ -1,7 +1,7 @@
-"""Which statements call a function: where a program stops for one of the C library's.
+"""Statements that call a function: breakpoints on functions of the C library.
 
-Such a function has no statements of the user's, so a breakpoint on it stops before each statement
-that calls it by its name, whether the call comes to be made or not.
+Such a function has no statements of its own, so a breakpoint on it stops before each statement
+that calls it by name, whether or not the call is evaluated.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from crs_cc.ir.program import Block, Call, Function, Statement
 
 
 def calling(program: DebugProgram, name: str) -> frozenset[int]:
-    """Gives the numbers of the user's statements that call a function by its name."""
+    """Return the numbers of the user's statements that call a function by its name."""
     detail = program.executable.detail()
     sites = {
         (site.function, site.location): number
@@ -31,7 +31,7 @@ def calling(program: DebugProgram, name: str) -> frozenset[int]:
 
 
 def _places(function: Function, name: str) -> Iterator[Location]:
-    """Gives the places of a function's statements that call another one."""
+    """Return the locations of a function's statements that call another one."""
     entry = function.blocks[0]
     begun: dict[Block, Location | None] = {entry: None}
     waiting = [entry]

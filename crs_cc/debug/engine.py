@@ -1,8 +1,8 @@
-"""The debugger without a screen: what its user can do, as plain calls that give plain data.
+"""The debugger without a user interface: its operations as methods that return plain data.
 
-All that a user can do wrong raises `DebugError`, and changes nothing. Moving gives a `Stop`. What
-changes the run (a variable, the world) lets it branch: what had been behind this instant is
-forgotten, what was before it stays.
+Invalid requests raise `DebugError` and leave the run unchanged. Moving returns a `Stop`. A change
+of the run (of a variable, of the world) starts a new history: the recorded future is discarded, the
+past is kept.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Debugger:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Put the programs into the robots; nothing has run yet. For arguments see `Session`."""
+        """Load the programs into the robots; for the arguments see `Session`."""
         self.run = RecordedRun(
             world,
             programs,
@@ -117,25 +117,25 @@ class Debugger:
     # -- moving --------------------------------------------------------------------------------
 
     def interrupt(self) -> None:
-        """Lets what is running stop soon; may be called from anywhere."""
+        """Request an interrupt; thread-safe."""
         self.run.interrupted = True
 
     def forget_interrupt(self) -> None:
-        """Forgets an interrupt that came when what it was meant for had ended."""
+        """Discard an interrupt that arrived too late."""
         self.run.interrupted = False
 
     def start(self) -> Stop:
-        """Goes to the first statement of the first program that begins."""
+        """Go to the first statement of the program that starts first."""
         return self.step_statement()
 
     def resume(self, *, backward: bool = False) -> Stop:
-        """Goes on to the next breakpoint, or back to the last one."""
+        """Continue to the next stop, or back to the previous one."""
         if backward:
             return self._arrive(self.navigator.backward())
         return self._go(None)
 
     def step(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the next line, into calls; or to the start of the line before."""
+        """Step to the next line, entering calls; or to the start of the previous line."""
         robot = self.view.robot
         if backward:
             return self._repeat(
@@ -144,12 +144,12 @@ class Debugger:
         return self._repeat(count, lambda: self._forward(StepToLine(robot, self._program_point())))
 
     def next(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the next line, past calls; or to the start of the one before."""
+        """Step to the next line, over calls; or to the start of the previous line."""
         move = self._next_back if backward else self._next
         return self._repeat(count, move)
 
     def step_statement(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the next statement, into calls; or to the one before."""
+        """Step to the next statement, entering calls; or to the previous one."""
         robot = self.view.robot
         if backward:
             aim = partial(ReverseStepCondition, robot, whole_line=False)
@@ -157,16 +157,16 @@ class Debugger:
         return self._repeat(count, lambda: self._forward(StepToStatement(robot)))
 
     def finish(self, *, backward: bool = False) -> Stop:
-        """Goes to where the function has returned, and tells what; or back to where it was called.
+        """Run until the function returns, and report its value; or go back to its call.
 
         Raises:
-            DebugError: nobody has called it.
+            DebugError: it has no caller.
         """
         robot = self.view.robot
         frame = self.view.current_frame()
         callers = None if frame is None else self.navigator.calls(robot, frame.active)
         if frame is None or callers is None or not callers.functions:
-            raise DebugError("the outermost function has no caller to go to")
+            raise DebugError("'finish' is not meaningful in the outermost frame")
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False)
             return self._arrive(self.navigator.backward_to(aim))
@@ -179,7 +179,7 @@ class Debugger:
         return self.stop
 
     def _returned(self, frame: BacktraceFrame) -> str:
-        """Gives what a call that has ended returned, if its last statement tells; else nothing."""
+        """Return the value of a call that has ended if its `return` shows it, else ""."""
         here, robot = self.position, self.view.robot
         call = ActiveCalls.of([frame.active])
         spots = self.navigator.program_points_back(robot, call.functions)
@@ -196,14 +196,14 @@ class Debugger:
         return value
 
     def until(self) -> Stop:
-        """Goes to the next line past calls that stands further down, so out of loops."""
+        """Step to the next line further down, over calls, so out of loops."""
         return self._arrive(self._next(onward=True))
 
     def advance(self, place: str) -> Stop:
-        """Goes to a place, or to where the function has returned.
+        """Continue to a location, or until the function returns.
 
         Raises:
-            DebugError: there is no such place.
+            DebugError: there is no such location.
         """
         robot = self.view.robot
         added = self.stop_points.add_breakpoint(place, temporary=True, robot=robot)
@@ -217,7 +217,7 @@ class Debugger:
                 self.stop_points.breakpoints.remove(added.number)
 
     def tick(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the end of the timestep, or back to its start."""
+        """Go to the end of the timestep, or back to its start."""
         position = self.position
         inside = position != Position(position.timestep, 0)
         if backward:
@@ -225,40 +225,40 @@ class Debugger:
         return self._go(None, Position(position.timestep + count, 0))
 
     def goto(self, target: Position) -> Stop:
-        """Goes to an instant that the run has been at."""
+        """Go to a recorded position."""
         self.run.seek(target)
         return self._arrive(self.navigator.stop("beginning" if target == BEGINNING else "goto"))
 
     def goto_timestep(self, timestep: int) -> Stop:
-        """Goes to the start of a timestep; breakpoints on the way do not count.
+        """Go to the start of a timestep, ignoring breakpoints on the way.
 
         Raises:
-            DebugError: there is none before 0.
+            DebugError: it is negative.
         """
         if timestep < 0:
-            raise DebugError("time begins at 0")
+            raise DebugError("time starts at 0")
         with self._showing_new():
             return self._to_timestep(timestep)
 
     def goto_time(self, time_s: float) -> Stop:
-        """Goes to the start of the timestep that an instant lies in.
+        """Go to the start of the timestep that contains a time.
 
         Raises:
-            DebugError: there is none before 0.
+            DebugError: it is negative.
         """
         if not math.isfinite(time_s):
-            raise DebugError(f"{time_s} is no time")
+            raise DebugError(f"invalid time {time_s}")
         timestep_s = self.session.environment.world.timestep_s
         return self.goto_timestep(math.floor(time_s / timestep_s + _SLACK_S))
 
     def goto_statement(self, number: int) -> Stop:
-        """Goes to before a statement of the current robot's program, counted from 1.
+        """Go to before statement `number` of the selected robot's program, counted from 1.
 
         Raises:
             DebugError: the program has no such statement.
         """
         if number < 1:
-            raise DebugError("statements are counted from 1")
+            raise DebugError("statement numbers start at 1")
         start = self.position
         try:
             with self._showing_new():
@@ -280,7 +280,7 @@ class Debugger:
 
     @contextlib.contextmanager
     def _showing_new(self) -> Iterator[None]:
-        """Shows what programs write for the first time while the run goes where the user wants."""
+        """Show new output of the programs while the run is moved."""
         self.run.console.shows_new = True
         try:
             yield
@@ -299,7 +299,7 @@ class Debugger:
         return self.navigator.backward_to(ReverseStepCondition(self.view.robot, self._own_calls()))
 
     def _own_calls(self) -> ActiveCalls | None:
-        """Gives the active calls of the user's functions; None when there are none."""
+        """Return the active calls of the user's functions; None if there are none."""
         if all(each.is_library for each in self.view.frames()):
             return None
         return self.navigator.calls(self.view.robot)
@@ -309,7 +309,7 @@ class Debugger:
 
     def _forward(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
         if aim is not None and self.run.is_over(aim.robot) and self.run.can_advance:
-            raise DebugError(f"{self.names[aim.robot]}'s program has ended; others go on")
+            raise DebugError(f"{self.names[aim.robot]}'s program has ended; others still run")
         self.run.console.is_live = True
         try:
             return self.navigator.forward(aim, until)
@@ -318,7 +318,7 @@ class Debugger:
 
     def _repeat(self, count: int, move: Move) -> Stop:
         if not 1 <= count <= _MAX_STEPS:
-            raise DebugError(f"a count is from 1 to {_MAX_STEPS:,}")
+            raise DebugError(f"invalid count {count} (expected 1 to {_MAX_STEPS:,})")
         for left in reversed(range(count)):
             stop = move()
             if stop.reason != "step":
@@ -329,7 +329,7 @@ class Debugger:
         return self._arrive(stop)
 
     def _arrive(self, stop: Stop) -> Stop:
-        """Ends what the user asked for: lets him look at where the run has stopped."""
+        """Complete a move: record the stop and select the robot and frame that it is about."""
         self.stop = stop
         self.forget_interrupt()
         self._note(stop)
@@ -344,7 +344,7 @@ class Debugger:
         return stop
 
     def _note(self, stop: Stop) -> None:
-        """Lets time lines show where the run stopped by itself."""
+        """Record a stop in the event history, for time lines."""
         if stop.breakpoints or stop.reason == "error":
             kind = "error" if stop.reason == "error" else "stop"
             happening = WorldEvent(stop.time_s, kind, stop.robot, stop.why)
@@ -353,16 +353,16 @@ class Debugger:
     # -- changing ------------------------------------------------------------------------------
 
     def evaluate(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
-        """Evaluates a C expression, which may change the program: then the run is another.
+        """Evaluate a C expression, which may change the program.
 
         Args:
             text: the expression.
-            robot: whose program; by default that of the robot that the user looks at.
-            frame: the number of the active function that it is looked at from; by default the one
-                that the user looks at.
+            robot: the robot; by default the selected one.
+            frame: the number of the frame whose scope applies; by default the selected
+                one.
 
         Raises:
-            DebugError: it means nothing there, or cannot be evaluated; then nothing has changed.
+            DebugError: it is invalid or cannot be evaluated; nothing has changed.
         """
         robot = self.view.robot if robot is None else robot
         found = self.view.evaluator(robot).evaluate(text, self.view.active_frame(robot, frame))
@@ -371,61 +371,61 @@ class Debugger:
         return found.value
 
     def edit_world(self, text: str) -> str:
-        """Changes the world, so that the run is another from here; gives what was done, in words.
+        """Change the world; return a description of the change.
 
         Args:
-            text: what to do, see `edits.EDITS`.
+            text: the change, see `edits.EDITS`.
 
         Raises:
-            DebugError: it means nothing, or cannot be done; then nothing has changed.
+            DebugError: it is invalid or impossible; nothing has changed.
         """
         done = edit(self.session.environment, text)
         self._changed()
         return done
 
     def _changed(self) -> None:
-        """Lets the run go on from here as another one."""
+        """Discard the recorded future after a change."""
         self.run.changed()
         self.branches.changed()
 
     # -- branches ------------------------------------------------------------------------------
 
     def checkpoint(self, name: str = "") -> Checkpoint:
-        """Makes a checkpoint here."""
+        """Save the current position as a checkpoint."""
         return self.branches.keep(name, self.view.time_s)
 
     def restart(self, number: int) -> Stop:
-        """Goes to a checkpoint.
+        """Return to a checkpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         return self.goto(self.branches.checkpoint(number).position)
 
     def branch(self, name: str) -> Branch:
-        """Goes on in a new branch that begins here; the one that was left stays as it is.
+        """Create a branch here and switch to it; the other one stays as it is.
 
         Raises:
-            DebugError: there is one of that name.
+            DebugError: a branch of that name exists.
         """
         return self.branches.add(name)
 
     def switch(self, name: str) -> Stop:
-        """Goes to where the user was in another branch.
+        """Switch to another branch, where the user left it.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.branches.switch(name)
         return self._arrive(self.navigator.stop("goto"))
 
     def compare(self, name: str) -> list[Difference]:
-        """Compares this branch with another one, at the start of this timestep in both.
+        """Compare this branch with another one at the start of the current timestep.
 
-        The other one runs on if it has not come so far.
+        The other one is run that far if necessary.
 
         Raises:
-            DebugError: there is no such one, or it ends before.
+            DebugError: it does not exist, or ends before.
         """
         own, here = self.branches.current.name, self.position
         looked_at = self.view.robot, self.view.frame, self.stop

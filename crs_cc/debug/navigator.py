@@ -1,8 +1,8 @@
-"""Moving a run forward and backward to where there is a reason to stop.
+"""Navigation of a run, forward and backward, to the next stop.
 
-Forward means to look at one instant after the other. Backward means the same, from an earlier
-snapshot: the last reason before where the run was is the one, and the run is taken there. So both
-directions stop at the same instants.
+Forward, events are examined one after the other. Backward, the same is done from an earlier
+snapshot, and the last reason to stop before the current position is the one. So both directions
+stop at the same positions.
 """
 
 from __future__ import annotations
@@ -44,12 +44,12 @@ _WIDER: Final = 16
 
 @dataclass(frozen=True, slots=True)
 class _StopCandidate:
-    """A reason to stop that lies before.
+    """A reason to stop in the past.
 
     Attributes:
-        stop: what it was.
-        target: where to go: of an access, to before it, which may be before the whole round.
-        function: the function that it is about, as `Stop` has it.
+        stop: its stop.
+        target: the position to move to: for an access, before it, maybe before the whole round.
+        function: the function that it is about, see `Stop`.
     """
 
     stop: Stop
@@ -57,9 +57,9 @@ class _StopCandidate:
     function: str = ""
 
     def may_count_with(self, later: _StopCandidate) -> bool:
-        """Tells whether this may be passed on the way to what came later in the same round.
+        """Return whether this may be passed on the way to a later candidate in the same round.
 
-        Of what a program met again and again the last time is enough: it may have been very often.
+        Of repeated hits of one program the last is enough: there may be very many.
         """
         mine, its = self.stop, later.stop
         if (mine.robot, mine.breakpoints) == (its.robot, its.breakpoints):
@@ -73,7 +73,7 @@ class Navigator:
     def __init__(
         self, run: RecordedRun, breakpoints: Breakpoints, accept: Accept, tell: Tell
     ) -> None:
-        """Takes the run, what stops it, what tests a breakpoint's condition, and what tells."""
+        """Store the run, its breakpoints, and the callbacks that test and describe hits."""
         self._run = run
         self._breakpoints = breakpoints
         self._accept = accept
@@ -82,11 +82,11 @@ class Navigator:
     # -- forward -----------------------------------------------------------------------------
 
     def forward(self, aim: StepCondition | None = None, until: Position | None = None) -> Stop:
-        """Goes forward to the first reason to stop.
+        """Run forward to the first reason to stop.
 
         Args:
-            aim: what stepping wants.
-            until: the start of a timestep that is a reason, too.
+            aim: the condition of a step command; None to continue.
+            until: the start of a timestep to stop at.
         """
         run = self._run
         run.arm(self._marks(aim))
@@ -102,7 +102,7 @@ class Navigator:
         return self.stop("end")
 
     def stop(self, reason: Reason, robot: int = -1, text: str = "") -> Stop:
-        """Gives the stop that this instant is."""
+        """Return a stop at the current position."""
         session = self._run.session
         robot = robot if robot >= 0 or session.halted is None else session.halted
         time_s = self._run.time_s(robot)
@@ -123,12 +123,12 @@ class Navigator:
         return marks
 
     def inside(self, robot: int, functions: frozenset[str]) -> Iterator[int]:
-        """Gives the numbers of the statements in some functions."""
+        """Return the numbers of the statements in some functions."""
         sites = self._run.programs[robot].executable.detail().compiled.statements
         return (number for number, site in enumerate(sites) if site.function in functions)
 
     def _reason(self, instant: RunEvent, aim: StepCondition | None) -> Stop | None:
-        """Gives why to stop at an instant, if there is a reason."""
+        """Return the reason to stop at an event; None if there is none."""
         hits = [
             *self._breakpoints.breakpoint_hits(self._run, instant),
             *self._breakpoints.watchpoint_hits(instant),
@@ -158,7 +158,7 @@ class Navigator:
         return self.stop("error", failed[0], "; ".join(texts))
 
     def _hit(self, met: list[BreakpointHit], *, counts: bool) -> Stop | None:
-        """Gives the stop for those of some breakpoints that count, if any does."""
+        """Return the stop for the accepted ones of some hits; None if there are none."""
         hits: list[BreakpointHit] = []
         texts: list[str] = []
         for hit in met:
@@ -175,7 +175,7 @@ class Navigator:
         return replace(stop, breakpoints=tuple(numbers))
 
     def program_point(self, robot: int) -> ProgramPoint | None:
-        """Gives where a program stands that has stopped before a statement."""
+        """Return the point of a program that has stopped before a statement, else None."""
         run = self._run
         site = run.site(robot)
         if site is None:
@@ -187,11 +187,11 @@ class Navigator:
         return ProgramPoint(*place, run.statements_begun(robot))
 
     def calls(self, robot: int, callee: StackFrame | None = None) -> ActiveCalls:
-        """Gives a program's active calls of the user's functions.
+        """Return a program's active calls of the user's functions.
 
         Args:
-            robot: whose program.
-            callee: leaves this one out, and those inside of it.
+            robot: the robot that runs the program.
+            callee: a frame to exclude, with those inside it.
         """
         stack = self._run.stopped(robot).stack
         lowest_fp = -1 if callee is None else callee.fp
@@ -202,7 +202,7 @@ class Navigator:
     # -- backward ----------------------------------------------------------------------------
 
     def backward(self) -> Stop:
-        """Goes back to the last breakpoint met before, or to the beginning."""
+        """Run backward to the previous reason to stop, or to the start."""
         run, start = self._run, self._run.position
         limit = start
         if not any(each.enabled for each in self._breakpoints) and not run.any_failed():
@@ -221,10 +221,10 @@ class Navigator:
         return self.stop("beginning")
 
     def _last(self, begin: Position, limit: Position, start: Position) -> _StopCandidate | None:
-        """Gives the last reason to stop behind one instant, up to another, but before `start`.
+        """Return the last reason to stop between two positions, but before `start`.
 
-        On the way to it others may be passed, of robots that ran before it in the same round: they
-        are told with it.
+        Others may be passed on the way to it, of robots that ran before it in the same round: they
+        are reported with it.
         """
         run, found = self._run, list[_StopCandidate]()
         run.arm(replace(self._marks(None), at_once=True))
@@ -240,7 +240,7 @@ class Navigator:
         return None if stop is None else _StopCandidate(stop, stop.position)
 
     def _touched(self, instant: RunEvent) -> Iterator[_StopCandidate]:
-        """Gives what programs did to what is watched."""
+        """Return the candidates of watchpoints."""
         hits = self._breakpoints.watchpoint_hits(instant)
         for before in sorted({each.watch_hit.before for each in hits if each.watch_hit}):
             own = [each for each in hits if each.watch_hit and each.watch_hit.before == before]
@@ -250,14 +250,14 @@ class Navigator:
                 yield _StopCandidate(stop, before, touch.access.function)
 
     def _to(self, found: _StopCandidate) -> Stop:
-        """Goes to where there was a reason to stop."""
+        """Move to a candidate and return its stop."""
         run = self._run
         run.seek(found.target)
         here = replace(found.stop, position=run.position, time_s=run.time_s(found.stop.robot))
         return replace(here, function=found.function)
 
     def backward_to(self, aim: ReverseStepCondition) -> Stop:
-        """Goes back to a statement of one program that came before."""
+        """Step backward in one program until a condition is met."""
         run, start = self._run, self._run.position
         try:
             found = self._find_back(aim)
@@ -284,9 +284,9 @@ class Navigator:
     def program_points_back(
         self, robot: int, functions: frozenset[str] | None
     ) -> Iterator[ProgramPoint]:
-        """Gives the statements of a program that began before now, the last one first.
+        """Return the statements of a program before the current position, the last one first.
 
-        The run is somewhere else behind each of them.
+        The run has moved after each of them.
         """
         run = self._run
         end, width = run.statements_begun(robot), _FIRST_WINDOW
@@ -300,7 +300,7 @@ class Navigator:
     def _window(
         self, robot: int, first: int, end: int, functions: frozenset[str] | None, limit: Position
     ) -> list[ProgramPoint]:
-        """Gives those statements of a program that began as numbers `first` to `end` - 1."""
+        """Return the statements of a program with the numbers `first` to `end` - 1."""
         run, spots = self._run, []
         since = {robot: first}
         if functions is None:
@@ -316,7 +316,7 @@ class Navigator:
         return spots
 
     def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
-        """Gives the latest snapshot before which no more than so many statements had begun."""
+        """Return the latest snapshot with at most so many statements started."""
         run = self._run
         places = run.history.places(before) or [BEGINNING]
 
@@ -326,7 +326,7 @@ class Navigator:
         return places[max(0, bisect_right(places, statements, key=begun) - 1)]
 
     def to_timestep(self, timestep: int) -> Stop:
-        """Goes forward to the start of a timestep, if the run gets so far."""
+        """Run forward to the start of a timestep, or to the end of the run."""
         run = self._run
         run.arm(StopRequest())
         try:
@@ -337,12 +337,12 @@ class Navigator:
         return self.stop("goto" if run.position.timestep == timestep else "end")
 
     def to_statement(self, robot: int, statements: int) -> bool:
-        """Goes to before a statement of a program, by how many have begun before it.
+        """Go to before a statement of a program, by the number of statements started before.
 
-        Gives False when the program ends before.
+        Return False if the program ends before.
 
         Raises:
-            InterruptedRunError: the user wants it; the run is somewhere on the way.
+            InterruptedRunError: the user interrupts; the run is somewhere on the way.
         """
         run = self._run
 
@@ -362,7 +362,7 @@ class Navigator:
 
 
 def _together(found: list[_StopCandidate]) -> _StopCandidate:
-    """Gives the last reason to stop, with those that are passed on the way to it."""
+    """Merge the last reason to stop with those that are passed on the way to it."""
     stops = [each.stop for each in found if each.target >= found[-1].target]
     numbers = dict.fromkeys(number for each in stops for number in each.breakpoints)
     text = "; ".join(each.text for each in stops if each.text)
@@ -370,13 +370,13 @@ def _together(found: list[_StopCandidate]) -> _StopCandidate:
 
 
 def _joined(texts: list[str]) -> str:
-    """Gives what happened at the same time in one line, and of much only the first."""
+    """Join simultaneous events into one line, of many only the first."""
     more = [f"and {len(texts) - _MAX_TOLD} more"] if len(texts) > _MAX_TOLD else []
     return "; ".join(texts[:_MAX_TOLD] + more)
 
 
 def _both(failure: Stop | None, hit: Stop | None) -> Stop | None:
-    """Gives one stop for an error and for the breakpoints that were met at the same time."""
+    """Merge the stop of an error with that of breakpoints hit at the same time."""
     if failure is None or hit is None:
         return failure or hit
     text = "; ".join(each for each in (failure.text, hit.text) if each)

@@ -1,7 +1,7 @@
-"""Where stepping ends: what `step`, `next`, `finish` and `until` wait for.
+"""Where stepping ends: the conditions of `step`, `next`, `finish` and `until`.
 
 A program steps from line to line. Statements that follow each other in one line of one call belong
-together, until one of them comes again: then the line begins anew.
+together until one of them is repeated: then the line starts again.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ProgramPoint:
-    """Where a program stands that has stopped before a statement.
+    """A statement before which a program has stopped, and its activation.
 
     Attributes:
         function: the innermost active function.
         fp: the address of its frame; those of its callers are higher.
-        entered: how many statements had begun when it was called; so it is told from other calls
-            that have their frame at the same place.
+        entered: how many statements had started when it was called, which distinguishes calls
+            whose frames have the same address.
         site: the number of the statement.
-        location: the place of the statement.
-        statements: how many statements have begun.
+        location: the location of the statement.
+        statements: how many statements have started.
     """
 
     function: str
@@ -38,7 +38,7 @@ class ProgramPoint:
     statements: int
 
     def shares_line(self, other: ProgramPoint) -> bool:
-        """Tells whether both are in the same line of the same call."""
+        """Return whether both are in the same line of the same call."""
         mine, theirs = self.location, other.location
         here = (self.fp, self.entered, mine.file, mine.line)
         return here == (other.fp, other.entered, theirs.file, theirs.line)
@@ -50,8 +50,8 @@ class ActiveCalls:
 
     Attributes:
         functions: the functions.
-        frames: the addresses of the frames, and how many statements had begun when it was called;
-            -1 where that is not known, as in a function that has failed.
+        frames: the addresses of the frames, and how many statements had started at the call;
+            -1 if that is unknown, as in a function that has failed.
     """
 
     functions: frozenset[str]
@@ -59,12 +59,12 @@ class ActiveCalls:
 
     @classmethod
     def of(cls, stack: Iterable[StackFrame]) -> ActiveCalls:
-        """Gives those of some frames."""
+        """Return the calls of some frames."""
         rows = [(each.function, (each.fp, each.entered)) for each in stack]
         return cls(frozenset(name for name, _ in rows), frozenset(frame for _, frame in rows))
 
     def include(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a statement belongs to one of them."""
+        """Return whether a statement belongs to one of them."""
         return (program_point.fp, program_point.entered) in self.frames or (
             program_point.fp,
             -1,
@@ -72,18 +72,18 @@ class ActiveCalls:
 
 
 class StepCondition(Protocol):
-    """What one robot's program is to come to.
+    """The condition that ends a step of one robot's program.
 
     Attributes:
         robot: the robot.
-        calls: the calls of functions in which it may be; None for all.
+        calls: the calls in which it may be met; None for all.
     """
 
     robot: int
     calls: ActiveCalls | None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells of one statement after the other whether it is what was wanted."""
+        """Return whether a step ends at a statement; called for each in turn."""
 
 
 @dataclass(slots=True)
@@ -94,7 +94,7 @@ class StepToStatement:
     calls: ActiveCalls | None = None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells that it is."""
+        """Report that it is."""
         return program_point is not None
 
 
@@ -103,8 +103,8 @@ class StepToLine:
     """The next line: of any call for `step`; for `next` of this call, or of a caller.
 
     Attributes:
-        start: where the program stood; None when it was not before a statement of the user's.
-        onward: within the call, only what stands further down in the source counts.
+        start: the start of the step; None if it was not before a statement of the user's.
+        onward: whether only lines further down count within the call.
     """
 
     robot: int
@@ -118,7 +118,7 @@ class StepToLine:
             self._seen.add(self.start.site)
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a new line begins."""
+        """Return whether a new line starts."""
         start = self.start
         if self.calls is not None and not self.calls.include(program_point):
             return False
@@ -140,22 +140,22 @@ class StepToCaller:
     calls: ActiveCalls | None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells whether the call has ended."""
+        """Return whether the call has ended."""
         return self.calls is None or self.calls.include(program_point)
 
 
 class ReverseStepCondition:
-    """What one robot's program is to go back to: the first of some statements in a row.
+    """The target of a backward step of one robot's program: the first of consecutive statements.
 
     Attributes:
         robot: the robot.
-        calls: the calls of functions in which they may be; None for all.
+        calls: the calls in which they may be; None for all.
     """
 
     def __init__(
         self, robot: int, calls: ActiveCalls | None = None, *, whole_line: bool = True
     ) -> None:
-        """Takes whose program it is, the calls that count, and whether lines count."""
+        """Store the robot, the calls that count, and whether to step by lines."""
         self.robot = robot
         self.calls = calls
         self._whole_line = whole_line
@@ -163,11 +163,11 @@ class ReverseStepCondition:
         self._seen: set[int] = set()
 
     def belongs(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a statement counts."""
+        """Return whether a statement counts."""
         return self.calls is None or self.calls.include(program_point)
 
     def can_advance(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a statement belongs to those that are wanted, from the last one back."""
+        """Return whether a statement belongs to the target, from the last one backward."""
         if self._last is None:
             self._last = program_point
         elif (

@@ -1,4 +1,4 @@
-"""What a run stops at: breakpoints, watchpoints and catchpoints, with their conditions."""
+"""Breakpoints, watchpoints and catchpoints of a run, with their conditions."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
 class StopPoints:
-    """A run with all that the user wants it to stop at.
+    """The breakpoints, watchpoints and catchpoints of a run.
 
     Attributes:
         breakpoints: all breakpoints, watchpoints and catchpoints.
-        say: takes what log points say.
+        say: receives the messages of log points.
     """
 
     def __init__(self, view: View) -> None:
@@ -35,15 +35,15 @@ class StopPoints:
         self.say: Callable[[str], None] = _unheard
 
     def add_breakpoint(self, place: str, **options: Any) -> Breakpoint:
-        """Adds a breakpoint.
+        """Add a breakpoint.
 
         Args:
-            place: see `places.find_place`.
+            place: see `locations.find_location`.
             options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
                 `robot`, `log`.
 
         Raises:
-            DebugError: there is no such place, or the condition is no expression there.
+            DebugError: there is no such location, or the condition is invalid there.
         """
         robot = options.get("robot")
         here = self._view.current_file(robot)
@@ -52,35 +52,35 @@ class StopPoints:
         return self._add("breakpoint", place, found, options)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
-        """Adds a catchpoint for a kind of happenings, or for the `exit` of a program.
+        """Add a catchpoint for an event kind, or for the `exit` of a program.
 
         Raises:
             DebugError: there is no such kind.
         """
         if what == "error":
-            raise DebugError("nothing is needed for errors: they always stop the run")
+            raise DebugError("runtime errors always stop; no catchpoint is needed")
         kind = what if what == "exit" else check_event_kind(what)
         return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
         self, expression: str, kind: AccessKind = "change", **options: Any
     ) -> Breakpoint:
-        """Adds a watchpoint for an object in the memory of a robot.
+        """Add a watchpoint for an object in the memory of a robot.
 
-        Forward, the run stops before the next statement behind an access; backward, before the
+        Forward, the run stops before the next statement after an access; backward, before the
         statement that made it.
 
         Args:
-            expression: what names the object, looked at from where the user is.
+            expression: the object, in the scope of the selected frame.
             kind: which accesses count: `write`, `read`, both (`access`), or those that `change` it.
             options: further attributes of the `Breakpoint`.
 
         Raises:
-            DebugError: it names no object, or there are too many to be watched.
+            DebugError: it names no object, or too many are watched.
         """
         robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
-            raise DebugError(unknown("kind of access", kind, list(KINDS)))
+            raise DebugError(unknown("access kind", kind, list(KINDS)))
         active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
         if active is not None and options.get("condition"):
             evaluator.check(options["condition"], active.function, active.location)
@@ -93,11 +93,11 @@ class StopPoints:
         )
 
     def _make_room(self, robot: int) -> None:
-        """Finds out whether one more object can be watched."""
+        """Check that one more object can be watched."""
         if len(self.breakpoints.watched(robot)) >= MAX:
             name = self._view.names[robot]
             raise DebugError(
-                f"no more than {MAX} objects of {name} can be watched at once: delete a"
+                f"at most {MAX} objects of {name} can be watched at once: delete a"
                 " watchpoint, or watch a whole struct or array"
             )
 
@@ -112,18 +112,18 @@ class StopPoints:
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
-        """Takes a breakpoint away.
+        """Remove a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.breakpoints.remove(number)
 
     def enable(self, number: int, *, on: bool = True) -> None:
-        """Lets a breakpoint count, or not.
+        """Enable or disable a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         own = self.breakpoints.get(number)
         if on and own.watch and not own.enabled and own.robot is not None:
@@ -131,25 +131,25 @@ class StopPoints:
         own.enabled = on
 
     def ignore(self, number: int, count: int) -> None:
-        """Passes over the next hits of a breakpoint.
+        """Ignore the next hits of a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.breakpoints.get(number).ignore = max(0, count)
 
     def set_condition(self, number: int, condition: str) -> None:
-        """Lets a breakpoint stop only where a condition is true; an empty one always is.
+        """Set the condition of a breakpoint; an empty one removes it.
 
         Raises:
-            DebugError: there is no such one, or the condition is no expression there.
+            DebugError: there is no such breakpoint, or the condition is invalid there.
         """
         own = self.breakpoints.get(number)
         self._check(own.place, condition)
         own.condition = condition
 
     def _check(self, place: BreakpointLocation | None, condition: str) -> None:
-        """Finds out whether a condition will mean something where it is asked for."""
+        """Check that a condition is valid where it will be evaluated."""
         if not condition or place is None:
             return
         for robot, numbers in place.statements.items():
@@ -159,7 +159,7 @@ class StopPoints:
                 self._view.evaluator(robot).check(condition, site.function, site.location)
 
     def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
-        """Tells whether a breakpoint that was met stops the run, and what to say then."""
+        """Return whether a hit stops the run, and a remark."""
         own = hit.breakpoint
         if hit.watch_hit and hit.watch_hit.access.what == "return":
             return True, ""
@@ -168,7 +168,7 @@ class StopPoints:
                 if not self._holds(own, self._whose(hit)):
                     return False, ""
             except DebugError as error:
-                return True, f"the condition of breakpoint {own.number} has no value: {error}"
+                return True, f"error in the condition of breakpoint {own.number}: {error}"
         if counts:
             own.hits += 1
             if own.ignore:
@@ -179,21 +179,21 @@ class StopPoints:
         return not own.log, ""
 
     def _whose(self, hit: BreakpointHit) -> int:
-        """Gives the robot in whose program a breakpoint's expressions are evaluated."""
+        """Return the robot in whose program a breakpoint's expressions are evaluated."""
         if hit.robot >= 0:
             return hit.robot
-        own = hit.breakpoint.robot  # what was met is of no robot
+        own = hit.breakpoint.robot  # the event belongs to no robot
         return self._view.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
-        """Tells whether a condition is true: that of a variable's watchpoint in its function."""
+        """Return whether a condition is true; for a local variable's watchpoint, in its frame."""
         frame = own.watch.watched.frame if own.watch else None
         stack = self._run.stopped(robot).stack if frame else ()
         same = next((each for each in stack if frame and same_activation(each, frame)), None)
         return self._view.evaluator(robot).holds(own.condition, same)
 
     def describe_hit(self, hit: BreakpointHit) -> str:
-        """Says what happened to what is watched."""
+        """Return a description of an access."""
         assert hit.watch_hit is not None
         assert hit.breakpoint.watch is not None
         return change_text(
@@ -201,7 +201,7 @@ class StopPoints:
         )
 
     def _logged(self, text: str, robot: int) -> str:
-        """Gives a log point's text with the values of the expressions in braces."""
+        """Return a log point's text with the values of the expressions in braces."""
 
         def value(match: re.Match[str]) -> str:
             try:
@@ -214,4 +214,4 @@ class StopPoints:
 
 
 def _unheard(_text: str) -> None:
-    """Takes what nobody wants to hear."""
+    """Discard a message."""

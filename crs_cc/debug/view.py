@@ -1,4 +1,4 @@
-"""What the user looks at: a robot, one of its active functions, and what is known of them."""
+"""The selected robot and stack frame of a stopped run."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class BacktraceFrame:
-    """An active function of a program.
+    """A stack frame as the user sees it.
 
     Attributes:
         number: 0 for the innermost.
         function: its name.
-        location: where it stands.
-        is_library: whether it is one of the C library's, whose source nobody looks at.
-        active: what finds its variables.
+        location: its current location.
+        is_library: whether it belongs to the C library, whose source is not shown.
+        active: the frame of the running program.
     """
 
     number: int
@@ -46,17 +46,17 @@ class BacktraceFrame:
 
 
 class View:
-    """A run that has stopped, seen from one robot and one active function.
+    """A stopped run, seen from a selected robot and frame.
 
     Attributes:
         run: the run.
-        robot: the robot that the user looks at.
-        frame: the number of the active function that he looks at.
-        convenience_values: values that expressions can use as `$name`, and the last one as `$`.
+        robot: the selected robot.
+        frame: the number of the selected frame.
+        convenience_values: the values of `$name` by name; that of `$` has an empty name.
     """
 
     def __init__(self, run: RecordedRun) -> None:
-        """Looks at the first robot."""
+        """Select the first robot."""
         self.run = run
         self.robot = 0
         self.frame = 0
@@ -67,7 +67,7 @@ class View:
 
     @property
     def session(self) -> Session:
-        """The session; to be looked at only."""
+        """The session; read only."""
         return self.run.session
 
     @property
@@ -77,12 +77,12 @@ class View:
 
     @property
     def position(self) -> Position:
-        """Where the run is."""
+        """The position of the run."""
         return self.run.position
 
     @property
     def time_s(self) -> float:
-        """The clock of the program that is looked at, or the world's when it does not run [s]."""
+        """The clock of the selected robot's program, or the world's if that does not run [s]."""
         return self.run.time_s(self.robot)
 
     @property
@@ -91,7 +91,7 @@ class View:
         return not self.run.can_advance
 
     def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
-        """Gives a program's active functions, the innermost first."""
+        """Return the stack frames of a program, innermost first."""
         robot = self.robot if robot is None else robot
         if not self.session.alive[robot] and not self.run.has_failed(robot):
             return []
@@ -114,23 +114,23 @@ class View:
         return frames
 
     def current_frame(self) -> BacktraceFrame | None:
-        """Gives the active function that the user looks at; None when there is none."""
+        """Return the selected frame; None if there is none."""
         frames = self.frames()
         return frames[self.frame] if self.frame < len(frames) else None
 
     def location(self) -> Location | None:
-        """Gives the place in the source that the user looks at."""
+        """Return the location of the selected frame; None without source."""
         frame = self.current_frame()
         return None if frame is None or frame.is_library else frame.location
 
     def current_file(self, robot: int | None = None) -> str:
-        """Gives the file where the user looks, or the first one of a robot's program."""
+        """Return the current file, or the first one of a robot's program."""
         here = self.location()
         robot = self.robot if robot is None else robot
         return here.file if here else str(self.run.programs[robot].paths[0])
 
     def source(self, file: str) -> Sequence[str]:
-        """Gives the lines of a C file; none for a file that is not the user's."""
+        """Return the lines of a C file; none if it is not the user's."""
         for program in self.run.programs:
             lines = program.executable.detail().lines
             if file in lines:
@@ -138,10 +138,10 @@ class View:
         return ()
 
     def select_robot(self, robot: int | str) -> None:
-        """Looks at another robot, by its number or name.
+        """Select a robot by number or name.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         names = self.names
         number = names.index(robot) if robot in names else robot
@@ -151,36 +151,36 @@ class View:
         self.frame = self.first_own_frame()
 
     def select_frame(self, number: int) -> None:
-        """Looks at another active function.
+        """Select a frame by number.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if not 0 <= number < len(self.frames()):
-            raise DebugError(f"there is no frame {number}")
+            raise DebugError(f"no frame {number}")
         self.frame = number
 
     def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
-        """Gives an active function by its number; by default the one that is looked at."""
+        """Return a frame by number; by default the selected one."""
         frames = self.frames(robot)
         if frame is None:
             frame = self.frame if robot == self.robot else self.first_own_frame(robot)
         if not frames:
             return None
         if not 0 <= frame < len(frames):
-            raise DebugError(f"there is no frame {frame}")
+            raise DebugError(f"no frame {frame}")
         return frames[frame].active
 
     def first_own_frame(self, robot: int | None = None) -> int:
-        """Gives the number of the innermost active function of the user's own."""
+        """Return the number of the innermost frame of the user's own code."""
         frames = self.frames(robot)
         return next((each.number for each in frames if not each.is_library), 0)
 
     def look_up(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
-        """Evaluates a C expression that must change nothing.
+        """Evaluate a C expression without side effects.
 
         Raises:
-            DebugError: it means nothing here, cannot be evaluated, or changes the program.
+            DebugError: it is invalid here, cannot be evaluated, or has side effects.
         """
         robot = self.robot if robot is None else robot
         evaluator = self.evaluator(robot)
@@ -191,21 +191,21 @@ class View:
         return found.value
 
     def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first."""
+        """Return the variables of a frame, those of the innermost block first."""
         robot = self.robot if robot is None else robot
         active = self.active_frame(robot, frame)
         return [] if active is None else self.evaluator(robot).variables(active)
 
     def globals_(self, *, robot: int | None = None) -> list[Variable]:
-        """Gives the global variables of a program, by their names."""
+        """Return the global variables of a program, sorted by name."""
         return self.evaluator(self.robot if robot is None else robot).globals_()
 
     def vendor_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
-        """Gives what a program was told in the vendor's `State[]`; nothing when it has it not."""
+        """Return the vendor's `State[]` as the program has it; empty if it has none."""
         return self.evaluator(self.robot if robot is None else robot).inspector().vendor_state()
 
     def type_of(self, text: str) -> CType:
-        """Gives the type that an expression has, or that it names.
+        """Return the type of an expression, or the type that it names.
 
         Raises:
             DebugError: it is neither an expression nor a type here.
@@ -219,15 +219,15 @@ class View:
             raise
 
     def holds(self, condition: str, robot: int) -> bool:
-        """Tells whether a condition is true in the innermost function of a program.
+        """Return whether a condition is true in the innermost frame of a program.
 
         Raises:
-            DebugError: it means nothing there, or cannot be evaluated.
+            DebugError: it is invalid there or cannot be evaluated.
         """
         return self.evaluator(robot).holds(condition)
 
     def evaluator(self, robot: int) -> Evaluator:
-        """Gives what evaluates expressions in a robot's program."""
+        """Return the evaluator of a robot's program."""
         program = self.run.programs[robot]
         memory = id(self.session.fleet.memory(robot))  # another one in another build
         if (robot, memory) not in self._evaluators:

@@ -1,7 +1,7 @@
-"""Watchpoints: objects that the user named by an expression, and what to say when they are touched.
+"""Watchpoints: objects given by an expression, and reports of accesses to them.
 
-The expression is evaluated once: `*p` is what `p` points to now. What lies on the stack is watched
-as long as the function lasts whose it is.
+The expression is evaluated once: `*p` is what `p` points to now. An object on the stack is watched
+as long as its function is active.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ _MAX_DEPTH: Final = 20
 
 @dataclass(frozen=True, slots=True)
 class Watchpoint:
-    """What a watchpoint watches.
+    """The object of a watchpoint.
 
     Attributes:
         text: the expression.
         type: its type.
-        watched: where it lies.
+        watched: its bytes in memory.
     """
 
     text: str
@@ -44,7 +44,7 @@ class Watchpoint:
 
     @property
     def note(self) -> str:
-        """Says how long it lasts, if that is not for ever."""
+        """Return a remark on how long it lasts; empty for ever."""
         frame = self.watched.frame
         return f"lasts until '{plain_name(frame.function)}' returns" if frame else ""
 
@@ -52,21 +52,21 @@ class Watchpoint:
 def watchpoint(
     number: int, text: str, kind: AccessKind, evaluator: Evaluator, frame: StackFrame | None
 ) -> Watchpoint:
-    """Finds what an expression names.
+    """Resolve the object that an expression names.
 
     Args:
-        number: of the watchpoint.
+        number: the number of the watchpoint.
         text: the expression.
         kind: which accesses count.
-        evaluator: of the robot's program.
-        frame: the active function that it is looked at from.
+        evaluator: the evaluator of the robot's program.
+        frame: the frame whose scope applies.
 
     Raises:
-        DebugError: it names no object that is there.
+        DebugError: it names no existing object.
     """
     place = evaluator.place(text, frame)
     if not place.size:
-        raise DebugError(f"'{text}' has no bytes that could be watched")
+        raise DebugError(f"'{text}' has size 0 and cannot be watched")
     inspector = evaluator.inspector()
     if not inspector.is_accessible(place.address, place.size):
         raise DebugError(inspector.explain(place.address, place.size, False))
@@ -77,7 +77,7 @@ def watchpoint(
 
 
 def _owner(stopped: Stopped, address: int) -> StackFrame | None:
-    """Gives the activation whose variable or parameter lies at an address on the stack."""
+    """Return the activation that owns an address on the stack."""
     if address >= STACK_TOP:
         return None
     for active in stopped.stack:
@@ -88,12 +88,12 @@ def _owner(stopped: Stopped, address: int) -> StackFrame | None:
 
 
 def same_activation(one: StackFrame, other: StackFrame) -> bool:
-    """Tells whether an activation is the same, though it stands elsewhere now."""
+    """Return whether two frames are the same activation."""
     return (one.fp, one.function, one.entered) == (other.fp, other.function, other.entered)
 
 
 def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryInspector) -> str:
-    """Says what happened to what is watched."""
+    """Return a description of an access."""
     place = access.location
     where = f" at {PurePath(place.file).name}:{place.line}" if place else ""
     by = f" by {access.library}" if access.library else ""
@@ -116,7 +116,7 @@ def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content)
 
 
 def _narrowed(name: str, old: Value, new: Value) -> tuple[str, Value, Value]:
-    """Gives the only part of an array or struct that has changed, if it is one."""
+    """Return the only element or member that has changed, if there is exactly one."""
     for _ in range(_MAX_DEPTH):
         if not (old.child_count > 1 and old.child_count == new.child_count):
             break

@@ -20,13 +20,13 @@ ROOT = Path(__file__).parents[2]
 
 @functools.cache
 def debug_program(*paths: Path) -> DebugProgram:
-    """Gives the debug build of some C files."""
+    """Return the debug build of some C files."""
     options = Options((), (HEADERS,))
     return DebugProgram(build_executable(paths, Diagnostics(), debug=True), paths, options)
 
 
 def debugger_of(*sources: str, folder: Path, world: str = "", **options: Any) -> Debugger:
-    """Puts programs, given as text, into the robots of a world: the last into all that are left.
+    """Put programs, given as text, into the robots of a world: the last into all that are left.
 
     Args:
         sources: the programs.
@@ -41,7 +41,7 @@ def debugger_of(*sources: str, folder: Path, world: str = "", **options: Any) ->
 
 
 def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debugger:
-    """Puts programs into the robots of a world: the last into all that are left."""
+    """Put programs into the robots of a world: the last into all that are left."""
     model = load_world(ROOT / "worlds" / world) if world else empty_world()
     programs = [debug_program(path) for path in paths]
     robots = len(model.robots)
@@ -50,6 +50,6 @@ def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debug
 
 
 def line(debugger: Debugger) -> int:
-    """Gives the line where it is; 0 where there is none."""
+    """Return the line where it is; 0 where there is none."""
     location = debugger.view.location()
     return 0 if location is None else location.line

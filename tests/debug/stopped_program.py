@@ -37,7 +37,7 @@ class Stopping:
         self.lines = {str(path): path.read_text().splitlines() for path in paths}
 
     def run(self, mark: str = "STOP") -> Stopping:
-        """Runs on to the next statement in a line with a mark."""
+        """Run on to the next statement in a line with a mark."""
         places = self.executable.detail().compiled.statements
         for number, site in enumerate(places):
             lines = self.lines.get(site.location.file, [])
@@ -55,7 +55,7 @@ class Stopping:
         raise EndError
 
     def run_to_end(self) -> bytes:
-        """Runs to the end of the program; gives what it has printed."""
+        """Run to the end of the program; return what it has printed."""
         with contextlib.suppress(EndError):
             self.run("no such mark")
         return self.printed
@@ -64,10 +64,10 @@ class Stopping:
         self.printed += content
 
     def evaluator(self) -> Evaluator:
-        """Gives what evaluates expressions."""
+        """Return what evaluates expressions."""
         fields = state_fields("nomad")
         return Evaluator(lambda: self.fleet.stopped(0), SourceNames(self.program), fields=fields)
 
     def state(self) -> tuple[bytes, bytes]:
-        """Gives all bytes of the program, and of its shadow."""
+        """Return all bytes of the program, and of its shadow."""
         return self.fleet.memory(0).tobytes(), self.fleet.stopped(0).shadow.tobytes()

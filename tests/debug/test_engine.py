@@ -42,7 +42,7 @@ def loop(tmp_path: Path) -> Debugger:
 
 
 def lines(debugger: Debugger, move: object, most: int = 100) -> list[int]:
-    """Gives the lines that it comes to, until there is no further one."""
+    """Return the lines that it comes to, until there is no further one."""
     found = []
     while len(found) < most and move().reason == "step":  # type: ignore[operator]
         found.append(line(debugger))
@@ -104,7 +104,7 @@ def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
 def test_a_line_without_code_is_the_next_one_with_some(loop: Debugger) -> None:
     point = loop.stop_points.add_breakpoint("8")
     assert point.place
-    assert point.place.note == "line 8 has no code; moved to line 12"
+    assert point.place.note == "no code at line 8; moved to line 12"
 
 
 def test_a_breakpoint_that_cannot_be_is_refused(loop: Debugger) -> None:

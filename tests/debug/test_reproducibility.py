@@ -58,7 +58,7 @@ class Trial:
     seen: dict[Position, Bytes] = field(default_factory=dict)
 
     def jump(self) -> None:
-        """Goes to a timestep, and on from there in the ways of a user."""
+        """Go to a timestep, and on from there in the ways of a user."""
         debugger = self.debugger
         debugger.goto_timestep(self.chance.randrange(TIMESTEPS))
         self.compare()
@@ -70,7 +70,7 @@ class Trial:
             self.move(backward=self.chance.random() < 0.7)
 
     def watch(self) -> None:
-        """Watches something that is to be seen here, and what was watched before no longer."""
+        """Watch something that is to be seen here, and what was watched before no longer."""
         debugger = self.debugger
         for each in debugger.stop_points.breakpoints:
             if each.watch:
@@ -80,7 +80,7 @@ class Trial:
             debugger.stop_points.add_watchpoint(self.chance.choice(names), "access")
 
     def move(self, *, backward: bool) -> None:
-        """Does one of all moves."""
+        """Execute one of all moves."""
         debugger = self.debugger
         moves: list[Callable[..., Stop]] = [
             debugger.step, debugger.next, debugger.step_statement, debugger.finish,
@@ -91,7 +91,7 @@ class Trial:
         self.compare()
 
     def revisit(self) -> None:
-        """Goes to all instants once more, in any order."""
+        """Go to all instants once more, in any order."""
         positions = sorted(self.seen)
         self.chance.shuffle(positions)
         for position in positions:
@@ -100,7 +100,7 @@ class Trial:
             self.compare()
 
     def compare(self) -> None:
-        """Compares with what was here before."""
+        """Compare with what was here before."""
         debugger = self.debugger
         own = (debugger.session.state_hash(), debugger.run.console.text())
         assert own == self.seen.setdefault(debugger.position, own), debugger.stop
@@ -108,7 +108,7 @@ class Trial:
 
 @contextmanager
 def impatient(debugger: Debugger) -> Iterator[None]:
-    """Interrupts what is still running at a certain timestep, and what takes long to go back."""
+    """Interrupt what is still running at a certain timestep, and what takes long to go back."""
     run = debugger.run
     hear, again = run.step, run.replay
 
@@ -130,14 +130,14 @@ def impatient(debugger: Debugger) -> Iterator[None]:
 
 
 def place_breakpoints(debugger: Debugger, chance: Random) -> None:
-    """Puts breakpoints into the first program, by chance."""
+    """Put breakpoints into the first program, by chance."""
     sites = debugger.run.programs[0].executable.detail().compiled.statements
     for site in chance.sample(sites, 2):
         debugger.stop_points.add_breakpoint(f"{site.location.file}:{site.location.line}")
 
 
 def programs_of(sample: Sample, world: WorldModel) -> list[DebugProgram]:
-    """Gives each robot's program."""
+    """Return each robot's program."""
     front_end = {"standard": sample.standard, "dialect": sample.dialect}
     made: dict[str, DebugProgram] = {}
     for name in {robot.program: None for robot in world.robots}:
@@ -148,7 +148,7 @@ def programs_of(sample: Sample, world: WorldModel) -> list[DebugProgram]:
 
 
 def run_up_to(timestep: int, write: Output, *made_of: Any, **options: Any) -> Session:
-    """Gives a session that nobody has debugged."""
+    """Return a session that nobody has debugged."""
     session = Session(*made_of, output=write, **options)
     while session.timesteps < timestep and session.step():
         pass

@@ -45,7 +45,7 @@ def test_a_script_shows_what_it_showed(
 
 
 def done() -> set[str]:
-    """Gives the names of the commands that scripts do."""
+    """Return the names of the commands that scripts do."""
     names = set()
     for script in [*SCRIPTS, *HERE.glob("programs/*.dbg")]:
         for line in script.read_text().splitlines():

@@ -19,17 +19,17 @@ Move = Callable[[], Stop]
 
 
 def walk(debugger: Debugger, moves: Iterable[Move]) -> list[int]:
-    """Gives the lines that moves lead to."""
+    """Return the lines that moves lead to."""
     return [line(debugger) for move in moves if move()]
 
 
 def functions(debugger: Debugger) -> list[str]:
-    """Gives the user's active functions, the innermost first."""
+    """Return the user's active functions, the innermost first."""
     return [each.function for each in debugger.view.frames() if not each.is_library]
 
 
 def number(debugger: Debugger, text: str) -> object:
-    """Gives the value of an expression."""
+    """Return the value of an expression."""
     return debugger.view.look_up(text).number
 
 
@@ -358,7 +358,7 @@ int main(void)
 
 
 def two_robots(folder: Path, more: str = "") -> Debugger:
-    """Gives a robot that calls another one."""
+    """Return a robot that calls another one."""
     (folder / "two.xml").write_text(TWO.format(more=more))
     return debugger_of(CALLER, HEARER, folder=folder, world=str(folder / "two.xml"))
 

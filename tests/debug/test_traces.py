@@ -21,7 +21,7 @@ def sample(name: str) -> Executable:
 
 
 def state_at(program: Executable, world: str, statements: int, *, first_stop: int) -> str:
-    """Gives the state hash when so many statements have begun.
+    """Return the state hash when so many statements have begun.
 
     Args:
         program: what all robots run.

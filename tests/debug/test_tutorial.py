@@ -31,7 +31,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def crs(line: str, folder: Path, script: str = "") -> str:
-    """Gives what a command shows, in a terminal of 80 columns."""
+    """Return what a command shows, in a terminal of 80 columns."""
     words = shlex.split(line)[1:]
     if words[0] == "debug":
         (folder / "script.dbg").write_text(script)
@@ -65,7 +65,7 @@ class Reader:
         self._shown: deque[str] = deque()
 
     def read(self, page: str) -> str:
-        """Gives the page with what is shown to him."""
+        """Return the page with what is shown to him."""
         typed = [
             line
             for kind, text in _BLOCK.findall(page)
@@ -97,7 +97,7 @@ class Reader:
         return shown
 
     def _script(self) -> str:
-        """Gives the debugger's commands that come now."""
+        """Return the debugger's commands that come now."""
         commands = []
         for line in self._left:
             if not line.startswith(_TYPED[1:]):

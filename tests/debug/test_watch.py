@@ -91,7 +91,7 @@ class Found:
 
     @property
     def by(self) -> tuple[str, str, str]:
-        """Gives what made the access: the function, the line, and the library's function."""
+        """Return what made the access: the function, the line, and the library's function."""
         place = self.access.location
         return (
             plain_name(self.access.function),
@@ -101,12 +101,12 @@ class Found:
 
     @property
     def change(self) -> tuple[int, int]:
-        """Gives the number that was there, and the one that is."""
+        """Return the number that was there, and the one that is."""
         return _number(self.access.old[0]), _number(self.access.new[0])
 
 
 def _line(number: int) -> str:
-    """Gives a line of the program."""
+    """Return a line of the program."""
     return ["", *PROGRAM.splitlines()][number].strip()
 
 
@@ -126,7 +126,7 @@ class Watching:
         self.ended = False
 
     def run(self) -> bool:
-        """Runs to the next stop; gives False at the end."""
+        """Run to the next stop; return False at the end."""
         slot = self.fleet.slots[0]
         while not self.ended:
             slot["run"], slot["fuel"] = 1, self.fuel
@@ -139,7 +139,7 @@ class Watching:
         return False
 
     def to(self, statement: int) -> None:
-        """Goes to before a statement, by how many have begun, whatever is watched."""
+        """Go to before a statement, by how many have begun, whatever is watched."""
         slot = self.fleet.slots[0]
         slot["stop_before_all"], slot["stop_from"] = 1, statement
         while int(slot["statements"]) < statement:
@@ -148,7 +148,7 @@ class Watching:
         slot["stop_before_all"] = slot["stop_from"] = 0
 
     def to_line(self, line: str) -> None:
-        """Goes to before a line, the next time."""
+        """Go to before a line, the next time."""
         sites = self.executable.detail().compiled.statements
         marks = [number for number, each in enumerate(sites) if _line(each.location.line) == line]
         self.fleet.marks[0][marks] = 1
@@ -161,7 +161,7 @@ class Watching:
 
     @property
     def line(self) -> str:
-        """Gives the line that it has stopped before."""
+        """Return the line that it has stopped before."""
         number = int(self.fleet.slots["stopped"][0]) - 1
         return _line(self.executable.detail().compiled.statements[number].location.line)
 
@@ -169,7 +169,7 @@ class Watching:
         self.watches.arm([self.object(each, kind, n) for n, each in enumerate(names, start=1)])
 
     def object(self, text: str, kind: AccessKind, number: int = 1) -> WatchedObject:
-        """Gives an object: `name`, `name+offset:size`, or `function/variable`."""
+        """Return an object: `name`, `name+offset:size`, or `function/variable`."""
         name, _, part = text.partition("+")
         at, _, size = part.partition(":")
         function, slash, variable = name.partition("/")
@@ -185,7 +185,7 @@ class Watching:
     def local(
         self, function: str, variable: str, kind: AccessKind, number: int = 1
     ) -> WatchedObject:
-        """Gives a variable of the innermost activation of a function."""
+        """Return a variable of the innermost activation of a function."""
         frame = self.frame(function)
         layout = self.executable.detail().compiled.info(frame.function).frame
         for place, at in layout.offsets.items():
@@ -198,7 +198,7 @@ class Watching:
         return next(each for each in stack if plain_name(each.function) == function)
 
     def found(self) -> Iterator[Found]:
-        """Runs to the end; gives each stop for an access."""
+        """Run to the end; return each stop for an access."""
         while self.run():
             for access in self.watches.take():
                 yield Found(self.line, self.begun, access)
@@ -318,7 +318,7 @@ def test_a_watch_ends_when_a_jump_leaves_its_function(program: Executable) -> No
 
 
 def snapshots(run: Watching) -> dict[int, Snapshot]:
-    """Gives a program's state before every statement."""
+    """Return a program's state before every statement."""
     saved = {}
     slot = run.fleet.slots[0]
     slot["stop_before_all"] = 1
@@ -412,7 +412,7 @@ def test_without_anything_to_watch_the_debug_build_runs(program: Executable) -> 
 def changes_by_comparing(
     program: Executable, objects: Sequence[WatchedObject]
 ) -> list[tuple[object, ...]]:
-    """Gives what changed in some objects, found by looking before every statement."""
+    """Return what changed in some objects, found by looking before every statement."""
     run = Watching(program)
     memory, found = run.fleet.memory(0), []
 
@@ -449,7 +449,7 @@ MOST_STATEMENTS = 3000
 
 
 def compare(program: Executable) -> int:
-    """Compares the changes of all global objects of a program; gives how many there were."""
+    """Compare the changes of all global objects of a program; return how many there were."""
     detail = program.detail()
     objects = [
         WatchedObject(number, "change", detail.compiled.addresses[name], data.size)

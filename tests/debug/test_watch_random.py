@@ -24,7 +24,7 @@ FAR = 600
 
 
 def variables(run: Watching, chance: random.Random) -> list[WatchedObject]:
-    """Gives some variables of one of the functions that are active."""
+    """Return some variables of one of the functions that are active."""
     own = [each for each in run.fleet.stopped(0).stack if not in_library(each.location)]
     frame = chance.choice(own)
     layout = run.executable.detail().compiled.info(frame.function).frame
@@ -46,7 +46,7 @@ def is_active(run: Watching, frame: StackFrame) -> bool:
 def by_looking(
     run: Watching, objects: list[WatchedObject], end: int
 ) -> tuple[list[Change], int | None]:
-    """Gives the changes up to a statement, and the one before which the function had returned."""
+    """Return the changes up to a statement, and the one before which the function had returned."""
     memory, changes = run.fleet.memory(0), list[Change]()
     parts = [slice(each.address, each.address + each.size) for each in objects]
     before = [memory[part].tobytes() for part in parts]
@@ -79,7 +79,7 @@ def by_watching(
 
 
 def compare_variables(program: Executable, chance: random.Random) -> int:
-    """Compares the changes of variables from some statements on; gives how many there were."""
+    """Compare the changes of variables from some statements on; return how many there were."""
     whole = Watching(program)
     whole.run()
     count = 0

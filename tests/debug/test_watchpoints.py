@@ -47,7 +47,7 @@ def loop(tmp_path: Path) -> Debugger:
 
 
 def texts(debugger: Debugger, *, backward: bool = False) -> list[str]:
-    """Gives what is said at each stop up to the end, or to the beginning."""
+    """Return what is said at each stop up to the end, or to the beginning."""
     found = []
     while (stop := debugger.resume(backward=backward)).reason == "watchpoint":
         found.append(stop.text)
@@ -188,16 +188,16 @@ def test_what_cannot_be_watched_is_refused(loop: Debugger) -> None:
     for wrong in ("total + 1", "*p", "nothing", "", "1", "twice", "main", "goal.order[4]"):
         with pytest.raises(DebugError):
             loop.stop_points.add_watchpoint(wrong)
-    with pytest.raises(DebugError, match="kind of access"):
+    with pytest.raises(DebugError, match="access kind"):
         loop.stop_points.add_watchpoint("total", "look")  # type: ignore[arg-type]
     for _ in range(MAX):
         loop.stop_points.add_watchpoint("total")
-    with pytest.raises(DebugError, match=f"no more than {MAX} objects"):
+    with pytest.raises(DebugError, match=f"at most {MAX} objects"):
         loop.stop_points.add_watchpoint("total")
     first = next(iter(loop.stop_points.breakpoints))
     loop.stop_points.enable(first.number, on=False)
     loop.stop_points.add_watchpoint("total")
-    with pytest.raises(DebugError, match=f"no more than {MAX} objects"):
+    with pytest.raises(DebugError, match=f"at most {MAX} objects"):
         loop.stop_points.enable(first.number)
 
 

@@ -1,4 +1,4 @@
-"""The lines in which a command answers."""
+"""The answer of a command: lines of text and of source."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 LineKind = Literal["text", "stop", "place", "log", "error"]
-"""What a line is about: an answer, why a program stopped, where it stands, what a breakpoint
-logs, what the user did wrong."""
+"""The kind of a line: an answer, the reason of a stop, a location, the message of a log
+point, an error."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,8 +16,8 @@ class Line:
     """A line of an answer.
 
     Attributes:
-        text: what it says, without colours.
-        kind: what it is about.
+        text: its text, without colours.
+        kind: its kind.
     """
 
     text: str
@@ -26,13 +26,13 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class SourceLine:
-    """A line of C.
+    """A source line.
 
     Attributes:
         number: its number in its file.
         code: the line.
-        is_current: whether the program stands there.
-        has_breakpoint: whether a breakpoint is there.
+        is_current: whether it is the current line.
+        has_breakpoint: whether it has a breakpoint.
     """
 
     number: int
@@ -42,13 +42,13 @@ class SourceLine:
 
     @property
     def head(self) -> str:
-        """Gives what stands before the code: marks and the number."""
+        """Return the prefix of the line: marks and number."""
         mark = "=>" if self.is_current else "  "
         return f"{mark}{'*' if self.has_breakpoint else ' '}{self.number:4}  "
 
     @property
     def text(self) -> str:
-        """Gives the line as plain text.
+        """Return the line as plain text.
 
         >>> SourceLine(12, "x = 3;", is_current=True).text
         '=>   12  x = 3;'
@@ -57,4 +57,4 @@ class SourceLine:
 
 
 Answer = Iterator[str | Line | SourceLine]
-"""What a command answers, line by line, while it is at work; a `str` is a `Line` of text."""
+"""The answer of a command, line by line while it runs; a `str` is a `Line` of text."""

@@ -1,4 +1,4 @@
-"""Commands about instants to come back to, and runs that the user has changed."""
+"""Commands for checkpoints and branches."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _checkpoint(context: CommandContext, text: str) -> Answer:
 def _restart(context: CommandContext, text: str) -> Answer:
     numbers = parse_numbers(require_argument(text, "a checkpoint's number"))
     if len(numbers) != 1:
-        raise DebugError("say one checkpoint's number")
+        raise DebugError("expected the number of one checkpoint")
     return context.move(partial(context.debugger.restart, numbers[0]))
 
 
@@ -34,26 +34,26 @@ def _info_checkpoints(context: CommandContext, text: str) -> Answer:
     for each in found:
         yield f"{each.number:<3} {_shown(each)}"
     if not found:
-        yield "There are no checkpoints."
+        yield "No checkpoints."
 
 
 def _branch(context: CommandContext, text: str) -> Answer:
-    name = require_argument(text, "a name for the branch")
+    name = require_argument(text, "a branch name")
     context.debugger.branch(name)
-    yield f"The run goes on as branch '{name}'."
+    yield f"Switched to new branch '{name}'."
 
 
 def _switch(context: CommandContext, text: str) -> Answer:
-    return context.move(partial(context.debugger.switch, require_argument(text, "a branch's name")))
+    return context.move(partial(context.debugger.switch, require_argument(text, "a branch name")))
 
 
 def _compare(context: CommandContext, text: str) -> Answer:
-    found = context.debugger.compare(require_argument(text, "a branch's name"))
+    found = context.debugger.compare(require_argument(text, "a branch name"))
     timestep = context.debugger.position.timestep
     if not found:
-        yield f"There is no difference at the start of timestep {timestep}."
+        yield f"No differences at the start of timestep {timestep}."
         return
-    yield f"At the start of timestep {timestep}, here and there:"
+    yield f"At the start of timestep {timestep}, this branch | other branch:"
     for each in found:
         yield f"{each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
 
@@ -72,28 +72,27 @@ def _shown(made: Checkpoint) -> str:
 
 BRANCHES: Final = Group(
     "branches",
-    "Marking positions, and exploring alternative continuations of a run.",
+    "Checkpoints, and alternative histories.",
     (
         Command(
-            "checkpoint", "[NAME]", "Save the current position as a checkpoint.", _checkpoint,
+            "checkpoint", "[NAME]", "Save the current position to return to.", _checkpoint,
         ),
         Command(
-            "restart", "N", "Go to a checkpoint.", _restart, completes="checkpoint",
+            "restart", "N", "Return to a checkpoint.", _restart, completes="checkpoint",
         ),
         Command("info checkpoints", "", "List the checkpoints.", _info_checkpoints),
         Command(
-            "branch", "NAME", "Create a branch of the run at the current position, and switch to"
-                              " it.",
+            "branch", "NAME", "Start a new branch here, and keep the current one.",
             _branch,
-            text="Later changes (to variables or the world) affect only the new branch.",
+            text="Later changes (to variables, to the world) belong to the new branch.",
         ),
         Command(
-            "switch", "NAME", "Switch to another branch, at the position where it was left.",
-            _switch, completes="branch",
+            "switch", "NAME", "Switch to another branch, where it was left.", _switch,
+            completes="branch",
         ),
         Command(
-            "compare", "NAME", "Print the differences between another branch and this one.",
-            _compare, completes="branch",
+            "compare", "NAME", "Show how another branch differs from this one.", _compare,
+            completes="branch",
         ),
         Command("info branches", "", "List the branches.", _info_branches),
     ),

@@ -1,4 +1,4 @@
-"""Breakpoints in words."""
+"""Descriptions of breakpoints."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ if TYPE_CHECKING:
     from crs_cc.debug.watch import AccessKind
 
 _ACCESSES: Final[dict[AccessKind, str]] = {
-    "change": "when it changes",
-    "write": "when it is written",
-    "read": "when it is read",
-    "access": "when it is read or written",
+    "change": "on change",
+    "write": "on write",
+    "read": "on read",
+    "access": "on read or write",
 }
 
 
 def name_of(one: Breakpoint) -> str:
-    """Gives what a breakpoint is called.
+    """Return the name of a breakpoint.
 
     >>> name_of(Breakpoint(3, "watchpoint", "speed", temporary=True))
     'Temporary watchpoint 3'
@@ -27,12 +27,12 @@ def name_of(one: Breakpoint) -> str:
 
 
 def described(one: Breakpoint) -> str:
-    """Gives where a breakpoint is, in words."""
+    """Return a description of where a breakpoint is."""
     location = one.place.location if one.place else None
     if one.watch is not None:
         return f"{one.text}, {_ACCESSES[one.watch.watched.kind]}"
     if one.place is None:
         return one.text
     if location is None:
-        return f"{one.text}, when the robot is asked"
+        return f"{one.text}, when the robot is called"
     return f"{one.place.function} at {location.file}:{location.line}"

@@ -1,4 +1,4 @@
-"""Commands about where to stop: lines, functions, values, and what happens in the world."""
+"""Commands for breakpoints, watchpoints and catchpoints."""
 
 from __future__ import annotations
 
@@ -50,10 +50,10 @@ def _break(context: CommandContext, text: str, *, temporary: bool = False) -> An
 
 
 def _here(context: CommandContext) -> str:
-    """Gives the line where the user looks."""
+    """Return the current line as a location."""
     place = context.debugger.view.location()
     if place is None:
-        raise DebugError("no program stands at a line here: say where to stop")
+        raise DebugError("no current line: specify a location")
     return f"{place.file}:{place.line}"
 
 
@@ -67,7 +67,7 @@ def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
 
 def _catch(context: CommandContext, text: str) -> Answer:
     where = parse_breakpoint_arguments(
-        require_argument(text, "what to stop at, such as error or collision")
+        require_argument(text, "an event, such as exit or collision")
     )
     made = context.debugger.stop_points.add_catchpoint(
         where.place, condition=where.condition, robot=_robot(context, where.robot)
@@ -76,9 +76,9 @@ def _catch(context: CommandContext, text: str) -> Answer:
 
 
 def _dprintf(context: CommandContext, text: str) -> Answer:
-    place, *rest = split_arguments(require_argument(text, 'PLACE,"FORMAT",EXPRESSION...'))
+    place, *rest = split_arguments(require_argument(text, 'LOCATION,"FORMAT",EXPRESSION...'))
     if not rest:
-        raise DebugError('say what to print behind the place: dprintf PLACE,"FORMAT",...')
+        raise DebugError('a format is missing: dprintf LOCATION,"FORMAT",...')
     made = context.debugger.stop_points.add_breakpoint(
         _place(context, place), log=log_text(rest[0], rest[1:])
     )
@@ -86,9 +86,9 @@ def _dprintf(context: CommandContext, text: str) -> Answer:
 
 
 def _log(context: CommandContext, text: str) -> Answer:
-    place, _, message = require_argument(text, "PLACE TEXT").partition(" ")
+    place, _, message = require_argument(text, "LOCATION TEXT").partition(" ")
     made = context.debugger.stop_points.add_breakpoint(
-        place, log=require_argument(message, "PLACE TEXT")
+        place, log=require_argument(message, "LOCATION TEXT")
     )
     return _made(made)
 
@@ -123,21 +123,17 @@ def _enable(context: CommandContext, text: str, *, on: bool) -> Answer:
 
 def _condition(context: CommandContext, text: str) -> Answer:
     number, _, condition = require_argument(
-        text, "a breakpoint's number, and a condition"
+        text, "a breakpoint's number and a condition"
     ).partition(" ")
     for each in _numbers(context, number):
         context.debugger.stop_points.set_condition(each, condition.strip())
         if not condition.strip():
-            yield f"Breakpoint {each} is unconditional now."
+            yield f"Breakpoint {each} now unconditional."
 
 
 def _ignore(context: CommandContext, text: str) -> Answer:
-    number, _, count = require_argument(text, "a breakpoint's number, and how often").partition(" ")
-    times = (
-        0
-        if count.strip() == "0"
-        else parse_count(require_argument(count, "how often to ignore it"))
-    )
+    number, _, count = require_argument(text, "a breakpoint's number and a count").partition(" ")
+    times = 0 if count.strip() == "0" else parse_count(require_argument(count, "an ignore count"))
     for each in _numbers(context, number):
         context.debugger.stop_points.ignore(each, times)
         yield f"Will ignore next {times} crossings of breakpoint {each}."
@@ -147,13 +143,15 @@ def _commands(context: CommandContext, text: str) -> Answer:
     known = [each.number for each in context.debugger.stop_points.breakpoints]
     numbers = _numbers(context, text) or known[-1:]
     if not numbers:
-        raise DebugError("there is no breakpoint yet")
+        raise DebugError("no breakpoints")
     missing = [each for each in numbers if each not in known]
     if missing:
-        raise DebugError(f"there is no breakpoint {missing[0]}")
+        raise DebugError(f"no breakpoint {missing[0]}")
     context.input = CommandInput(numbers)
     shown = ", ".join(map(str, numbers))
-    yield f"Type commands for breakpoint {shown}, one per line, and a line saying just 'end'."
+    yield (
+        f"Type commands for breakpoint {shown}, one per line. End with a line saying just 'end'."
+    )
 
 
 def _info(context: CommandContext, text: str) -> Answer:
@@ -164,16 +162,18 @@ def _info(context: CommandContext, text: str) -> Answer:
         if not wanted or each.number in wanted
     ]
     if not rows:
-        yield "There are no breakpoints." if not wanted else "There is no such breakpoint."
+        yield "No breakpoints." if not wanted else "No such breakpoint."
     for one in rows:
         yield f"{one.number:<3} {_state(one):11} {described(one)}{_of_robot(context, one)}"
         if one.condition:
-            yield f"    only if {one.condition}"
+            yield f"    stop only if {one.condition}"
         if one.log:
-            yield f"    logs {one.log}"
+            yield f"    log {one.log}"
         if one.hits or one.ignore:
             times = f"{one.hits} time{'s' * (one.hits != 1)}"
-            yield f"    hit {times}" + (f", ignored {one.ignore} more" if one.ignore else "")
+            yield f"    breakpoint already hit {times}" + (
+                f", ignore next {one.ignore} hits" if one.ignore else ""
+            )
         yield from (f"        {line}" for line in context.scripts.get(one.number, ()))
 
 
@@ -188,71 +188,71 @@ def _of_robot(context: CommandContext, one: Breakpoint) -> str:
 
 
 _PLACES: Final = (
-    "PLACE is a line (12), a line of a file (turn.c:12), a function of the program (turn), or one"
-    " of the robot (ws, get_sn), which stops when the program sends its request. If a line has no"
-    " code, the next one that has is used. Default: the current line. With several robots, it"
-    " applies to all of them unless one is named. CONDITION is a C expression."
+    "LOCATION is a line (12), a line of a file (turn.c:12), a function of the program (turn), or"
+    " one of the robot (ws, get_sn): then it stops when the robot is called. A line without code"
+    " means the next line with code. Default is the current line. With"
+    " several robots it stops any of them unless one is named. CONDITION is a C expression."
 )
 _NUMBERS: Final = (
-    "N is a number, a range such as 2-4, or $ for the newest breakpoint. Default: all."
+    "N is a number, a range such as 2-4, or $ for the newest breakpoint; default is all."
 )
 
 
 def _kinds() -> str:
-    """Gives the kinds of happenings that can be caught, each with its meaning."""
+    """Return the event kinds with their meanings."""
     *first, last = (f"{kind} ({meaning})" for kind, meaning in KINDS.items())
     return f"{', '.join(first)} or {last}"
 
 
 BREAKPOINTS: Final = Group(
     "breakpoints",
-    "Setting conditions at which the run stops, forward and in reverse.",
+    "Where and when to stop, forward or in reverse.",
     (
         Command(
-            "break", "[PLACE] [robot NAME] [if CONDITION]", "Set a breakpoint at a line or a"
-                                                            " function.",
+            "break", "[LOCATION] [robot NAME] [if CONDITION]",
+            "Set a breakpoint at a line or a function.",
             _break, ("b", "br"), text=_PLACES, completes="place",
         ),
         Command(
-            "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Set a breakpoint that is deleted"
-                                                             " when it is hit.",
-            partial(_break, temporary=True), ("tb",), text="PLACE is as in \"break\".",
+            "tbreak", "[LOCATION] [robot NAME] [if CONDITION]",
+            "Set a breakpoint that is deleted when hit.",
+            partial(_break, temporary=True), ("tb",), text='LOCATION is that of "break".',
             completes="place",
         ),
         Command(
             "watch", "EXPRESSION [if CONDITION]", "Stop when the value of an expression changes.",
             partial(_watch, kind="change"),
-            text="EXPRESSION names an object: a variable, an element, *p. The run stops after the"
-                 " statement that wrote it (in reverse: before it). A local variable is watched as"
-                 " long as its function is active.",
+            text="EXPRESSION names an object: a variable, an element, *p. Stops after the"
+            " statement that wrote it (in reverse: before it). A local variable is watched"
+            " until its function returns.",
             completes="expression",
         ),
         Command(
-            "wwatch", "EXPRESSION [if CONDITION]", "Stop when a value is written, even if"
-                                                   " unchanged.",
+            "wwatch", "EXPRESSION [if CONDITION]",
+            "Stop when an object is written, changed or not.",
             partial(_watch, kind="write"), completes="expression",
         ),
         Command(
-            "rwatch", "EXPRESSION [if CONDITION]", "Stop when a value is read.",
+            "rwatch", "EXPRESSION [if CONDITION]", "Stop when an object is read.",
             partial(_watch, kind="read"), completes="expression",
         ),
         Command(
-            "awatch", "EXPRESSION [if CONDITION]", "Stop when a value is read or written.",
+            "awatch", "EXPRESSION [if CONDITION]", "Stop when an object is read or written.",
             partial(_watch, kind="access"), completes="expression",
         ),
         Command(
-            "catch", "WHAT [robot NAME]", "Stop when an event happens to a program or a robot.",
-            _catch, text=f"WHAT is exit (a program ended) or {_kinds()}.", completes="catch",
+            "catch", "EVENT [robot NAME]", "Stop when an event happens to a program or a robot.",
+            _catch, text=f"EVENT is exit (a program ended) or {_kinds()}.", completes="catch",
         ),
         Command(
-            "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print formatted values at a place,"
-                                                       " without stopping.", _dprintf,
-            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; each consumes the"
-                 " next expression, whose value is converted according to its type.",
+            "dprintf", 'LOCATION,"FORMAT",EXPRESSION...',
+            "Print a formatted message without stopping.", _dprintf,
+            text="FORMAT is printf's: %d %u %x %o %c %s %f %g %p and %%; each consumes"
+            " the next expression, whose value is shown according to its type.",
             completes="place",
         ),
         Command(
-            "log", "PLACE TEXT", "Print TEXT at a place, without stopping.", _log,
+            "log", "LOCATION TEXT", "Print TEXT without stopping.", _log,
             text="Expressions in braces are replaced by their values: log 12 speed is {speed}.",
             completes="place",
         ),
@@ -269,8 +269,8 @@ BREAKPOINTS: Final = Group(
             ("en",), text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "condition", "N [CONDITION]", "Set the condition of a breakpoint, a C expression.",
-            _condition, text="Without CONDITION, remove it.", completes="breakpoint",
+            "condition", "N [CONDITION]", "Make a breakpoint conditional on a C expression.",
+            _condition, text="Without CONDITION, make it unconditional.", completes="breakpoint",
         ),
         Command(
             "ignore", "N COUNT", "Ignore the next COUNT hits of a breakpoint.", _ignore,
@@ -278,12 +278,12 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "commands", "[N...]", "Set commands to execute when a breakpoint is hit.", _commands,
-            text="The commands follow, one per line, up to a line \"end\". If the first one is"
-                 " \"silent\", the stop is not reported. Default: the newest breakpoint.",
+            text='Commands follow, one per line, ended by a line "end". If the first is "silent",'
+            " the stop is not reported. Default is the newest breakpoint.",
             completes="breakpoint",
         ),
         Command(
-            "info breakpoints", "[N...]", "List the breakpoints, watchpoints and catchpoints.",
+            "info breakpoints", "[N...]", "List breakpoints, watchpoints and catchpoints.",
             _info, ("info b", "info watchpoints"), completes="breakpoint",
         ),
     ),

@@ -1,4 +1,4 @@
-"""Commands that change the world: those of `debug.edits`."""
+"""Commands that change the world: those of `world.edits`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def _change(context: CommandContext, text: str, *, name: str) -> Answer:
 
 CHANGES: Final = Group(
     "changes",
-    "Changing the world; the run continues differently from there.",
+    "Changes to the world, which start a new history.",
     tuple(
         Command(
             name, each.syntax, each.summary, partial(_change, name=name),

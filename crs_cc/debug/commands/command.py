@@ -15,7 +15,7 @@ Completes = Literal[
     "", "command", "place", "expression", "robot", "breakpoint", "display", "file", "catch",
     "checkpoint", "branch", "edit",
 ]  # fmt: skip
-"""What an argument is, to be completed."""
+"""The kind of an argument, for completion."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,15 +23,15 @@ class Command:
     """A command.
 
     Attributes:
-        name: its name, of two words for those that follow another, such as `info locals`.
+        name: its name; subcommands have two words, such as `info locals`.
         syntax: its arguments as help shows them, optional ones in brackets.
         summary: what it does, in a line.
-        run: does it, given the shell and what stands behind the name.
+        run: runs it, given the context and the arguments.
         aliases: further names.
-        text: what else there is to say.
-        repeats: what an empty line after it does: nothing, the command again, or the command
+        text: further help.
+        repeats: what an empty line after it does: nothing, repeat the command, or repeat it
             without its arguments.
-        completes: what its argument is.
+        completes: the kind of its argument, for completion.
     """
 
     name: str
@@ -45,7 +45,7 @@ class Command:
 
     @property
     def usage(self) -> str:
-        """Gives the command with its arguments."""
+        """Return the command with its arguments."""
         return f"{self.name} {self.syntax}".rstrip()
 
 
@@ -54,8 +54,8 @@ class Group:
     """Commands about one subject.
 
     Attributes:
-        name: the subject, a word that `help` takes.
-        summary: what they are for.
+        name: its name, an argument of `help`.
+        summary: its purpose.
         commands: the commands, in the order in which help shows them.
     """
 

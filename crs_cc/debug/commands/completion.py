@@ -1,4 +1,4 @@
-"""What can stand next on a command line."""
+"""Completion of command lines."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ _LAST_PART: Final = re.compile(r"\S*$")
 
 @dataclass(frozen=True, slots=True)
 class Completion:
-    """What can stand at the end of a line.
+    """The completions of a line.
 
     Attributes:
-        start: where the word begins that is being written.
-        words: what it can become, sorted.
+        start: the start of the word to complete.
+        words: its completions, sorted.
     """
 
     start: int
@@ -40,7 +40,7 @@ class Completion:
 
 
 def complete(context: CommandContext, text: str) -> Completion:
-    """Gives what the last word of a line can become."""
+    """Return the completions of the last word of a line."""
     names = sorted(matching(text.lstrip()))
     start = len(text) - len(text.lstrip())
     if names:
@@ -67,7 +67,7 @@ def _commands(_context: CommandContext, word: str) -> Iterable[str]:
 
 
 def _places(context: CommandContext, word: str) -> Iterator[str]:
-    """Gives functions and files, and behind a file its functions."""
+    """Return functions and files, and after a file its functions."""
     file, colon, _ = word.rpartition(":")
     for name, place in functions(context):
         if not colon or is_file(place.file, file):
@@ -113,7 +113,7 @@ def _branches(context: CommandContext, _word: str) -> Iterable[str]:
 
 
 def _edits(context: CommandContext, _word: str) -> Iterable[str]:
-    """Gives what changes of the world are about: names, devices and faults."""
+    """Return the words of changes to the world: names, devices and faults."""
     return (
         *context.debugger.session.environment.names,
         *degradables(),

@@ -1,4 +1,4 @@
-"""Commands about values: of expressions, of variables, of memory."""
+"""Commands for expressions, variables and memory."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _set(context: CommandContext, text: str) -> Answer:
             words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
         )
     if "=" not in text:
-        raise DebugError("say what it is to be: set VARIABLE = EXPRESSION")
+        raise DebugError("an assignment is missing: set VARIABLE = EXPRESSION")
     context.debugger.evaluate(text)
     yield from ()
 
@@ -73,7 +73,7 @@ def _examine(context: CommandContext, text: str) -> Answer:
         address, known = context.examined
         wanted = replace(known, count=wanted.count)
     else:
-        raise DebugError("say where to look: x ADDRESS")
+        raise DebugError("an address is missing: x ADDRESS")
     if wanted.letter == "s":
         yield from _strings(context, address, wanted)
         return
@@ -84,13 +84,13 @@ def _examine(context: CommandContext, text: str) -> Answer:
 
 
 def _address(value: Value) -> int:
-    """Gives the address that a value stands for: a pointer's, a number, or that of an object."""
+    """Return the address that a value denotes: a pointer, an integer, or that of an object."""
     if isinstance(value.type, ArrayType | RecordType):
         if value.address is None:
-            raise DebugError("this lies nowhere in memory")
+            raise DebugError("expression has no address")
         return value.address
     if not isinstance(value.number, int):
-        raise DebugError(f"{value.text} is no address")
+        raise DebugError(f"{value.text} is not an address")
     return value.number & 0xFFFF_FFFF
 
 
@@ -99,7 +99,7 @@ def _strings(context: CommandContext, address: int, wanted: OutputFormat) -> Ans
     for _ in range(min(wanted.count, _MAX_STRINGS)):
         content = inspector.read(address, MAX_TEXT_LENGTH + 1)
         if not content:
-            raise DebugError(f"there is no memory at {address:#x}")
+            raise DebugError(f"cannot access memory at {address:#x}")
         yield f"{address:#010x}: {quoted(content)}"
         address += min(len(content.partition(b"\0")[0]), MAX_TEXT_LENGTH) + 1
     context.examined = address, wanted
@@ -120,20 +120,20 @@ def _display(context: CommandContext, text: str) -> Answer:
 def _undisplay(context: CommandContext, text: str) -> Answer:
     for number in parse_numbers(text) or list(context.displays):
         if context.displays.pop(number, None) is None:
-            raise DebugError(f"there is no display {number}")
+            raise DebugError(f"no display {number}")
     yield from ()
 
 
 def _info_display(context: CommandContext, text: str) -> Answer:
     reject_arguments(text)
     if not context.displays:
-        yield "There are no displays."
+        yield "No displays."
     for number, display in context.displays.items():
         yield f"{number}: {display.expression}"
 
 
 def _variable(each: Variable) -> str:
-    hidden = "  (hidden by another one of that name)" if each.is_hidden else ""
+    hidden = "  (shadowed)" if each.is_hidden else ""
     return f"{each.name} = {each.value.text}{hidden}"
 
 
@@ -142,7 +142,7 @@ def _info_locals(context: CommandContext, text: str) -> Answer:
     here = frame(context)
     found = context.debugger.view.variables(frame=here.number)
     if not found:
-        yield f"{here.function} has no variables here."
+        yield f"No locals in {here.function}."
     yield from map(_variable, found)
 
 
@@ -155,14 +155,14 @@ def _info_args(context: CommandContext, text: str) -> Answer:
         if each.scope == "parameter"
     ]
     if not found:
-        yield f"{here.function} has no arguments."
+        yield f"No arguments in {here.function}."
     yield from map(_variable, found)
 
 
 def _info_globals(context: CommandContext, text: str) -> Answer:
     found = [each for each in context.debugger.view.globals_() if text in each.name]
     if not found:
-        raise DebugError(f"no global variable has '{text}' in its name")
+        raise DebugError(f"no global variable matches '{text}'")
     yield from map(_variable, found)
 
 
@@ -171,24 +171,24 @@ _FORMATS: Final = (
     " floating-point, s string, a address."
 )
 _CHANGES: Final = (
-    "Assignments and function calls change the program; the run continues differently from here."
+    "Assignments and function calls change the program and start a new history from here."
 )
 
 DATA: Final = Group(
     "data",
-    "Examining expressions, variables and memory.",
+    "Expressions, variables and memory.",
     (
         Command(
             "print", "[/FMT] EXPRESSION", "Print the value of a C expression.", _print,
             ("p", "inspect"),
-            text="All operators, casts, macros and calls of the program's functions are supported."
-            " Extensions: a[2..5] and *p@4 are ranges of elements, turn::count and 'map.c'::size"
-            " variables of other functions and files, $3 is a printed value, $ the last one, and"
-            f" $name = 7 sets a convenience variable. {_FORMATS} {_CHANGES}",
+            text="All operators, casts, macros and calls of the program's functions. Extensions:"
+            " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
+            " other functions and files, $3 is a printed value, $ the last one, $name = 7 sets"
+            f" a convenience variable. {_FORMATS} {_CHANGES}",
             completes="expression",
         ),
         Command(
-            "call", "EXPRESSION", "Evaluate a C expression, and print its value unless it is void.",
+            "call", "EXPRESSION", "Evaluate a C expression, and print its value unless void.",
             _call, text=_CHANGES, completes="expression",
         ),
         Command(
@@ -196,16 +196,15 @@ DATA: Final = Group(
             text=_CHANGES, completes="expression",
         ),
         Command(
-            "display", "[/FMT] [EXPRESSION]", "Print an expression now and at every stop.",
-            _display,
-            text=f"Expressions that cannot be evaluated are omitted. {_FORMATS}",
+            "display", "[/FMT] [EXPRESSION]", "Show an expression now and at every stop.", _display,
+            text=f"Omitted where it cannot be evaluated. {_FORMATS}",
             completes="expression",
         ),
         Command(
-            "undisplay", "[N...]", "Remove displays. Default: all.",
+            "undisplay", "[N...]", "Delete displays; default is all.",
             _undisplay, completes="display",
         ),
-        Command("info display", "", "List the displays.", _info_display),
+        Command("info display", "", "List the displayed expressions.", _info_display),
         Command(
             "whatis", "EXPRESSION", "Print the type of an expression.", _whatis,
             completes="expression",
@@ -216,18 +215,18 @@ DATA: Final = Group(
         ),
         Command(
             "x", "[/NFU] [ADDRESS]", "Examine memory.", _examine,
-            text="N units, in format F, of U: b one byte, h two, w four, g eight. "
-            + _FORMATS + " ?? marks uninitialised bytes, -- bytes that belong to no object."
-                         " Default: continue after the last address.",
+            text="N units in format F, of size U: b one byte, h two, w four, g eight. "
+            + _FORMATS + " ?? is uninitialised, -- belongs to no object. Without ADDRESS,"
+" continue after the last.",
             repeats="on", completes="expression",
         ),
         Command(
-            "info locals", "", "Print the local variables of the selected frame.",
+            "info locals", "", "Show the local variables of the selected frame.",
             _info_locals, ("info lo",),
         ),
-        Command("info args", "", "Print the arguments of the selected frame.", _info_args),
+        Command("info args", "", "Show the arguments of the selected frame.", _info_args),
         Command(
-            "info globals", "[TEXT]", "Print the global variables whose names contain TEXT.",
+            "info globals", "[TEXT]", "Show the global variables whose names contain TEXT.",
             _info_globals, ("info variables",), completes="expression",
         ),
     ),

@@ -1,4 +1,4 @@
-"""An expression that is shown at every stop."""
+"""Expressions that are shown at every stop."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """An expression, and how to show its value."""
+    """An expression and its output format."""
 
     expression: str
     format: OutputFormat
 
     def text(self, debugger: Debugger) -> str:
-        """Gives it as it is now.
+        """Return the expression with its current value.
 
         Raises:
-            DebugError: it means nothing here.
+            DebugError: it is invalid here.
         """
         return (
             f"{self.expression} = {formatted(debugger.view.look_up(self.expression), self.format)}"

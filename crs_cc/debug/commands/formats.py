@@ -1,4 +1,4 @@
-"""Values in the form that a letter stands for: `print/x`, `x/4xw`."""
+"""Output formats of values: `print/x`, `x/4xw`."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ _MAX_BYTES: Final = 4096
 
 
 def formatted(value: Value, wanted: OutputFormat) -> str:
-    """Gives a value in a form; that of an array or struct for each of its parts.
+    """Return a value in a format; arrays and structs are formatted by parts.
 
-    A number that is not whole stays as it is where the form is one of integers.
+    A non-integral number is shown as it is if the format is for integers.
 
     Raises:
-        DebugError: it has no such form.
+        DebugError: the format does not apply.
     """
     if not wanted.letter:
         return value.full
@@ -52,7 +52,7 @@ def formatted(value: Value, wanted: OutputFormat) -> str:
 
 
 def _whole(value: Value, letter: str) -> str:
-    """Gives a floating value as an integer, if it is one."""
+    """Return a floating value in an integer format, if it is integral."""
     number = value.number
     if number is None or not abs(number) < 2**63 or number != int(number):
         return value.full
@@ -60,7 +60,7 @@ def _whole(value: Value, letter: str) -> str:
 
 
 def letters(content: bytes, letter: str) -> str:
-    r"""Gives bytes in the form of a letter.
+    r"""Return bytes in the format of a letter.
 
     >>> [letters(b"\xff\0\0\0", letter) for letter in "xduot"]
     ['0xff', '255', '255', '0377', '11111111']
@@ -109,7 +109,7 @@ _LETTERS: Final[dict[str, Callable[[bytes], str]]] = {
 
 
 def text_at(value: Value) -> str:
-    """Gives the string that an array holds, or that a pointer points to.
+    """Return the string in an array, or to which a pointer points.
 
     Raises:
         DebugError: it is neither an array nor a pointer.
@@ -125,7 +125,7 @@ def text_at(value: Value) -> str:
 
 
 def quoted(content: bytes) -> str:
-    r"""Gives the string that begins some bytes, as C writes it.
+    r"""Return the string at the start of some bytes, as a C literal.
 
     >>> print(quoted(b'a "b"\n\0c'))
     "a \"b\"\n"
@@ -146,21 +146,21 @@ _QUOTED: Final = {
 
 
 def dump(inspector: MemoryInspector, address: int, wanted: OutputFormat) -> Iterator[str]:
-    """Gives memory in lines: the address, and the units from there on.
+    """Return a memory dump: lines of an address and units.
 
-    A unit with bytes that nobody has set is `??`, one with bytes that belong to no object `--`.
+    A unit with uninitialised bytes is `??`, one with inaccessible bytes `--`.
 
     Args:
-        inspector: what looks at the program.
-        address: where to begin.
-        wanted: the form, the number of units, and their size.
+        inspector: the inspector of the program.
+        address: the start.
+        wanted: the format, the number of units, and their size.
 
     Raises:
-        DebugError: there is no such memory.
+        DebugError: the memory does not exist.
     """
     size, end = wanted.size or 4, address + (wanted.size or 4) * wanted.count
     if end - address > _MAX_BYTES:
-        raise DebugError(f"at most {_MAX_BYTES} bytes are shown at once")
+        raise DebugError(f"at most {_MAX_BYTES} bytes can be shown at once")
     a_line = size * _IN_A_LINE[size]
     for start in range(address, end, a_line):
         content = inspector.read(start, min(a_line, end - start))
@@ -171,7 +171,7 @@ def dump(inspector: MemoryInspector, address: int, wanted: OutputFormat) -> Iter
         if whole:
             yield f"{start:#010x}: " + "  ".join(whole)
         if len(whole) * size < min(a_line, end - start):
-            raise DebugError(f"there is no memory at {start + len(whole) * size:#x}")
+            raise DebugError(f"cannot access memory at {start + len(whole) * size:#x}")
 
 
 def _unit(content: bytes, states: bytes, letter: str) -> str:

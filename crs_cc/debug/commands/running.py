@@ -1,4 +1,4 @@
-"""Commands that move the run: forward, backward, and to an instant."""
+"""Commands for forward and reverse execution."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _continue(context: CommandContext, text: str) -> Answer:
     if count > 1:
         hit = context.debugger.stop.breakpoints
         if not hit:
-            raise DebugError("there is no breakpoint here to be passed")
+            raise DebugError("no breakpoint at this stop to ignore")
         context.debugger.stop_points.ignore(hit[0], count - 1)
         yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
     yield from context.move(context.debugger.resume)
@@ -86,19 +86,19 @@ _INSTANT: Final = re.compile(
 
 
 def _goto(context: CommandContext, text: str) -> Answer:
-    text = require_argument(text, "an instant, such as 12.3 or tick 120")
+    text = require_argument(text, "a time, such as 12.3 or tick 120")
     if text == "start":
         return context.move(partial(context.debugger.goto, BEGINNING))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
-            f"'{text}' is no instant: write seconds as 12.3, or tick 120, stmt 40210, start"
+            f"'{text}' is not a time (expected 12.3 [s], tick 120, stmt 40210 or start)"
         )
     kind, number = found["kind"] or "t", found["number"]
     if kind in {"t", "time"}:
         return context.move(partial(context.debugger.goto_time, float(number)))
     if not number.isdigit():
-        raise DebugError(f"'{kind}' needs a whole number")
+        raise DebugError(f"'{kind}' needs an integer")
     is_tick = kind.startswith("ti")
     go = context.debugger.goto_timestep if is_tick else context.debugger.goto_statement
     return context.move(partial(go, int(number)))
@@ -109,86 +109,86 @@ def _when(context: CommandContext, text: str) -> Answer:
     yield when_text(context.debugger)
 
 
-_BACKWARD_TEXT: Final = "Programs and world go back together, to exactly the same state."
+_BACKWARD_TEXT: Final = "Programs and world go back together and are restored to the byte."
 
-MOVING: Final = Group(
-    "moving",
-    "Running forward and in reverse.",
+RUNNING: Final = Group(
+    "running",
+    "Forward and reverse execution.",
     (
         Command(
             "start", "", "Go to the first statement of the first program.", _start,
-            text="Breakpoints are kept. Later history is discarded only when you change something.",
+            text="Breakpoints are kept. Recorded history is discarded only when"
+            " the past is changed.",
         ),
-        Command("run", "", "Go to the start, then run to the first breakpoint.", _run, ("r",)),
+        Command("run", "", "Go to the start, then continue to the first breakpoint.", _run, ("r",)),
         Command(
-            "continue", "[N]", "Run to the next breakpoint, watchpoint or catchpoint.",
+            "continue", "[N]", "Continue to the next breakpoint, watchpoint or catchpoint.",
             _continue, ("c", "fg"),
-            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C interrupts.",
+            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C"
+" interrupts.",
             repeats="on",
         ),
         Command(
-            "step", "[N]", "Step to the next line, into called functions.", _step, ("s",),
-            text="With N, repeat N times. C library functions count as one line.",
+            "step", "[N]", "Step to the next line, entering calls.", _step, ("s",),
+            text="With N, N times. Calls of C library functions are stepped over.",
             repeats="same",
         ),
         Command(
-            "next", "[N]", "Step to the next line of this function, over called functions.",
+            "next", "[N]", "Step to the next line, stepping over calls.",
             _next, ("n",), repeats="same",
         ),
         Command(
-            "stepi", "[N]", "Step to the next statement, in the same line or another.",
+            "stepi", "[N]", "Step one statement.",
             _stepi, ("si",), repeats="same",
         ),
         Command(
-            "finish", "", "Run until this function returns.", _finish, ("fin",),
+            "finish", "", "Continue until the current function returns.", _finish, ("fin",),
             repeats="same",
         ),
         Command(
-            "until", "[PLACE]", "Step to the next line, without going back to the start of a loop.",
+            "until", "[LOCATION]", "Like next, but do not go back to an earlier line of a loop.",
             _until, ("u",),
-            text="With PLACE, the same as \"advance\".",
+            text='With LOCATION, the same as "advance".',
             repeats="same", completes="place",
         ),
         Command(
-            "advance", "PLACE", "Run to a line or a function, as if it had a breakpoint.",
+            "advance", "LOCATION", "Continue to a line or a function.",
             _advance, completes="place",
         ),
         Command(
-            "tick", "[N]", "Run to the start of the next timestep of the world.", _tick,
+            "tick", "[N]", "Continue to the start of the next timestep.", _tick,
             repeats="same",
         ),
         Command(
-            "reverse-continue", "", "Run in reverse to the previous breakpoint, watchpoint or"
-                                    " catchpoint.",
+            "reverse-continue", "", "Continue backward to the previous stop.",
             _reverse_continue, ("rc", "rewind"), text=_BACKWARD_TEXT, repeats="on",
         ),
         Command(
-            "reverse-step", "[N]", "Step back to the previous line, into called functions.",
+            "reverse-step", "[N]", "Step back to the previous line, entering calls.",
             partial(_step, backward=True), ("rs",), text=_BACKWARD_TEXT, repeats="same",
         ),
         Command(
-            "reverse-next", "[N]", "Step back to the previous line of this function.",
+            "reverse-next", "[N]", "Step back to the previous line, over calls.",
             partial(_next, backward=True), ("rn",), repeats="same",
         ),
         Command(
-            "reverse-stepi", "[N]", "Step back by one statement.",
+            "reverse-stepi", "[N]", "Step back one statement.",
             partial(_stepi, backward=True), ("rsi",), repeats="same",
         ),
         Command(
-            "reverse-finish", "", "Run in reverse to the call of this function.",
+            "reverse-finish", "", "Go back to the call of the current function.",
             partial(_finish, backward=True), repeats="same",
         ),
         Command(
-            "reverse-tick", "[N]", "Run in reverse to the start of the previous timestep.",
+            "reverse-tick", "[N]", "Go back to the start of the previous timestep.",
             partial(_tick, backward=True), ("rt",), repeats="same",
         ),
         Command(
-            "goto", "TIME|tick N|stmt N|start", "Go to a position in the run, forward or in"
-                                                " reverse.", _goto,
+            "goto", "TIME|tick N|stmt N|start", "Go to a time, forward or backward.", _goto,
             text="TIME is in seconds, such as 12.3; tick N is the start of timestep N; stmt N is"
-                 " the position before statement N of the robot's program, as printed by \"when\"."
-                 " Breakpoints are ignored.",
+            ' before statement N of the robot\'s program (see "when"). Breakpoints on the way'
+            " are ignored.",
         ),
-        Command("when", "", "Print the position: time, timestep, statement.", _when),
+        Command("when", "", "Show the current time, timestep and statement.", _when),
     ),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Commands from files, and into files."""
+"""Commands for script files."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "acce
 
 
 def read_script(path: Path) -> list[str]:
-    """Gives the lines of a file of commands.
+    """Return the lines of a script.
 
     Raises:
-        DebugError: it cannot be read, or is no text.
+        DebugError: it cannot be read, or is not text.
     """
     try:
         with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise DebugError(f"'{path}' is no file of commands")
+                raise DebugError(f"'{path}' is not a regular file")
             content = file.read(MAX_SCRIPT_BYTES + 1)
         if len(content) > MAX_SCRIPT_BYTES:
             raise DebugError(f"'{path}' is larger than {MAX_SCRIPT_BYTES >> 20} MiB")
@@ -42,13 +42,13 @@ def read_script(path: Path) -> list[str]:
     except OSError as error:
         raise DebugError(f"'{path}' cannot be read: {error.strerror}") from None
     except ValueError:
-        raise DebugError(f"'{path}' is no text") from None
+        raise DebugError(f"'{path}' is not a text file") from None
 
 
 def _source(context: CommandContext, text: str) -> Answer:
     if context.depth >= _MAX_DEPTH:
-        raise DebugError(f"scripts read each other {_MAX_DEPTH} times: that has no end")
-    lines = read_script(Path(from_text(require_argument(text, "a file of commands"))))
+        raise DebugError(f"scripts are nested more than {_MAX_DEPTH} deep")
+    lines = read_script(Path(from_text(require_argument(text, "a script file"))))
     context.depth += 1
     before = context.debugger.stop
     try:
@@ -58,7 +58,7 @@ def _source(context: CommandContext, text: str) -> Answer:
             yield from context.execute(line or "#")
             stop = context.debugger.stop
             if stop is not before and stop.reason == "interrupt":
-                raise DebugError("the script is left where it was interrupted")
+                raise DebugError("script interrupted")
     finally:
         context.depth -= 1
 
@@ -72,7 +72,7 @@ def _save_breakpoints(context: CommandContext, text: str) -> Answer:
 
 
 def _written(context: CommandContext, one: Breakpoint) -> Iterator[str]:
-    """Gives the commands that make a breakpoint again."""
+    """Return the commands that recreate a breakpoint."""
     yield _command(context, one)
     if one.condition:
         yield f"condition $ {one.condition}"
@@ -95,20 +95,20 @@ def _command(context: CommandContext, one: Breakpoint) -> str:
 
 
 def _write(path: Path, content: str) -> None:
-    """Writes a file of breakpoints, over nothing but such a file.
+    """Write a file of breakpoints; overwrite only such files.
 
-    A script may ask for it that came with somebody else's program, so no other file is at risk.
+    Scripts come with other people's programs, so no other file may be at risk.
     """
     if path.suffix != _ENDING:
-        raise DebugError(f"breakpoints are saved to a file whose name ends with {_ENDING}")
+        raise DebugError(f"the name of a file of breakpoints must end with {_ENDING}")
     flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK
     try:
         with os.fdopen(os.open(path, flags, 0o666), "r+b") as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise DebugError(f"'{path}' is no file")
+                raise DebugError(f"'{path}' is not a regular file")
             head = file.read(len(_HEAD))
             if head and head != _HEAD.encode():
-                raise DebugError(f"'{path}' holds something else than saved breakpoints: kept")
+                raise DebugError(f"'{path}' is not a file of saved breakpoints: not overwritten")
             file.seek(0)
             file.truncate()
             file.write(content.encode("utf-8", "surrogateescape"))
@@ -122,20 +122,18 @@ def _echo(_context: CommandContext, text: str) -> Answer:
 
 SCRIPTS: Final = Group(
     "scripts",
-    "Executing commands from files.",
+    "Scripts of commands.",
     (
         Command(
             "source", "FILE", "Execute the commands in a file.", _source,
-            text="A failed command does not end the script.",
+            text="Execution continues after a command that fails.",
             completes="file",
         ),
         Command(
-            "save breakpoints", "FILE.dbg", "Save the breakpoints to a file that \"source\" can"
-                                            " read.",
-            _save_breakpoints, text="Existing files are overwritten only if they contain saved"
-                                    " breakpoints.",
+            "save breakpoints", "FILE.dbg", 'Save the breakpoints as a script for "source".',
+            _save_breakpoints, text="Only files of saved breakpoints are overwritten.",
             completes="file",
         ),
-        Command("echo", "TEXT", "Print a text."  , _echo),
+        Command("echo", "TEXT", "Print a text.", _echo),
     ),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Commands about where programs stand: active functions, and lines of C."""
+"""Commands for stack frames and source."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MAX_FUNCTIONS: Final = 200
 
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
-    """Gives the active functions of the robot that the user looks at.
+    """Return the stack frames of the selected robot.
 
     Raises:
         DebugError: there are none.
@@ -33,12 +33,12 @@ def frames(context: CommandContext) -> list[BacktraceFrame]:
     found = context.debugger.view.frames()
     if not found:
         name = context.debugger.names[context.debugger.view.robot]
-        raise DebugError(f"no function of {name}'s program is active: it has not begun, or ended")
+        raise DebugError(f"no frames: {name}'s program has not started or has ended")
     return found
 
 
 def frame(context: CommandContext) -> BacktraceFrame:
-    """Gives the active function that the user looks at.
+    """Return the selected frame.
 
     Raises:
         DebugError: there is none.
@@ -55,11 +55,11 @@ def _backtrace(context: CommandContext, text: str) -> Answer:
         mark = "=>" if each.number == here else "  "
         yield f"{mark} #{each.number}  {frame_text(context.debugger, each)}"
     if len(found) > most:
-        yield f"(more active functions follow: {len(found) - most})"
+        yield f"(more frames follow: {len(found) - most})"
 
 
 def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
-    """Gives the functions of the user's, and those of the library that they have called."""
+    """Return the user's frames, and those of library functions that they have called."""
     for each, caller in zip(found, [*found[1:], None], strict=True):
         if not each.is_library or (caller is not None and not caller.is_library):
             yield each
@@ -69,7 +69,7 @@ def _frame(context: CommandContext, text: str) -> Answer:
     if text:
         numbers = {str(each.number): each.number for each in frames(context)}
         if text not in numbers:
-            raise DebugError(f'there is no active function #{text}: see "backtrace"')
+            raise DebugError(f'no frame #{text}; see "backtrace"')
         context.debugger.view.select_frame(numbers[text])
     frame(context)
     return context.show_selection()
@@ -89,7 +89,7 @@ def _move_frame(context: CommandContext, by: int) -> Answer:
     target = min(max(place + by, 0), len(numbers) - 1)
     if target == place:
         end = "outermost" if by > 0 else "innermost"
-        raise DebugError(f"this is the {end} active function")
+        raise DebugError(f"already at the {end} frame")
     context.debugger.view.select_frame(numbers[target])
     return context.show_selection()
 
@@ -108,9 +108,9 @@ def _list(context: CommandContext, text: str) -> Answer:
     file, first, last = _range(context, text)
     lines = context.debugger.view.source(file)
     if not lines:
-        raise DebugError(f"the lines of '{file}' are not known")
+        raise DebugError(f"the source of '{file}' is not available")
     if first > len(lines):
-        raise DebugError(f"'{file}' has {len(lines)} lines only")
+        raise DebugError(f"'{file}' has only {len(lines)} lines")
     last = min(last, len(lines))
     context.listing = Listing(file, first, last)
     here = context.debugger.view.location()
@@ -128,31 +128,31 @@ def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
 
 
 def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
-    """Gives the file, and the first and the last line, that are wanted."""
+    """Return the file and the first and last line to list."""
     listed = context.listing
     if not text and listed is not None:
         return listed.file, listed.last + 1, listed.last + _LINES
     if text == "-" and listed is not None:
         if listed.first == 1:
-            raise DebugError(f"line 1 of '{listed.file}' has been shown")
+            raise DebugError(f"already at the start of '{listed.file}'")
         return listed.file, max(1, listed.first - _LINES), listed.first - 1
     first, _, last = text.partition(",")
     if not text or text == "-":
         middle = _here(context)
         return _around(middle.file, middle.line)
     if not first.strip():
-        raise DebugError("say where the lines begin: list FIRST,LAST")
+        raise DebugError("the first line is missing: list FIRST,LAST")
     begin = _listed(context, first)
     if not last.strip():
         return _around(begin.file, begin.line)
     end = _listed(context, last)
     if end.file != begin.file or end.line < begin.line:
-        raise DebugError(f"{end} does not stand behind {begin}")
+        raise DebugError(f"{end} is not after {begin}")
     return begin.file, begin.line, end.line
 
 
 def _listed(context: CommandContext, text: str) -> Location:
-    """Gives the place that lines are listed around: a line with or without code, a function."""
+    """Return the location to list lines around: a line with or without code, a function."""
     file, _, line = text.strip().rpartition(":")
     if line.isascii() and line.isdigit() and len(line) < 9:
         known = file or context.debugger.view.current_file()
@@ -173,26 +173,26 @@ def _around(file: str, line: int) -> tuple[str, int, int]:
 def _here(context: CommandContext) -> Location:
     place = context.debugger.view.location()
     if place is None:
-        raise DebugError("no program stands at a line here: say which lines, such as list main")
+        raise DebugError("no current line: specify which lines, such as list main")
     return place
 
 
 def find_line(context: CommandContext, text: str) -> Location:
-    """Gives the line that a place means.
+    """Return the line of a location.
 
     Raises:
-        DebugError: there is no such line, or function.
+        DebugError: there is no such line or function.
     """
     debugger = context.debugger
     file = debugger.view.current_file()
     found = find_location(text, debugger.run.programs, [debugger.view.robot], file).location
     if found is None:
-        raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")
+        raise DebugError(f"'{text}' is a function of the robot and has no source")
     return found
 
 
 def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
-    """Gives the names of the functions of the user's that this robot runs, and where they are."""
+    """Return names and locations of the user's functions in the selected robot's program."""
     program = context.debugger.run.programs[context.debugger.view.robot].executable.program
     for name, function in program.functions.items():
         if not in_library(function.location):
@@ -202,7 +202,7 @@ def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
 def _info_functions(context: CommandContext, text: str) -> Answer:
     found = sorted((place, name) for name, place in functions(context) if text in name)
     if not found:
-        raise DebugError(f"no function has '{text}' in its name")
+        raise DebugError(f"no function matches '{text}'")
     for place, name in found[:_MAX_FUNCTIONS]:
         yield f"{place.file}:{place.line}: {name}"
     if len(found) > _MAX_FUNCTIONS:
@@ -228,35 +228,35 @@ def _info_source(context: CommandContext, text: str) -> Answer:
 
 
 _LIST_TEXT: Final = (
-    "Ten lines around PLACE, or from FIRST to LAST. Default: around the current line, then the"
-    ' lines that follow; "list -" shows the lines before.'
+    "Ten lines around LOCATION, or from FIRST to LAST. Without arguments, those around the"
+    ' current line, then those that follow; "list -" shows those before.'
 )
 
 STACK: Final = Group(
     "stack",
-    "Examining the call stack and the source.",
+    "Stack frames and source.",
     (
         Command(
-            "backtrace", "[N]", "Print the call stack, innermost frame first.", _backtrace,
-            ("bt", "where"), text="With N, only the innermost N frames.",
+            "backtrace", "[N]", "Show the stack frames, innermost first.", _backtrace,
+            ("bt", "where"), text="With N, the innermost N.",
         ),
         Command(
-            "frame", "[N]", "Select a stack frame, or print the selected one.", _frame, ("f",),
+            "frame", "[N]", "Select frame N, or show the selected one.", _frame, ("f",),
             text="Expressions and listings refer to the selected frame.",
         ),
-        Command("up", "[N]", "Select the frame of the caller.", _up, repeats="same"),
+        Command("up", "[N]", "Select the caller's frame.", _up, repeats="same"),
         Command(
-            "down", "[N]", "Select the frame of the called function.", _down,
+            "down", "[N]", "Select the callee's frame.", _down,
             repeats="same",
         ),
-        Command("info frame", "", "Print details of the selected frame.", _info_frame,
+        Command("info frame", "", "Describe the selected frame.", _info_frame,
                 ("info f",)),
         Command(
-            "list", "[PLACE|FIRST,LAST|-]", "List source lines.", _list, ("l",), text=_LIST_TEXT,
+            "list", "[LOCATION|FIRST,LAST|-]", "List source lines.", _list, ("l",), text=_LIST_TEXT,
             repeats="on", completes="place",
         ),
         Command(
-            "info line", "PLACE", "Print the location of a line or a function.", _info_line,
+            "info line", "LOCATION", "Show the location of a line or a function.", _info_line,
             completes="place",
         ),
         Command(

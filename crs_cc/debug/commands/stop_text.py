@@ -1,4 +1,4 @@
-"""Where a run has stopped, and why, in lines."""
+"""Reports of stops: why and where."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from crs_cc.debug.view import BacktraceFrame
 
 _SAID: Final = frozenset({"start", "beginning", "interrupt"})
-"""Reasons that are said in words where a stop has no text of its own."""
+"""Reasons that are reported if a stop has no text of its own."""
 
 _MAX_ENDS: Final = 5
 _MAX_ARGUMENT_LENGTH: Final = 40  # characters
 
 _QUIET: Final = frozenset({"step", "goto"})
-"""Reasons of which nothing is said: the user asked for just this."""
+"""Reasons that are not reported: they are what the user asked for."""
 
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """Where the user looks: at which function of which robot, and how deep in its calls."""
+    """The selected robot and frame, and the depth of the stack."""
 
     robot: int
     function: str
@@ -38,12 +38,12 @@ class Selection:
     frame: BacktraceFrame | None
 
     def head(self, debugger: Debugger) -> str:
-        """Gives the place in words: `robot0 in turn (left=3) at wander.c:40`."""
+        """Return the location: `robot0 in turn (left=3) at wander.c:40`."""
         name = f"{debugger.names[self.robot]} in " if len(debugger.names) > 1 else ""
         return name + frame_text(debugger, self.frame) if self.frame else ""
 
     def lines(self, debugger: Debugger, *, with_head: bool = True) -> Answer:
-        """Gives the place, and the line of C there."""
+        """Answer with the location and its source line."""
         if self.frame is None:
             return
         if with_head:
@@ -52,7 +52,7 @@ class Selection:
 
 
 def selection(debugger: Debugger) -> Selection:
-    """Gives where the user looks now."""
+    """Return the current selection."""
     frames = debugger.view.frames()
     frame = next((each for each in frames if each.number == debugger.view.frame), None)
     return Selection(debugger.view.robot, frame.function if frame else "", len(frames), frame)
@@ -64,13 +64,13 @@ def stop_lines(
     known: Mapping[int, Breakpoint],
     before: Selection | None,
 ) -> Answer:
-    """Says why a run stopped, and where.
+    """Answer why and where a run has stopped.
 
     Args:
-        debugger: it.
+        debugger: the debugger.
         stop: the stop.
-        known: the breakpoints that there were on the way, by number.
-        before: where the user looked before.
+        known: the breakpoints before the move, by number.
+        before: the selection before.
     """
     now = selection(debugger)
     hit = ", ".join(name_of(known[number]) for number in stop.breakpoints if number in known)
@@ -78,7 +78,7 @@ def stop_lines(
     if not text and not hit and stop.reason in _SAID:
         text = f"{WORDS[stop.reason].capitalize()}."
     if stop.reason == "end":
-        text = f"All programs have ended: {_ends(debugger)}. The way leads back from here."
+        text = f"All programs have ended: {_ends(debugger)}. Step back, or quit."
     elif stop.reason == "exit" and not text:
         text = f"{debugger.names[stop.robot]} {activity(debugger.session, stop.robot)}."
     if text:
@@ -98,7 +98,7 @@ def stop_lines(
 
 
 def _ends(debugger: Debugger) -> str:
-    """Gives what became of the programs."""
+    """Return the outcome of the programs."""
     ends = [
         f"{name} {activity(debugger.session, robot)}"
         for robot, name in enumerate(debugger.names[:_MAX_ENDS])
@@ -112,9 +112,9 @@ def _call(place: Selection) -> tuple[int, str, int]:
 
 
 def frame_text(debugger: Debugger, frame: BacktraceFrame, robot: int | None = None) -> str:
-    """Gives an active function with its arguments, and the place in it."""
+    """Return a frame's function, arguments and location."""
     if frame.is_library:
-        return f"{frame.function} (), in the library"
+        return f"{frame.function} (), in the C library"
     place, variables = frame.location, debugger.view.variables(robot=robot, frame=frame.number)
     arguments = [
         f"{each.name}={_brief(each.value.text)}"
@@ -125,26 +125,26 @@ def frame_text(debugger: Debugger, frame: BacktraceFrame, robot: int | None = No
 
 
 def _brief(value: str) -> str:
-    """Gives a value in a few words: without what is told of an address."""
+    """Return a value shortened, and of a pointer only the address."""
     if value.startswith("0x"):
         value = value.split(maxsplit=1)[0]
     return value if len(value) <= _MAX_ARGUMENT_LENGTH else f"{value[:_MAX_ARGUMENT_LENGTH]}..."
 
 
 def current_line(debugger: Debugger, frame: BacktraceFrame) -> Answer:
-    """Gives the line of C where a function stands."""
+    """Answer with the current line of a frame."""
     lines, number = debugger.view.source(frame.location.file), frame.location.line
     if 0 < number <= len(lines):
         yield SourceLine(number, lines[number - 1], is_current=True)
 
 
 def when_text(debugger: Debugger) -> str:
-    """Gives the instant where a run is."""
+    """Return the current time of a run."""
     begun = debugger.run.statements_begun(debugger.view.robot)
     stmt = f"{debugger.names[debugger.view.robot]} before stmt {begun + 1}"
     return f"t = {debugger.view.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
 
 
 def position_text(position: Position) -> str:
-    """Gives an instant without the statement."""
+    """Return a position without the statement."""
     return f"tick {position.timestep}, round {position.round}"

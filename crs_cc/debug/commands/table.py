@@ -22,7 +22,7 @@ from crs_cc.debug.commands.changes import CHANGES
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.data import DATA
 from crs_cc.debug.commands.help_text import manual, mentions, overview, summaries
-from crs_cc.debug.commands.running import MOVING
+from crs_cc.debug.commands.running import RUNNING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
 from crs_cc.debug.commands.world import WORLD
@@ -92,7 +92,7 @@ SUPPORT: Final = Group(
 )  # fmt: skip
 
 GROUPS: Final[tuple[Group, ...]] = (
-    MOVING, BREAKPOINTS, DATA, STACK, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
+    RUNNING, BREAKPOINTS, DATA, STACK, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
 )  # fmt: skip
 
 COMMANDS: Final[tuple[Command, ...]] = tuple(each for group in GROUPS for each in group.commands)
@@ -115,17 +115,17 @@ NAMES: Final = _named(COMMANDS)
 _SHORTENED: Final = {"!"} | {
     name for name, each in NAMES.items() if each.name != name and each.name.startswith(name)
 }
-"""Names that nobody needs to be offered."""
+"""Aliases that completion does not offer."""
 
 PREFIXES: Final = tuple(sorted({name.split()[0] for name in NAMES if " " in name}))
-"""The words that others follow: `info`, `save`."""
+"""Prefixes of subcommands: `info`, `save`."""
 
 
 def find(text: str) -> tuple[Command, str]:
-    """Gives the command that a line means, and its arguments.
+    """Return the command of a line, and its arguments.
 
     Raises:
-        DebugError: there is none, or several could be meant.
+        DebugError: it is undefined or ambiguous.
     """
     first, rest = _word(text)
     singles = {name: name for name in NAMES if " " not in name}
@@ -134,7 +134,7 @@ def find(text: str) -> tuple[Command, str]:
         return NAMES[name], rest
     followers = {each.partition(" ")[2]: each for each in NAMES if each.startswith(f"{name} ")}
     if not rest:
-        raise DebugError(f'"{name}" must be followed by what: try "help {name}".')
+        raise DebugError(f'"{name}" needs a subcommand: try "help {name}".')
     second, rest = _word(rest)
     return NAMES[_choose(second, followers, f"{name} ")], rest
 
@@ -147,7 +147,7 @@ def _word(text: str) -> tuple[str, str]:
 
 
 def _choose(word: str, names: dict[str, str], before: str) -> str:
-    """Gives the one that a word, or the beginning of one, means."""
+    """Return the name that a word is or abbreviates."""
     if word in names:
         return names[word]
     if not before and word == "i":
@@ -167,7 +167,7 @@ def _after(before: str) -> str:
 
 
 def matching(beginning: str) -> Iterator[str]:
-    """Gives the names of commands that begin so, those of two words word by word."""
+    """Return the names of commands with a prefix; subcommands only after the first word."""
     for name in sorted({*NAMES, *PREFIXES} - _SHORTENED):
         if name.startswith(beginning) and (" " not in name or " " in beginning):
             yield name

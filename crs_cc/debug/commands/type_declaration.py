@@ -1,4 +1,4 @@
-r"""How a type is declared, in lines of C: what `ptype` shows.
+r"""Definitions of types in lines of C, for `ptype`.
 
 >>> from crs_cc.ir.types import CHAR, INT, Member, PointerType, Record
 >>> point = Record("struct", "point")
@@ -30,11 +30,11 @@ _INDENT: Final = "    "
 
 
 def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
-    """Gives a type as C declares it, its struct, union or enum with all that is in it.
+    """Return the C declaration of a type, with the definition of its struct, union or enum.
 
     Args:
         ctype: the type.
-        declarator: what is declared with it.
+        declarator: the declarator.
     """
     core = ctype
     while not isinstance(core, RecordType | EnumType):
@@ -55,14 +55,14 @@ def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
 
 
 def _has_no_name(ctype: CType) -> bool:
-    """Tells whether it is a struct or union that can be written in no other way."""
+    """Return whether a type is an anonymous struct or union."""
     if isinstance(ctype, ArrayType):
         return _has_no_name(ctype.element)
     return isinstance(ctype, RecordType) and not (ctype.record.tag or ctype.record.alias)
 
 
 def _members(core: RecordType | EnumType) -> Iterator[str]:
-    """Gives what stands in the braces."""
+    """Return the lines in the braces."""
     if isinstance(core, EnumType):
         for name, value in (core.definition.constants or {}).items():
             yield f"{_INDENT}{name} = {value},"

@@ -60,7 +60,7 @@ def _info_state(context: CommandContext, text: str) -> Answer:
     robot = parse_robot(text, debugger.names) if text else debugger.view.robot
     rows = vendor_state_rows(debugger.view, robot)
     if not rows:
-        raise DebugError(f"the program of {debugger.names[robot]} has no State[]")
+        raise DebugError(f"{debugger.names[robot]}'s program has no State[]")
     yield from lines(rows)
 
 
@@ -78,17 +78,17 @@ def _map(context: CommandContext, text: str) -> Answer:
 
 
 def _across_m(text: str) -> float:
-    """Gives how much of a world is to be seen.
+    """Return the height of a map.
 
     Raises:
-        DebugError: it is no length.
+        DebugError: it is not a valid length.
     """
     try:
         across_m = LENGTH.parse(text)
     except ValueError as wrong:
         raise DebugError(str(wrong)) from None
     if not _LEAST_M <= across_m <= _MOST_M:
-        raise DebugError(f"what is to be seen is from {_LEAST_M:g} to {_MOST_M:g} m")
+        raise DebugError(f"the map's height must be {_LEAST_M:g} to {_MOST_M:g} m")
     return across_m
 
 
@@ -102,39 +102,37 @@ def _output(context: CommandContext, text: str) -> Answer:
 
 WORLD: Final = Group(
     "world",
-    "Examining robots and the world.",
+    "Robots and their world.",
     (
         Command(
-            "robots", "", "List the robots with their status and position.", _robots,
+            "robots", "", "List the robots with their activity and position.", _robots,
             ("info robots", "info threads"),
         ),
         Command(
-            "robot", "[NAME]", "Select a robot, or print the selected one.", _robot,
+            "robot", "[NAME]", "Select a robot, or show the selected one.", _robot,
             ("thread", "t"),
             text="NAME is the robot's name in the world, or its number.",
             completes="robot",
         ),
         Command(
-            "info robot", "[NAME]", "Print details of a robot: pose, sensors, current command.",
+            "info robot", "[NAME]", "Describe a robot: pose, sensors, command.",
             _info_robot, completes="robot",
         ),
         Command(
             "info state", "[NAME]",
-            "Print State[] of a robot's program, with names and units.",
+            "Show State[] of a robot's program with names and units.",
             _info_state, ("info State",), completes="robot",
         ),
-        Command("info world", "", "Print details of the world: its time and contents.",
+        Command("info world", "", "Describe the world: its time and its objects.",
                 _info_world),
         Command(
-            "map", "[NAME [METRES]]", "Draw a map of the world, or of a robot's surroundings.",
-            _map,
-            text="A map around a robot includes its latest sonar readings; METRES is the height of"
-            " the visible part.",
+            "map", "[NAME [METRES]]", "Draw a map of the world, or around a robot.", _map,
+            text="Around a robot, its last sonar echoes are drawn too; METRES is the height"
+            " of the map.",
             completes="robot",
         ),
         Command(
-            "output", "[ROBOT] [LINES]", "Print the output of the programs up to the current"
-                                         " position.",
+            "output", "[ROBOT] [LINES]", "Show the output of the programs up to here.",
             _output, completes="robot",
         ),
     ),

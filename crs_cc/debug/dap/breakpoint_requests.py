@@ -1,4 +1,4 @@
-"""Requests that say where to stop."""
+"""Requests for breakpoints."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ FILTERS: Final[list[Message]] = [
 
 
 def set_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops at lines of a file."""
+    """Set the line breakpoints of a file."""
     file = session.locations.key(arguments.object("source"))
     requests = [
         RequestedBreakpoint(
@@ -51,7 +51,7 @@ def set_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def set_function_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops at functions: the program's, or the robot's."""
+    """Set the function breakpoints: functions of the program or of the robot."""
     requests = [
         RequestedBreakpoint(
             "function",
@@ -65,7 +65,7 @@ def set_function_breakpoints(session: EditorSession, arguments: Arguments) -> Me
 
 
 def set_exception_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops at kinds of happenings."""
+    """Set the catchpoints."""
     requests = [RequestedBreakpoint("exception", kind) for kind in arguments.texts("filters")]
     requests += [
         RequestedBreakpoint(
@@ -77,7 +77,7 @@ def set_exception_breakpoints(session: EditorSession, arguments: Arguments) -> M
 
 
 def data_breakpoint_info(session: EditorSession, arguments: Arguments) -> Message:
-    """Tells whether, and as what, an object can be watched."""
+    """Return whether an object can be watched, and its data ID."""
     try:
         at, expression = _meant(session, arguments)
         _demand_object(session, at, expression)
@@ -92,7 +92,7 @@ def data_breakpoint_info(session: EditorSession, arguments: Arguments) -> Messag
 
 
 def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops when objects are changed, or read."""
+    """Set the watchpoints."""
     requests = [
         RequestedBreakpoint(
             "data",
@@ -109,10 +109,10 @@ def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Messag
 
 
 def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
-    """Gives the C expression that is to be watched, and where it has its meaning.
+    """Return the C expression to watch, and its scope.
 
     Raises:
-        RefusalError: it is none.
+        RefusalError: it is invalid.
     """
     if "variablesReference" in arguments and arguments.integer("variablesReference"):
         return expression_of(session, arguments)
@@ -120,7 +120,7 @@ def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, s
 
 
 def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> None:
-    """Makes sure that an expression names an object in memory.
+    """Check that an expression names an object in memory.
 
     Raises:
         DebugError: it does not.

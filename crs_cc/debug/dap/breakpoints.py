@@ -173,13 +173,13 @@ class EditorBreakpoints:
     def _add_line(self, debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
         file = self._locations.file_at(request.target)
         if file is None:
-            raise DebugError("no program of this run is made of this file")
+            raise DebugError("no program of this run was built from this file")
         return _add_place(debugger, f"{file}:{request.line}", request)
 
     def _body(self, each: _ClientBreakpoint) -> Message:
         """Return what a client is told of a breakpoint."""
         body: Message = {"id": each.id, "verified": bool(each.number)}
-        message = each.message or ("" if self.debugger else "nothing is launched yet")
+        message = each.message or ("" if self.debugger else "no program is launched")
         if message:
             body["message"] = message
         if each.location is not None:
@@ -209,7 +209,7 @@ def _ignore_count(hits: str) -> int:
         return 0
     match = _HIT_CONDITION.fullmatch(hits)
     if match is None or (int(match[2]) == 0 and match[1] != ">"):
-        raise DebugError(f"'{hits}' is no hit count: say N or >= N to stop from hit N on, or > N")
+        raise DebugError(f"'{hits}' is not a hit count (expected N, >= N or > N)")
     return int(match[2]) - (match[1] != ">")
 
 
@@ -239,7 +239,7 @@ def _add_data(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
     robot, _, rest = request.target.partition(" ")
     function, _, expression = rest.partition(" ")
     if not (robot.isascii() and robot.isdigit() and len(robot) < 9 and expression):
-        raise DebugError(f"'{request.target}' is nothing that was given out as data")
+        raise DebugError(f"'{request.target}' is not a known data ID")
     view = debugger.view
     before = view.robot, view.frame
     try:

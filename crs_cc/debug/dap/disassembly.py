@@ -1,10 +1,10 @@
-"""The code of functions as a client disassembles it: lines of our IR, which all have addresses.
+"""Disassembly: functions as lines of IR, each with an address.
 
-A client takes addresses for numbers that it may count up and down. So each line has one, made of
-the robot, the function, and the line, with room before the first line.
+A client may do arithmetic with addresses. So each line has one, made of
+the robot, the function and the line, with a gap before the first line.
 
->>> Address.decode(Address(2, 7, 3).encode())
-Address(robot=2, function=7, line=3)
+>>> CodeAddress.decode(CodeAddress(2, 7, 3).encode())
+CodeAddress(robot=2, function=7, line=3)
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ class CodeAddress:
     """The address of a line of code.
 
     Attributes:
-        robot: in whose program.
+        robot: the robot whose program it is in.
         function: the number of the function.
-        line: the number of the line; it may lie outside.
+        line: the number of the line, maybe outside of the function.
     """
 
     robot: int
@@ -45,30 +45,30 @@ class CodeAddress:
     line: int
 
     def reaches(self, line: int) -> bool:
-        """Tells whether a line, or what stands for one, has an address in this function."""
+        """Return whether a line number has an address in this function."""
         return 0 <= _MIDDLE + line < _ROOM
 
     def encode(self) -> int:
-        """Gives it as a number."""
+        """Return the address as a number."""
         assert self.reaches(self.line)
         return ((self.robot + 1) * _FUNCTIONS + self.function) * _ROOM + _MIDDLE + self.line
 
     @classmethod
     def decode(cls, number: int) -> Self:
-        """Gives it from a number."""
+        """Return the address for a number."""
         rest, line = divmod(number, _ROOM)
         robot, function = divmod(rest, _FUNCTIONS)
         return cls(robot - 1, function, line - _MIDDLE)
 
     @classmethod
     def read(cls, text: str) -> Self:
-        """Gives it from what a client writes.
+        """Parse an address from a client.
 
         Raises:
-            RefusalError: it is none.
+            RefusalError: it is invalid.
         """
         if not re.fullmatch(r"0x[0-9a-fA-F]{1,16}", text):
-            raise RefusalError(f"'{text[:40]}' is no address of code")
+            raise RefusalError(f"'{text[:40]}' is not a code address")
         return cls.decode(int(text, 16))
 
 
@@ -78,7 +78,7 @@ class CodeLine:
 
     Attributes:
         text: the instruction.
-        location: the place in the source; None for heads.
+        location: the location in the source; None for headings.
     """
 
     text: str
@@ -87,7 +87,7 @@ class CodeLine:
 
 @lru_cache(maxsize=256)
 def code_of(function: Function) -> Sequence[CodeLine]:
-    """Gives the code of a function."""
+    """Return the code of a function."""
     lines: list[CodeLine] = []
     place = function.location
     for line in FunctionText(function).render().splitlines():
@@ -102,7 +102,7 @@ def code_of(function: Function) -> Sequence[CodeLine]:
 
 
 def address_of(program: DebugProgram, robot: int, name: str, location: Location) -> int:
-    """Gives the address of the first instruction of a place in a function.
+    """Return the address of the first instruction for a location in a function.
 
     Args:
         program: the robot's program.

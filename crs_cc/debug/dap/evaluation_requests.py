@@ -25,11 +25,11 @@ _WORD: Final = re.compile(r"(?<![\w.>])[A-Za-z_]\w*$")
 
 
 def evaluate(session: EditorSession, arguments: Arguments) -> Message:
-    """Evaluates an expression; in the console also does what a command says.
+    """Evaluate an expression, or in the console execute a command.
 
-    What stands in a list, or is pointed at, must change nothing; in the console it may. There a
-    line is an expression if it means something as one, and else a command: with a variable `n`
-    that is its value, and the command has to be written `next`.
+    Watch and hover expressions must have no side effects; in the console they may. There a
+    line is an expression if it is valid as one, else a command: with a variable `n`
+    `n` is its value, and the command must be written `next`.
     """
     debugger, at = session.standing(), requested_frame(session, arguments)
     text, context = arguments.text("expression"), arguments.text("context", "watch")
@@ -53,7 +53,7 @@ def _look_from(debugger: Debugger, at: FrameHandle) -> None:
 
 
 def _is_expression(debugger: Debugger, at: FrameHandle, text: str) -> bool:
-    """Tells whether a text means something as an expression, whatever comes of it."""
+    """Return whether a text is a valid expression."""
     frame = debugger.view.current_frame()
     if frame is None:
         return False
@@ -65,7 +65,7 @@ def _is_expression(debugger: Debugger, at: FrameHandle, text: str) -> bool:
 
 
 def _command(session: EditorSession, text: str) -> Message:
-    """Does what a line says; where the run has moved by that, the client is told."""
+    """Execute commands; report a stop if the run has moved."""
     debugger, shell = session.opened(), session.shell
     assert shell is not None
     before = debugger.stop
@@ -85,14 +85,14 @@ def _command(session: EditorSession, text: str) -> Message:
 
 
 def set_variable(session: EditorSession, arguments: Arguments) -> Message:
-    """Changes what stands in a scope, or a part of a value."""
+    """Set a variable of a scope, or a part of a value."""
     session.standing()
     at, expression = expression_of(session, arguments)
     return _assign(session, at, expression, arguments.text("value"))
 
 
 def set_expression(session: EditorSession, arguments: Arguments) -> Message:
-    """Changes what an expression names."""
+    """Set the object that an expression names."""
     session.standing()
     at = requested_frame(session, arguments)
     return _assign(session, at, arguments.text("expression"), arguments.text("value"))
@@ -109,7 +109,7 @@ def _assign(session: EditorSession, at: FrameHandle, expression: str, value: str
 
 
 def completions(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives what the word at the end of a line in the console can become."""
+    """Return the completions of a line in the console."""
     debugger, at = session.standing(), requested_frame(session, arguments)
     assert session.shell is not None
     _look_from(debugger, at)
@@ -130,7 +130,7 @@ def completions(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def _names(debugger: Debugger, at: FrameHandle, text: str) -> Iterator[tuple[str, int]]:
-    """Gives the variables that the last word of an expression can become, and where it begins."""
+    """Return the variables that complete an expression, and where its last word starts."""
     word = _WORD.search(text)
     if word is None:
         return

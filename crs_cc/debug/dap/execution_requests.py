@@ -1,4 +1,4 @@
-"""Requests that let the programs run: on, back, and to other instants."""
+"""Requests that move the run: forward, backward, and to a line."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _GRANULARITIES: Final = ("statement", "line", "instruction")
 
 
 def continue_(session: EditorSession, _arguments: Arguments) -> Message:
-    """Goes on to the next breakpoint; behind the end of the run the session ends."""
+    """Continue to the next stop; at the end of the run, end the session."""
     debugger = session.standing()
     if debugger.view.is_over:
         session.afterwards = partial(report_end, session)
@@ -33,22 +33,22 @@ def continue_(session: EditorSession, _arguments: Arguments) -> Message:
 
 
 def reverse_continue(session: EditorSession, _arguments: Arguments) -> None:
-    """Goes back to the breakpoint before."""
+    """Continue backward to the previous stop."""
     session.motion = Execution(partial(session.standing().resume, backward=True))
 
 
 def next_(session: EditorSession, arguments: Arguments) -> None:
-    """Goes to the next line, past calls."""
+    """Step to the next line, over calls."""
     _step(session, arguments, Debugger.next)
 
 
 def step_in(session: EditorSession, arguments: Arguments) -> None:
-    """Goes to the next line, into calls."""
+    """Step to the next line, entering calls."""
     _step(session, arguments, Debugger.step)
 
 
 def step_back(session: EditorSession, arguments: Arguments) -> None:
-    """Goes to the line before, past calls."""
+    """Step back to the previous line, over calls."""
     _step(session, arguments, Debugger.next, backward=True)
 
 
@@ -59,7 +59,7 @@ def _step(
     *,
     backward: bool = False,
 ) -> None:
-    """Takes a step. The finest that there is is a statement: it is taken where others have code."""
+    """Take a step. The finest granularity is a statement; it is used for instructions."""
     granularity = arguments.text("granularity", "statement")
     if granularity not in _GRANULARITIES:
         raise RefusalError(f"'granularity' must be {', '.join(_GRANULARITIES)}")
@@ -69,38 +69,38 @@ def _step(
 
 
 def step_out(session: EditorSession, arguments: Arguments) -> None:
-    """Goes to where the function has returned."""
+    """Run until the function returns."""
     session.motion = Execution(_look_at(session, arguments).finish)
 
 
 def _look_at(session: EditorSession, arguments: Arguments) -> Debugger:
-    """Looks at the robot that is meant."""
+    """Select the robot of a request."""
     debugger = session.standing()
     debugger.view.select_robot(session.robot(arguments))
     return debugger
 
 
 def pause(session: EditorSession, _arguments: Arguments) -> None:
-    """Lets the programs stop, if they run."""
+    """Interrupt the programs if they run."""
     session.opened()
     session.paused = session.moves
 
 
 @dataclass(frozen=True, slots=True)
 class _GotoTarget:
-    """An instant at which a program comes to a line: the next one, or the last one before now."""
+    """A visit of a line: the next one, or the previous one."""
 
     place: str
     backward: bool
 
 
 def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives the instants that a line can mean. No statement is ever passed over to get there."""
+    """Return the visits that a line can mean; no statement is ever skipped to get there."""
     debugger = session.standing()
     key = session.locations.key(arguments.object("source"))
     file = session.locations.file_at(key)
     if file is None:
-        raise RefusalError("no program of this run is made of this file")
+        raise RefusalError("no program of this run was built from this file")
     line = session.locations.to_line(arguments.natural("line"))
     robots = range(len(debugger.names))
     place = find_location(f"{file}:{line}", debugger.run.programs, robots, file)
@@ -114,11 +114,11 @@ def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def goto(session: EditorSession, arguments: Arguments) -> None:
-    """Goes to an instant at which a program is at a line, by running there."""
+    """Run to a visit of a line."""
     debugger = _look_at(session, arguments)
     visit = session.handles.take(arguments.integer("targetId"))
     if not isinstance(visit, _GotoTarget):
-        raise RefusalError("'targetId' is none")
+        raise RefusalError("unknown 'targetId'")
     session.motion = Execution(partial(_visit, debugger, debugger.view.robot, visit))
 
 
@@ -133,5 +133,5 @@ def _visit(debugger: Debugger, robot: int, visit: _GotoTarget) -> Stop:
 
 
 def restart_frame(_session: EditorSession, _arguments: Arguments) -> None:
-    """Refuses: what a call has changed stays changed; to go back undoes it."""
-    raise RefusalError("a call cannot be made again: step back to where it was made")
+    """Refuse: restarting a frame would leave its side effects; going back undoes them."""
+    raise RefusalError("'restartFrame' is not supported: step back to the call instead")

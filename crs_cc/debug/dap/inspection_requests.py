@@ -1,4 +1,4 @@
-"""Requests that look around: robots as threads, active functions, scopes, what has happened."""
+"""Requests about the state: robots as threads, stack frames, scopes, exceptions."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
 
 def threads(session: EditorSession, _arguments: Arguments) -> Message:
-    """Gives the robots."""
+    """Return the robots."""
     names = session.debugger.names if session.debugger else ()
     return {"threads": [{"id": thread_of(robot), "name": name} for robot, name in enumerate(names)]}
 
 
 def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives the active functions of a robot's program; without one, what it does instead."""
+    """Return the stack frames of a robot's program; without one, its activity."""
     debugger, robot = session.opened(), session.robot(arguments)
     frames = debugger.view.frames(robot)
     if not frames:
@@ -64,20 +64,20 @@ def _frame(session: EditorSession, robot: int, frame: BacktraceFrame, address: i
 
 
 def scopes(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives what can be looked at from an active function."""
+    """Return the scopes of a stack frame."""
     session.standing()
     arguments.integer("frameId")
     return {"scopes": list(scopes_at(session, requested_frame(session, arguments)))}
 
 
 def exception_info(session: EditorSession, arguments: Arguments) -> Message:
-    """Tells more of the error that has stopped a program, or of the happening."""
+    """Return details of the error or event at which a program has stopped."""
     debugger, robot = session.standing(), session.robot(arguments)
     stop = debugger.stop
     if debugger.run.has_failed(robot):
         return _failure(debugger.session.fleet.report(robot))
     if stop.reason != "catchpoint" or robot != max(stop.robot, 0):
-        raise RefusalError("nothing has happened to this robot")
+        raise RefusalError("no exception to report for this robot")
     kind = session.breakpoints.event_kind(stop.breakpoints)
     return {"exceptionId": kind, "description": stop.text, "breakMode": "always"}
 

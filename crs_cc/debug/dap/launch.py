@@ -1,7 +1,7 @@
-"""What an editor says of a run: the attributes of `launch`, one table.
+"""The attributes of `launch`, in one table.
 
-Those that say what is run, and how, become a command line of `crs debug`, so that they mean what
-they mean there and are checked by the same code.
+Those that describe the run become a command line of `crs debug`, so that they have the same
+meaning and are validated by the same code.
 
 >>> values = {"program": "wander.c", "world": "room.xml", "seed": 3, "cwd": "/home/me"}
 >>> launch = read_launch(Arguments(values))
@@ -25,12 +25,12 @@ class LaunchAttribute:
 
     Attributes:
         name: its name.
-        kind: its type in JSON; an `array` is one of strings, for which a single one may stand.
-        meaning: what it says, for people.
-        option: the option of `crs debug` that it becomes; empty for those of the editor alone,
-            and for what stands in a command line without an option.
-        default: what holds where it is not given.
-        choices: what it may be; all, if empty.
+        kind: its type in JSON; an `array` contains strings, and a single string counts as one.
+        meaning: its description for users.
+        option: the option of `crs debug` that it becomes; empty for those of the editor only,
+            and for positional arguments.
+        default: its default.
+        choices: the valid values; empty for any.
     """
 
     name: str
@@ -132,15 +132,15 @@ _KNOWN: Final = frozenset({attribute.name for attribute in ATTRIBUTES} | set(_OF
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """What to run, and where to stop by itself.
+    """What to run, and where to stop automatically.
 
     Attributes:
         command_line: arguments of `crs debug`.
-        folder: where they hold, empty for where we are.
+        folder: the working directory, empty for the current one.
         stop_on_entry: whether to stop before the first statement.
         stop_at_end: whether to stop when all programs have ended.
-        debugs: whether to stop anywhere at all.
-        unknown: attributes that mean nothing to us, nor to any editor that we know.
+        debugs: whether to stop at all.
+        unknown: unknown attributes.
     """
 
     command_line: tuple[str, ...]
@@ -152,7 +152,7 @@ class Launch:
 
 
 def read_launch(arguments: Arguments) -> Launch:
-    """Reads the arguments of `launch`.
+    """Read the arguments of `launch`.
 
     Raises:
         RefusalError: an attribute is of the wrong type, or one is missing.
@@ -160,7 +160,7 @@ def read_launch(arguments: Arguments) -> Launch:
     by_name = {each.name: _values(arguments, each) for each in ATTRIBUTES}
     files = by_name["program"] + by_name["world"]
     if not files:
-        raise RefusalError("launch names neither a program nor a world")
+        raise RefusalError("launch specifies neither a program nor a world")
     line = [
         f"{each.option}={value}" if value else each.option
         for each in ATTRIBUTES
@@ -172,7 +172,7 @@ def read_launch(arguments: Arguments) -> Launch:
         line += ["--", *by_name["args"]]
     folder = arguments.text("cwd", "")
     if any("\0" in word for word in (*line, folder)):
-        raise RefusalError("launch has a NUL character in an attribute")
+        raise RefusalError("an attribute of launch contains a NUL character")
     return Launch(
         tuple(line),
         folder,
@@ -184,7 +184,7 @@ def read_launch(arguments: Arguments) -> Launch:
 
 
 def _values(arguments: Arguments, attribute: LaunchAttribute) -> list[str]:
-    """Gives what an attribute says, as words of a command line."""
+    """Return an attribute as words of a command line."""
     name = attribute.name
     if name not in arguments:
         return []

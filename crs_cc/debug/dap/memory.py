@@ -1,4 +1,4 @@
-"""Requests for bytes of a program's memory. An address is told together with the robot."""
+"""Requests for a program's memory; a memory reference names the robot and an address."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _MAX_WRITTEN: Final = 128  # bytes at once, as each is a part of one expression;
 
 
 def reference_of(robot: int, address: int) -> str:
-    """Gives what a client calls an address.
+    """Return the memory reference of an address.
 
     >>> reference_of(1, 4096)
     '1:0x1000'
@@ -29,19 +29,19 @@ def reference_of(robot: int, address: int) -> str:
 
 
 def _address(session: EditorSession, arguments: Arguments) -> tuple[int, int]:
-    """Gives the robot and the address that a request means.
+    """Return the robot and the address of a request.
 
     Raises:
-        RefusalError: it means none.
+        RefusalError: its memory reference is invalid.
     """
     found = _REFERENCE.fullmatch(arguments.text("memoryReference"))
     if found is None or int(found[1]) >= len(session.opened().names):
-        raise RefusalError("'memoryReference' is none that was given out")
+        raise RefusalError("unknown 'memoryReference'")
     return int(found[1]), int(found[2], 16) + arguments.integer("offset", 0)
 
 
 def read_memory(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives bytes, as many as there are."""
+    """Return bytes, as many as exist."""
     robot, address = _address(session, arguments)
     count = arguments.natural("count")
     memory = session.standing().session.fleet.memory(robot)
@@ -55,14 +55,14 @@ def read_memory(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def write_memory(session: EditorSession, arguments: Arguments) -> Message:
-    """Changes bytes that C may change; from there on the run is another."""
+    """Write bytes that C may write."""
     robot, address = _address(session, arguments)
     try:
         content = base64.b64decode(arguments.text("data"), validate=True)
     except (binascii.Error, ValueError):
-        raise RefusalError("'data' is not in base64") from None
+        raise RefusalError("'data' is not valid base64") from None
     if len(content) > _MAX_WRITTEN:
-        raise RefusalError(f"more than {_MAX_WRITTEN} bytes cannot be written at once")
+        raise RefusalError(f"at most {_MAX_WRITTEN} bytes can be written at once")
     if content and address >= 0:
         parts = (f"((unsigned char *){address}u)[{n}] = {byte}" for n, byte in enumerate(content))
         session.standing().evaluate(", ".join(parts), robot=robot)

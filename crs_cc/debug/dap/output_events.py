@@ -1,4 +1,4 @@
-r"""What programs write, as output events: whole lines, with the robot's name where there are more.
+r"""Program output as events: whole lines, with the robot's name if there are several.
 
 >>> import io
 >>> from crs_cc.debug.dap.connection import Connection
@@ -23,7 +23,7 @@ _CATEGORIES: Final = {1: "stdout", 2: "stderr"}
 
 
 class OutputEvents:
-    """Takes the output of all programs, and tells the client of it."""
+    """Sends the output of all programs to the client."""
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
@@ -32,13 +32,13 @@ class OutputEvents:
         self._begun: dict[tuple[int, int], str] = {}
 
     def begin(self, names: Sequence[str]) -> None:
-        """Forgets what was kept back; the programs of these robots will write."""
+        """Start the output of a new run with these robots."""
         self._names = names
         self._decoders.clear()
         self._begun.clear()
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes."""
+        """Write output of a program."""
         which = robot, stream
         decoder = self._decoders.setdefault(which, codecs.getincrementaldecoder("utf-8")("replace"))
         text = self._begun.get(which, "") + decoder.decode(content)
@@ -50,14 +50,14 @@ class OutputEvents:
             self._tell(which, whole + newline)
 
     def flush(self) -> None:
-        """Tells of what has been kept back."""
+        """Send incomplete lines."""
         for which, text in self._begun.items():
             if text:
                 self._tell(which, text)
         self._begun.clear()
 
     def say(self, text: str, category: str = "console") -> None:
-        """Tells something of our own."""
+        """Send a message of the debugger."""
         self._connection.event("output", {"category": category, "output": f"{text}\n"})
 
     def _tell(self, which: tuple[int, int], text: str) -> None:

@@ -1,4 +1,4 @@
-"""All requests that are answered, by name."""
+"""The handlers of all requests, by name."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""The loop that answers requests: one after the other, and between them what they set in motion.
+"""The loop that answers requests one after the other, and moves the run between them.
 
-The thread that reads puts requests into the inbox; this one, the engine's, takes them out. While
-programs run it is busy. Then what comes in interrupts the run and is answered, and the run goes on,
-so that a breakpoint can be set at any time and nobody waits; steps are too short for that, and
-are interrupted only by those who want them to end.
+The reading thread puts requests into the inbox; this one, the engine's, takes them out. While
+programs run it is busy. Then a request interrupts the run and is answered, and the run continues,
+so that a breakpoint can be set at any time; steps are too short for that, and
+are interrupted only by requests to stop.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ class Server:
         self._handlers = handlers
 
     def serve(self) -> None:
-        """Answers requests until the session is over, or no more can come.
+        """Answer requests until the session is over, or no more can come.
 
         Raises:
-            ClientGoneError: nobody listens.
+            ClientGoneError: the client has closed the connection.
         """
         session = self._session
         while not session.over and (request := self._inbox.take()) is not None:
@@ -54,7 +54,7 @@ class Server:
                 self._move(motion)
 
     def _answer(self, request: ClientRequest) -> None:
-        """Fulfils a request, or says why not."""
+        """Answer a request, or refuse it."""
         connection = self._session.connection
         handler = self._handlers.get(request.command)
         if handler is None:
@@ -73,14 +73,14 @@ class Server:
             self._tell_more()
 
     def _tell_more(self) -> None:
-        """Tells what a request has brought about."""
+        """Report the effects of a request."""
         session = self._session
         afterwards, session.afterwards = session.afterwards, None
         if afterwards is not None:
             afterwards()
 
     def _move(self, motion: Execution) -> None:
-        """Lets the programs run, and tells where they stop."""
+        """Run the programs and report where they stop."""
         session = self._session
         debugger = session.opened()
         session.handles.clear()
@@ -99,7 +99,7 @@ class Server:
             report_stop(session, stop)
 
     def _run(self, motion: Execution, debugger: Debugger) -> Stop:
-        """Lets the programs run until they stop, or a request wants them to."""
+        """Run the programs until they stop or a request interrupts them."""
         session = self._session
         go = motion.go
         while True:
@@ -122,7 +122,7 @@ class Server:
 
 
 def explain(error: Exception) -> str:
-    """Gives an error in words for people."""
+    """Return the user's message for an error."""
     if isinstance(error, DebugError | CrsError | OSError):
         return str(error)
     if os.environ.get("CRS_DEBUG"):

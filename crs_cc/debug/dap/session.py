@@ -1,4 +1,4 @@
-"""A session with an editor: what is known of the client, of the run, and of what it asked for."""
+"""The state of a session with an editor."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ command line is wrong."""
 
 @dataclass(frozen=True, slots=True)
 class Execution:
-    """Something that lets the programs run, forward or backward.
+    """A pending execution, forward or backward.
 
     Attributes:
         go: starts it.
-        go_on: goes on when it was interrupted by a request that did not mean it; None when it
-            cannot, so that such requests wait.
+        go_on: continues it after an interruption by an unrelated request; None if it
+            cannot be continued, so that such requests wait.
     """
 
     go: Callable[[], Stop]
@@ -47,23 +47,23 @@ class Execution:
 
 
 class EditorSession:
-    """What requests are answered with.
+    """The state that request handlers share.
 
     Attributes:
-        connection: the way to the client.
-        client: what the client says of itself.
-        locations: how it names and counts source locations.
-        launch: what it wants to run; None before it has said so.
-        breakpoints: where it wants to stop.
-        handles: what it can ask more of, while nothing moves.
-        output: where the programs' output goes.
-        motion: what is to be done when the current request has been answered; None for nothing.
-        afterwards: what is to be told then.
-        has_begun: whether the run has.
-        moves: whether the client thinks that the programs run.
-        paused: whether it wants them to stop.
-        shell: what does commands; None where nothing is launched.
-        over: whether the session is to end.
+        connection: sends messages to the client.
+        client: the client's capabilities.
+        locations: its conventions for source locations.
+        launch: what it has launched; None for nothing.
+        breakpoints: its breakpoints.
+        handles: objects that it can refer to until the run moves.
+        output: the programs' output.
+        motion: the execution to start after the response; None for none.
+        afterwards: sends events after the response; None for none.
+        has_begun: whether the run has started.
+        moves: whether the programs run as far as the client knows.
+        paused: whether it has requested a pause.
+        shell: executes commands; None if nothing is launched.
+        over: whether the session should end.
     """
 
     def __init__(self, connection: Connection, inbox: Inbox, open_run: OpenRun) -> None:
@@ -87,65 +87,65 @@ class EditorSession:
         self._folder = os.getcwd()  # noqa: PTH109
 
     def meet(self, client: Arguments) -> None:
-        """Learns what a client says of itself.
+        """Store the client's capabilities.
 
         Raises:
-            RefusalError: it wants what there is not.
+            RefusalError: they are not supported.
         """
         self.locations.configure(client)
         self.client = client
 
     @property
     def debugger(self) -> Debugger | None:
-        """The debugger; None where nothing is launched."""
+        """The debugger; None if nothing is launched."""
         return self._debugger
 
     def opened(self) -> Debugger:
-        """Gives the debugger.
+        """Return the debugger.
 
         Raises:
             RefusalError: nothing is launched.
         """
         if self._debugger is None:
-            raise RefusalError("nothing is launched")
+            raise RefusalError("no program is launched")
         return self._debugger
 
     def standing(self) -> Debugger:
-        """Gives the debugger of programs that stand still.
+        """Return the debugger of stopped programs.
 
         Raises:
-            RefusalError: they run, or nothing is launched.
+            RefusalError: they are running, or nothing is launched.
         """
         debugger = self.opened()
         if self.moves:
-            raise RefusalError("the programs run: pause them first", "notStopped")
+            raise RefusalError("the programs are running: pause them first", "notStopped")
         return debugger
 
     def robot(self, arguments: Arguments) -> int:
-        """Gives the robot that a request means as a thread.
+        """Return the robot of a request's `threadId`.
 
         Raises:
             RefusalError: there is no such robot.
         """
         robot = arguments.integer("threadId") - 1
         if not 0 <= robot < len(self.opened().names):
-            raise RefusalError("'threadId' is that of no robot")
+            raise RefusalError("unknown 'threadId'")
         return robot
 
     def open(self, launch: Launch) -> None:
-        """Makes a run, instead of the one before if there is one.
+        """Start a new run, which replaces the previous one.
 
         Raises:
-            RefusalError: its folder is none.
-            DebugError: the command line is wrong.
-            CrsError: a program or the world is.
+            RefusalError: its working directory is invalid.
+            DebugError: the command line is invalid.
+            CrsError: a program or the world is invalid.
         """
         try:
             os.chdir(os.path.join(self._folder, launch.folder))  # noqa: PTH118
         except OSError as error:
             raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
         for name in launch.unknown:
-            self.output.say(f"launch has no attribute '{name}': it is passed over", "important")
+            self.output.say(f"unknown attribute '{name}' of launch: ignored", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
         self.breakpoints.debugger = debugger
@@ -157,7 +157,7 @@ class EditorSession:
             self.locations.know(program.executable.detail().lines)
 
     def begin(self) -> None:
-        """Lets the run begin: up to its first statement, or its first breakpoint."""
+        """Start the run: go to its first statement, or its first breakpoint."""
         launch, debugger = self.launch, self.opened()
         assert launch is not None
         self.has_begun = True
@@ -167,16 +167,16 @@ class EditorSession:
             self.motion = Execution(debugger.resume, go_on=debugger.resume)
 
     def close(self) -> None:
-        """Forgets the run."""
+        """Close the run."""
         self._debugger = self.shell = self.breakpoints.debugger = None
         self.handles.clear()
 
     @contextmanager
     def interruptible(self, *, by_all: bool) -> Iterator[None]:
-        """Lets a request that comes in interrupt what runs in the block.
+        """Let arriving requests interrupt the run in the block.
 
         Args:
-            by_all: whether every request does; else only those that want the programs to stop.
+            by_all: whether every request does; else only those that stop the programs.
         """
         debugger = self.opened()
 
@@ -189,12 +189,12 @@ class EditorSession:
         debugger.forget_interrupt()  # by what came when it had stopped
 
     def report_invalidated(self) -> None:
-        """Tells that whatever the client knows of the programs may be another now."""
+        """Report that the client's view of the programs is outdated."""
         if self.client.flag("supportsInvalidatedEvent", default=False):
             self.connection.event("invalidated", {"areas": ["all"]})
 
     def report_memory_written(self, reference: str, count: int) -> None:
-        """Tells that bytes of a program's memory are others now."""
+        """Report that bytes of a program's memory have changed."""
         if self.client.flag("supportsMemoryEvent", default=False):
             where = {"memoryReference": reference, "offset": 0, "count": count}
             self.connection.event("memory", where)

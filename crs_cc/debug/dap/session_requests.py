@@ -44,17 +44,17 @@ CAPABILITIES: Final[Message] = {
 
 
 def initialize(session: EditorSession, arguments: Arguments) -> Message:
-    """Tells what we can, and learns what the client can."""
+    """Exchange capabilities with the client."""
     if session.launch is not None:
-        raise RefusalError("'initialize' comes first, and once")
+        raise RefusalError("'initialize' must be the first request, and the only one of its kind")
     session.meet(arguments)
     return CAPABILITIES
 
 
 def launch(session: EditorSession, arguments: Arguments) -> None:
-    """Makes a run; nothing moves before `configurationDone`."""
+    """Create a run; it starts with `configurationDone`."""
     if session.launch is not None:
-        raise RefusalError("something is launched already")
+        raise RefusalError("a program is already launched")
     wanted = read_launch(arguments)
     session.open(wanted)
     if wanted.debugs:
@@ -63,22 +63,22 @@ def launch(session: EditorSession, arguments: Arguments) -> None:
 
 
 def attach(_session: EditorSession, _arguments: Arguments) -> None:
-    """Refuses: programs run in this process only."""
-    raise RefusalError("there is nothing to attach to: use the request 'launch'")
+    """Refuse: programs run in this process only."""
+    raise RefusalError("'attach' is not supported: use 'launch'")
 
 
 def configuration_done(session: EditorSession, _arguments: Arguments) -> None:
-    """Lets the run begin."""
+    """Start the run."""
     session.standing()
     if session.has_begun:
-        raise RefusalError("the run has begun already")
+        raise RefusalError("the run has already started")
     session.begin()
 
 
 def restart(session: EditorSession, arguments: Arguments) -> None:
-    """Compiles the programs again, and begins anew."""
+    """Compile the programs again and restart."""
     if session.launch is None:
-        raise RefusalError("nothing is launched yet")
+        raise RefusalError("no program is launched")
     has_news = "arguments" in arguments
     session.open(read_launch(arguments.object("arguments")) if has_news else session.launch)
     session.breakpoints.set_again(session.opened())
@@ -86,12 +86,12 @@ def restart(session: EditorSession, arguments: Arguments) -> None:
 
 
 def terminate(session: EditorSession, _arguments: Arguments) -> None:
-    """Ends the run."""
+    """End the run."""
     session.close()
     session.afterwards = partial(session.connection.event, "terminated")
 
 
 def disconnect(session: EditorSession, _arguments: Arguments) -> None:
-    """Ends the session."""
+    """End the session."""
     session.close()
     session.over = True

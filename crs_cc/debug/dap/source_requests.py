@@ -1,4 +1,4 @@
-"""Requests for texts: of C files, and of code."""
+"""Requests for sources and disassembly."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ _MAX_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
 
 
 def loaded_sources(session: EditorSession, _arguments: Arguments) -> Message:
-    """Gives the files that the programs are made of."""
+    """Return the source files of the programs."""
     session.opened()
     return {"sources": session.locations.sources()}
 
 
 def source(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives the text of a file that is no file of the client's: one of the C library."""
+    """Return the text of a file that the client does not have: one of the C library."""
     asked = arguments.object("source") if "source" in arguments else arguments
     file = session.locations.file_at(session.locations.key(asked))
     if file is None:
-        raise RefusalError("no program of this run is made of this file")
+        raise RefusalError("no program of this run was built from this file")
     lines = session.opened().view.source(file)
     return {"content": session.locations.text(file, lines), "mimeType": "text/x-c"}
 
 
 def disassemble(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives lines of code, as many as are wanted: those outside of the function are said to be."""
+    """Return lines of code; those outside of the function are marked as invalid."""
     start = CodeAddress.read(arguments.text("memoryReference"))
     count = arguments.natural("instructionCount")
     if count > _MAX_INSTRUCTIONS:
@@ -42,7 +42,7 @@ def disassemble(session: EditorSession, arguments: Arguments) -> Message:
     function = _function(session, start)
     first = start.line + arguments.integer("offset", 0) + arguments.integer("instructionOffset", 0)
     if not start.reaches(first) or not start.reaches(first + count):
-        raise RefusalError("this is too far from the function")
+        raise RefusalError("the offset is too far from the function")
     rows = code_of(function)
     symbol = plain_name(function.name)
     made = []
@@ -64,14 +64,14 @@ def _instruction(session: EditorSession, address: int, row: CodeLine | None) -> 
 
 
 def _function(session: EditorSession, address: CodeAddress) -> Function:
-    """Gives the function that an address lies in.
+    """Return the function that contains an address.
 
     Raises:
-        RefusalError: it lies in none.
+        RefusalError: there is none.
     """
     programs = session.opened().run.programs
     if 0 <= address.robot < len(programs):
         functions = list(programs[address.robot].executable.program.functions.values())
         if address.function < len(functions):
             return functions[address.function]
-    raise RefusalError("there is no code at this address")
+    raise RefusalError("no code at this address")

@@ -1,4 +1,4 @@
-"""What the client is told when a run has stopped, or has ended."""
+"""Events for a run that has stopped or ended."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _REASONS: Final[dict[Reason, str]] = {
 _SAID: Final[dict[Reason, str]] = {
     **{reason: words.capitalize() for reason, words in WORDS.items()},
     "end": "All programs have ended: step back, or continue to end the session",
-    "goto": "Went there",
+    "goto": "Moved",
     "step": "Stepped",
     "breakpoint": "Breakpoint",
     "watchpoint": "Data breakpoint",
@@ -42,12 +42,12 @@ _SAID: Final[dict[Reason, str]] = {
 
 
 def thread_of(robot: int) -> int:
-    """Gives the number that a robot has as a thread; 0 is none for some clients."""
+    """Return the thread ID of a robot; some clients reserve 0."""
     return robot + 1
 
 
 def report_stop(session: EditorSession, stop: Stop) -> None:
-    """Tells that a run has stopped; or that it has ended, when nobody wants to look at that."""
+    """Report that a run has stopped; or that it has ended, if no stop is wanted there."""
     launch, debugger = session.launch, session.opened()
     assert launch is not None
     if stop.reason == "end" and not (launch.stop_at_end and launch.debugs):
@@ -80,14 +80,14 @@ def _reason(session: EditorSession, stop: Stop) -> str:
 
 
 def report_end(session: EditorSession) -> None:
-    """Tells that the run is over; the client will end the session."""
+    """Report that the run is over; the client will end the session."""
     session.output.flush()
     session.connection.event("exited", {"exitCode": exit_code(session.opened())})
     session.connection.event("terminated")
 
 
 def exit_code(debugger: Debugger) -> int:
-    """Gives the exit status of a run, as `crs run` has it."""
+    """Return the exit status of a run, as `crs run` has it."""
     statuses = [
         ProgramError.exit_status if robot.outcome == "failed" else (robot.exit_status or 0) & 0xFF
         for robot in debugger.session.result().robots

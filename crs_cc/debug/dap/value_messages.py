@@ -1,4 +1,4 @@
-"""Values as a client shows them: a line each, and their parts when somebody unfolds them."""
+"""Messages for values: a line each, and their parts when expanded."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ _POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
 
 @dataclass(frozen=True, slots=True)
 class FrameHandle:
-    """An active function of a robot's program.
+    """A stack frame of a robot's program.
 
     Attributes:
         robot: the robot's number.
-        frame: the function's; None for a program without one.
-        function: its name; empty without one.
+        frame: the number of the frame; None for a program without one.
+        function: the name of its function; empty without one.
     """
 
     robot: int
@@ -37,10 +37,10 @@ class FrameHandle:
 
 
 def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle:
-    """Gives the active function that a request means; the one looked at where it means none.
+    """Return the frame of a request; by default the selected one.
 
     Raises:
-        RefusalError: it is gone.
+        RefusalError: it is no longer valid.
     """
     debugger = session.opened()
     if "frameId" not in arguments:
@@ -50,7 +50,7 @@ def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle
         return FrameHandle(debugger.view.robot, frame.number, frame.function)
     found = session.handles.take(arguments.integer("frameId"))
     if not isinstance(found, FrameHandle):
-        raise RefusalError("'frameId' is that of no frame")
+        raise RefusalError("unknown 'frameId'")
     return found
 
 
@@ -59,9 +59,9 @@ class ExpandableValue:
     """A value with parts.
 
     Attributes:
-        value: it.
-        expression: the C expression that gives it; empty for none.
-        at: from where.
+        value: the value.
+        expression: a C expression for it; empty for none.
+        at: the scope of the expression.
     """
 
     value: Value
@@ -72,7 +72,7 @@ class ExpandableValue:
 def child_messages(
     session: EditorSession, parts: ExpandableValue, start: int, count: int
 ) -> Iterator[Message]:
-    """Gives some parts of a value, as the client takes them.
+    """Return the messages for some parts of a value.
 
     Args:
         session: the session.
@@ -86,7 +86,7 @@ def child_messages(
 
 
 def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
-    """Gives the value whose parts are shown: of a pointer to a struct, the struct."""
+    """Return the value whose parts are shown: for a pointer to a struct, the struct."""
     if isinstance(value.type, PointerType) and isinstance(value.type.target, RecordType):
         for name, target in value.children():
             return target, child_expression(expression, name)
@@ -94,10 +94,12 @@ def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
 
 
 def child_expression(expression: str, name: str) -> str:
-    """Gives the C expression for a part of a value.
+    """Return the C expression for a part of a value.
 
-    >>> part_of("row", "[2]"), part_of("*here", "x"), part_of("next", "*"), part_of("", "x")
-    ('row[2]', 'here->x', '*next', '')
+    >>> child_expression("row", "[2]"), child_expression("*here", "x")
+    ('row[2]', 'here->x')
+    >>> child_expression("next", "*"), child_expression("", "x")
+    ('*next', '')
     """
     if not expression:
         return ""
@@ -121,15 +123,15 @@ def value_message(
     text: str | None = None,
     key: str = "value",
 ) -> Message:
-    """Gives a value as the client takes it.
+    """Return the message for a value.
 
     Args:
         session: the session.
         value: the value.
-        expression: the C expression that gives it; empty for none.
-        at: from where.
-        text: what to show of it; by default its line.
-        key: what the protocol calls that.
+        expression: a C expression for it; empty for none.
+        at: the scope of the expression.
+        text: its text; by default its line.
+        key: the protocol's name of the text.
     """
     whole, its_expression = _unfolded(value, expression)
     count = whole.child_count

@@ -1,4 +1,4 @@
-"""What stands in scopes: variables, `State[]`, a robot, the world; and which C names these have."""
+"""The contents of scopes: variables, `State[]`, robot, world; and C expressions for them."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ _MAX: Final = 10_000  # parts in one answer; chosen by us
 
 @dataclass(frozen=True, slots=True)
 class ScopeHandle:
-    """What can be looked at from an active function.
+    """A scope of a stack frame.
 
     Attributes:
-        name: which of it.
-        at: the function.
+        name: its name.
+        at: the frame.
     """
 
     name: str
@@ -53,7 +53,7 @@ class RowsHandle:
 
 
 def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    """Gives the scopes of an active function, or of a program without one."""
+    """Return the scopes of a frame, or of a program without one."""
     hints = {"Locals": "locals"}
     for name in _SCOPES:
         if at.frame is None and name == "Locals":
@@ -69,7 +69,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
 
 
 def variables(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives what stands in a scope, or the parts of a value."""
+    """Return the variables of a scope, or the parts of a value."""
     thing = session.handles.take(arguments.integer("variablesReference"))
     start, count = arguments.natural("start", 0), arguments.natural("count", 0)
     wanted = arguments.text("filter", "")
@@ -88,14 +88,14 @@ def variables(session: EditorSession, arguments: Arguments) -> Message:
         case ScopeHandle():
             made = list(_SCOPES[thing.name](session, thing.at))
         case _:
-            raise RefusalError("'variablesReference' is that of nothing with parts")
+            raise RefusalError("unknown 'variablesReference'")
     if wanted == "indexed":
         return {"variables": []}
     return {"variables": made[start : start + count] if count else made[start:]}
 
 
 def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
-    """Gives the C expression for what has a name in something with parts, and where it holds.
+    """Return the C expression for a named part of a variable, and its scope.
 
     Raises:
         RefusalError: there is none.
@@ -111,7 +111,7 @@ def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHa
         found = _INDEX.fullmatch(name)
         expression = f"State[{found[1]}]" if found else ""
     if not expression:
-        raise RefusalError(f"'{name}' has no name in C: it can only be looked at")
+        raise RefusalError(f"'{name}' cannot be expressed in C: it is read only")
     return thing.at, expression
 
 
@@ -145,7 +145,7 @@ def _variables(
 
 
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    """Gives the numbers of `State[]` with their names and units."""
+    """Return the numbers of `State[]` with their names and units."""
     told = session.opened().view.vendor_state(at.robot)
     for row, (field, _) in zip(state_rows(told), told, strict=True):
         yield {

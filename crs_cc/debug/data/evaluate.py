@@ -1,10 +1,10 @@
-"""C expressions, evaluated where a program has stopped.
+"""Evaluation of C expressions in a stopped program.
 
-An expression means what it would mean in the source at the place where the function stands: the
-variables of its open blocks, then the names of its file. It is compiled once for each place, as the
-conditions of breakpoints are evaluated often.
+Names have the meaning that they would have in the source at the current location: the
+variables of open blocks, then the names of the file. An expression is compiled once per location,
+as conditions of breakpoints are evaluated often.
 
-What an expression changes, the program finds changed; a mistake inside changes nothing.
+Side effects of an expression apply to the program; a failed evaluation has none.
 """
 
 from __future__ import annotations
@@ -58,11 +58,11 @@ _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string"
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """What an expression has come to.
+    """The result of an evaluation.
 
     Attributes:
         value: its value.
-        changed: whether the program's memory is another one now.
+        changed: whether the program's memory has changed.
     """
 
     value: Value
@@ -71,14 +71,14 @@ class Evaluation:
 
 @dataclass(frozen=True, slots=True)
 class ObjectLocation:
-    """An object that an expression names, to be watched.
+    """The object that an expression names.
 
     Attributes:
         address: its first byte.
-        size: [bytes].
+        size: its size [bytes].
         type: its type.
-        frame: the active function whose variables the expression uses: with it the place ends;
-            None when it uses global ones only.
+        frame: the frame whose variables the expression uses, and with which the object ends;
+            None if it uses only globals.
     """
 
     address: int
@@ -91,8 +91,7 @@ class Evaluator:
     """Evaluates expressions in a robot's program.
 
     Attributes:
-        convenience_values: the values that `$name = expression` has kept; the last one that was evaluated for a
-            user may be kept as `$`, which has no name.
+        convenience_values: the values of `$name` by name; that of `$` has an empty name.
     """
 
     def __init__(
@@ -102,13 +101,13 @@ class Evaluator:
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
     ) -> None:
-        """Makes an evaluator.
+        """Create an evaluator.
 
         Args:
-            stopped: tells where the program stands now.
-            names: what its names mean.
-            convenience_values: values that users keep, of other programs too.
-            fields: what the numbers of `State[]` mean for its robot.
+            stopped: returns the current state of the program.
+            names: the names of its source files.
+            convenience_values: the convenience variables, shared with other programs.
+            fields: the fields of `State[]` for its robot.
         """
         self.convenience_values: dict[str, Value] = (
             {} if convenience_values is None else convenience_values
@@ -125,14 +124,14 @@ class Evaluator:
         self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
-        """Evaluates an expression.
+        """Evaluate an expression.
 
         Args:
             text: the expression; or a slice, or `$name = expression`, see `notation`.
-            frame: the active function to look from; by default the innermost of the user's files.
+            frame: the frame whose scope applies; by default the innermost of the user's.
 
         Raises:
-            DebugError: it means nothing here, or cannot be evaluated.
+            DebugError: it is invalid here, or cannot be evaluated.
         """
         keeping = convenience_assignment(text)
         if keeping is not None:
@@ -155,7 +154,7 @@ class Evaluator:
         return Evaluation(value, self._memory.has_changed())
 
     def undo(self) -> None:
-        """Takes back what the last expression changed, in what is kept, too."""
+        """Undo the side effects of the last expression, on convenience variables, too."""
         self._memory.undo()
         while self._replaced:
             name, before = self._replaced.pop()
@@ -165,7 +164,7 @@ class Evaluator:
                 self.convenience_values[name] = before
 
     def holds(self, text: str, frame: StackFrame | None = None) -> bool:
-        """Tells whether a condition is true; whatever it does is taken back.
+        """Return whether a condition is true; its side effects are undone.
 
         Raises:
             DebugError: as for `evaluate`.
@@ -176,19 +175,19 @@ class Evaluator:
         return bool(result)
 
     def check(self, text: str, function: str, place: Location) -> None:
-        """Finds out whether an expression will mean something at a place.
+        """Check that an expression is valid at a location.
 
         Raises:
-            DebugError: it does not.
+            DebugError: it is not.
         """
         with contextlib.suppress(UnknownSizeError):
             self._preparation.of(text, ExpressionContext(function, place))
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
-        """Gives the type of an expression, which is not evaluated.
+        """Return the type of an expression, which is not evaluated.
 
         Raises:
-            DebugError: it means nothing here.
+            DebugError: it is invalid here.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
@@ -199,10 +198,10 @@ class Evaluator:
         return self._preparation.of(text, standing).compiled.type
 
     def place(self, text: str, frame: StackFrame | None = None) -> ObjectLocation:
-        """Gives where the object lies that an expression names.
+        """Return the location of the object that an expression names.
 
         Raises:
-            DebugError: it names none.
+            DebugError: it names no object.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
@@ -216,13 +215,13 @@ class Evaluator:
             return ObjectLocation(value.address or 0, value.type.size, value.type, depends_on)
         address, compiled = unsigned(result or 0, 32), prepared.compiled
         if not compiled.is_place or address >= SCRATCH:
-            raise DebugError(f"'{text}' is a value and no object in memory")
+            raise DebugError(f"'{text}' is a value, not an object in memory")
         return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first.
+        """Return the variables of a frame, those of the innermost block first.
 
-        Parameters come last; variables that are declared behind the place are left out.
+        Parameters come last; variables that are declared later are left out.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
@@ -232,11 +231,11 @@ class Evaluator:
         return variables_of(self._scopes, type_of, self.inspector(), frame)
 
     def globals_(self) -> list[Variable]:
-        """Gives the global variables of the user's own files, by their names."""
+        """Return the global variables of the user's files, sorted by name."""
         return globals_of(self._scopes, self.inspector())
 
     def inspector(self) -> MemoryInspector:
-        """Gives what looks at the program's memory as it is now."""
+        """Return an inspector of the program's current memory."""
         return MemoryInspector(self._stopped(), self._interpreter.scratch, self._fields)
 
     # -- running -----------------------------------------------------------------------------
@@ -253,7 +252,7 @@ class Evaluator:
     def _run(
         self, text: str, stopped: Stopped, frame: StackFrame | None
     ) -> tuple[PreparedExpression, Any]:
-        """Evaluates an expression; gives it compiled, and its value or address."""
+        """Evaluate an expression; return it compiled, and its value or address."""
         known = FrameAddresses.of(stopped, frame)
         prepared = self._preparation.of(text, self._standing(stopped, frame, known))
         arguments: list[int | bytes] = []
@@ -277,11 +276,11 @@ class Evaluator:
             raise DebugError(str(wrong)) from None
         except RecursionError:
             self._memory.undo()
-            raise DebugError("too many calls inside each other") from None
+            raise DebugError("too many nested calls") from None
         return prepared, value
 
     def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:
-        """Gives the address of an array that a hidden pointer stands for."""
+        """Return the address of an array that is held by a hidden pointer."""
         assert isinstance(address, int)
         memory = self._stopped().memory
         if saved is not None and not saved.has_value(memory):
@@ -302,7 +301,7 @@ class Evaluator:
         return inspector.value(address, ctype)
 
     def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
-        """Gives objects in a row as an array."""
+        """Return a slice as an array."""
         base = self._part(wanted.base, frame)
         first = self._whole(wanted.first, frame)
         if not wanted.last:
@@ -316,9 +315,9 @@ class Evaluator:
 
     def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
         if address is None or not is_complete(ctype):
-            raise DebugError("only objects in memory stand in a row")
+            raise DebugError("only objects in memory can form a slice")
         if not 0 < count <= MAX_ELEMENTS:
-            raise DebugError(f"a slice has 1 to {MAX_ELEMENTS:,} elements, not {count:,}")
+            raise DebugError(f"invalid slice length {count:,} (expected 1 to {MAX_ELEMENTS:,})")
         start = unsigned(address + first * ctype.size, 32)
         try:
             self._memory.read(start, ctype.size * count, judged=False)
@@ -328,7 +327,7 @@ class Evaluator:
         return replace(value, first=first)
 
     def _part(self, text: str, frame: StackFrame | None) -> Value:
-        """Evaluates a part of a slice, which may change nothing."""
+        """Evaluate a part of a slice, without side effects."""
         found = self.evaluate(text, frame)
         if found.changed:
             self._memory.undo()
@@ -338,7 +337,7 @@ class Evaluator:
     def _whole(self, text: str, frame: StackFrame | None) -> int:
         value = self._part(text, frame)
         if not isinstance(value.number, int) or isinstance(value.type, PointerType):
-            raise DebugError(f"'{text}' is no whole number")
+            raise DebugError(f"'{text}' is not an integer")
         return value.number
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
@@ -346,7 +345,7 @@ class Evaluator:
 
 
 def _lend(name: str) -> Function | Data | None:
-    """Gives what the library has of a name, if it is of use without the world outside."""
+    """Return a function or object of the library, if it does not need the simulated world."""
     found = library().find(name)
     return None if found is None or not found.location.file.startswith(_PURE) else found
 
@@ -356,16 +355,16 @@ def _innermost(stopped: Stopped) -> StackFrame | None:
 
 
 def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> FrameAddresses:
-    """Gives the frame of a function: the nearest one outside of another, or else the innermost."""
+    """Return the frame of a function: the nearest outer one, or else the innermost."""
     active = [each for each in stopped.stack if each.function == function]
     if not active:
-        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables now")
+        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables")
     outside = [each for each in active if frame is None or each.fp >= frame.fp]
     return FrameAddresses.of(stopped, (outside or active)[0])
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:
-    """Gives a value as it would lie in memory."""
+    """Return the object representation of a value."""
     if isinstance(ctype, VoidType) or result is None:
         return b""
     if isinstance(ctype, FloatType):

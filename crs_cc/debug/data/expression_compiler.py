@@ -1,6 +1,6 @@
-"""Compiles the expressions of a debugger's user for the place where a program stands.
+"""Compilation of the user's expressions for the current location of a program.
 
-It is done once for each place: the conditions of breakpoints are evaluated often.
+It is done once per location, as conditions of breakpoints are evaluated often.
 """
 
 from __future__ import annotations
@@ -37,17 +37,17 @@ Sizes = Mapping[Location, int]
 
 
 class UnknownSizeError(DebugError):
-    """What an expression means depends on a size that only the running program knows."""
+    """The type of an expression depends on a size that is unknown before run time."""
 
 
 @dataclass(frozen=True, slots=True)
 class ExpressionContext:
-    """Where an expression is looked at from.
+    """The scope of an expression.
 
     Attributes:
         function: the linker's name of the function; "" for none.
-        place: where that stands.
-        sizes: of its types that only the running program knows, see `scope.Frame`.
+        place: its current location.
+        sizes: the sizes of its variably modified types, see `scope.FrameAddresses`.
     """
 
     function: str = ""
@@ -60,8 +60,8 @@ class Use:
     """A variable that an expression uses.
 
     Attributes:
-        storage: where it lies.
-        inside: the function in whose innermost frame it lies; "" for the one that is looked at.
+        storage: its storage.
+        inside: the function whose innermost frame has it; "" for the selected frame.
     """
 
     storage: Storage
@@ -74,8 +74,8 @@ class PreparedExpression:
 
     Attributes:
         compiled: the expression.
-        uses: what to pass to it: addresses of variables, and bytes of values that were kept.
-        sizes: for which sizes of types it holds.
+        uses: its arguments: addresses of variables, and bytes of convenience variables.
+        sizes: the sizes of types for which it was compiled.
     """
 
     compiled: CompiledExpression
@@ -84,7 +84,7 @@ class PreparedExpression:
 
 
 class SourceNames:
-    """What the names in a program's files mean; read from the files when first asked for."""
+    """The names in a program's source files; read from the files on first use."""
 
     def __init__(self, program: DebugProgram) -> None:
         self._program = program
@@ -92,14 +92,14 @@ class SourceNames:
         self._files: dict[str, FileNames | str] = {}
 
     def of(self, function: str, file: str) -> FileNames:
-        """Gives the names that the C file of a function knows.
+        """Return the names that the C file of a function declares.
 
         Args:
             function: the linker's name of the function.
-            file: where it stands, which may be a header.
+            file: the file of the function, maybe a header.
 
         Raises:
-            DebugError: the file is not any more what the program was made of.
+            DebugError: the file has changed since the program was built.
         """
         unit = function.rpartition(":")[0]
         known = next((each for each in (unit, file) if each in self._paths), None)
@@ -109,7 +109,7 @@ class SourceNames:
         return self._file(known)
 
     def _file(self, name: str) -> FileNames:
-        """Gives what a C file knows; it is read once, even if nothing comes of that."""
+        """Return the names of a C file; it is read only once, even on failure."""
         if name not in self._files:
             try:
                 found = FileNames(self._paths[name], self._program.options)
@@ -124,10 +124,10 @@ class SourceNames:
         return names
 
     def types(self, function: str, file: str) -> TypeOf:
-        """Gives what tells the types of variables, in terms of the C file of a function.
+        """Return a function for the types of variables, in terms of the C file of a function.
 
-        When the file is not any more what the program was made of they are those of the program:
-        the same to people, if not to C.
+        If the file has changed since the program was built, types are those of the program:
+        they look the same but are not identical to the compiler.
         """
         try:
             return self.of(function, file).type_of
@@ -135,28 +135,28 @@ class SourceNames:
             return lambda variable: variable.ctype
 
     def _change(self, found: FileNames) -> str:
-        """Says that the file is not any more what the program was made of; "" when it is."""
+        """Return a message if the file has changed since the program was built, else ""."""
         for file, lines in self._program.executable.detail().lines.items():
             if file in found.lines and list(found.lines[file]) != list(lines):
-                return f"{file} has changed since the program was built: what names mean is unknown"
+                return f"{file} has changed since the program was built: names cannot be resolved"
         return ""
 
 
 class ExpressionCompiler:
-    """Compiles expressions and keeps them."""
+    """Compiles expressions and caches them."""
 
     def __init__(self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value]) -> None:
-        """Takes what names mean in files and in functions, and the values that users keep."""
+        """Store the names of files and functions, and the convenience variables."""
         self._names = names
         self._scopes = scopes
         self._kept = kept
         self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
     def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
-        """Compiles an expression.
+        """Compile an expression.
 
         Raises:
-            DebugError: it means nothing there.
+            DebugError: it is invalid there.
         """
         key = text, standing.function, standing.place
         found = self._known.get(key)
@@ -198,7 +198,7 @@ class ExpressionCompiler:
         return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
-        """Gives the type of what a name means."""
+        """Return the type of the variable in a storage."""
         variable = storage.variable
         ctype = names.type_of(variable)
         if is_variably_modified(ctype):
@@ -215,9 +215,9 @@ class ExpressionCompiler:
     def _visible(
         self, standing: ExpressionContext, names: FileNames, used: set[str]
     ) -> list[tuple[str, Storage]]:
-        """Gives the variables that names mean at a place.
+        """Return the variables that names refer to at a location.
 
-        One whose declaration is still to come counts if its name means nothing else.
+        One that is declared later counts if its name has no other meaning.
         """
         place = standing.place
         if not standing.function or in_library(place):
@@ -235,15 +235,15 @@ class ExpressionCompiler:
         return list((later | found).items())
 
     def _outer(self, wanted: QualifiedName) -> Use:
-        """Finds `file::name` or `function::name`."""
+        """Find `file::name` or `function::name`."""
         if "." in wanted.inside:
             storage = self._scopes.static(wanted.name, wanted.inside)
             if storage is None:
-                raise DebugError(f"there is no variable '{wanted.name}' in {wanted.inside}")
+                raise DebugError(f"no variable '{wanted.name}' in {wanted.inside}")
             return Use(storage)
         functions = self._scopes.functions(wanted.inside)
         if not functions:
-            raise DebugError(f"there is no function '{wanted.inside}'")
+            raise DebugError(f"no function '{wanted.inside}'")
         for function in functions:
             for storage in self._scopes.of(function):
                 if storage.variable.name == wanted.name:
@@ -253,7 +253,7 @@ class ExpressionCompiler:
     def _value(self, wanted: ConvenienceVariable) -> Value:
         value = self._kept.get(wanted.name)
         if value is None:
-            raise DebugError(f"no value is kept as ${wanted.name}")
+            raise DebugError(f"no convenience variable ${wanted.name}")
         if not value.is_initialised or not value.content:
             raise DebugError(f"${wanted.name} has no value: it is {value.text}")
         return value

@@ -1,11 +1,11 @@
-"""What users of a debugger write beyond C: slices, names of other functions and files, `$` values.
+"""Extensions of C expressions: slices, qualified names, and convenience variables.
 
 >>> slice_in("a[i + 1..5]"), slice_in("*p@4"), slice_in("a[1]")
 (Slice(base='a', first='i + 1', last='5'), Slice(base='*p', first='4', last=''), None)
 >>> rewritten("turn::count + 'map.c'::size - $speed")[0]
 '__crs_0 + __crs_1 - __crs_2'
->>> rewritten("turn::count + 'map.c'::size - $speed")[1]
-(Outer(inside='turn', name='count'), Outer(inside='map.c', name='size'), Kept(name='speed'))
+>>> rewritten("'map.c'::size - $speed")[1]
+(QualifiedName(inside='map.c', name='size'), ConvenienceVariable(name='speed'))
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ NAME: Final = "__crs_{}"
 
 @dataclass(frozen=True, slots=True)
 class Slice:
-    """Some objects in a row: `base[first..last]`, or `base@first` when there is no `last`."""
+    """A slice: `base[first..last]`, or `base@first` if there is no `last`."""
 
     base: str
     first: str
@@ -48,13 +48,13 @@ class QualifiedName:
 
 @dataclass(frozen=True, slots=True)
 class ConvenienceVariable:
-    """`$name`: a value that was kept; the last one has no name."""
+    """`$name`: a convenience variable; the last value has no name."""
 
     name: str
 
 
 def slice_in(text: str) -> Slice | None:
-    """Gives the slice that an expression is; None when it is none."""
+    """Parse a slice; return None for other expressions."""
     text, opened = text.strip(), -1
     for symbol, start, depth in _tokens(text):
         if depth == 0 and symbol == "@":
@@ -72,7 +72,7 @@ def slice_in(text: str) -> Slice | None:
 
 
 def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
-    """Gives the tokens with their places and how many parentheses are open before them."""
+    """Return the tokens with their offsets and the depth of parentheses."""
     depth = 0
     for match in _TOKEN.finditer(text):
         token = match[0]
@@ -82,13 +82,13 @@ def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
 
 
 def convenience_assignment(text: str) -> tuple[str, str] | None:
-    """Gives name and expression of `$name = expression`; None when it is not that."""
+    """Parse `$name = expression`; return None for other expressions."""
     match = _SETS.fullmatch(text)
     return None if match is None else (match[1], match[2].strip())
 
 
 def rewritten(text: str) -> tuple[str, tuple[QualifiedName | ConvenienceVariable, ...]]:
-    """Gives an expression in C, and what its names `__crs_0`, `__crs_1` and so on stand for."""
+    """Return an expression in C, and the meanings of its names `__crs_0`, `__crs_1` and so on."""
     if "::" not in text and "$" not in text:
         return text, ()
     found: list[QualifiedName | ConvenienceVariable] = []
@@ -107,7 +107,7 @@ def rewritten(text: str) -> tuple[str, tuple[QualifiedName | ConvenienceVariable
 
 
 def restored(message: str, found: tuple[QualifiedName | ConvenienceVariable, ...]) -> str:
-    """Puts the names that the user wrote back into a message."""
+    """Restore the user's names in a message."""
     for number, each in enumerate(found):
         name = (
             f"${each.name}"

@@ -1,8 +1,8 @@
-"""Which variables names mean where a program has stopped, and where these lie.
+"""Name lookup where a program has stopped, and the addresses of variables.
 
-A name means the variable of the innermost block that has one of that name, whose declaration stands
-before the place. Each variable has a `Storage`: in the frame of its function or, if it is static, at a
-fixed address.
+A name refers to the variable of the innermost block that declares it before the location (C17
+6.2.1). Each variable has a `Storage`: in the frame of its function or, if it is static, at a fixed
+address.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ VariableKind = Literal["parameter", "local", "static", "global"]
 
 @dataclass(frozen=True, slots=True)
 class Storage:
-    """Where a variable lies.
+    """The storage of a variable.
 
     Attributes:
         variable: the variable.
-        kind: "static" is one that a function keeps.
-        at: its address; of one in a frame, how far from the frame's lower end.
-        in_frame: whether it lies in a frame.
-        register: the register that it lives in while the program runs.
-        flag: where it stands, from the frame's lower end, whether the register has a value.
-        passed: where it was passed, from the frame's lower end, if it is a parameter.
+        kind: its kind; "static" is local to a function.
+        at: its address; in a frame, the offset from the frame's lower end.
+        in_frame: whether it is in a frame.
+        register: its register while the program runs.
+        flag: the offset of the register's initialised flag.
+        passed: the offset where it was passed, if it is a parameter.
     """
 
     variable: Variable
@@ -53,15 +53,15 @@ class Storage:
     passed: int | None = None
 
     def is_visible(self, place: Location) -> bool:
-        """Tells whether the name means this variable at a place, if no inner one has it.
+        """Return whether the name means this variable at a place, if no inner one has it.
 
-        A function that has no room for its frame stands before its parameters.
+        A function without room for its frame is before its parameters.
         """
         return self.kind == "parameter" or self.variable.is_visible(place)
 
 
 def is_own(location: Location) -> bool:
-    """Tells whether a place is in the user's files, and not in the library's or its headers."""
+    """Return whether a location is in the user's files, not in the library or its headers."""
     return not in_library(location) and not location.file.startswith(_SYSTEM)
 
 
@@ -78,7 +78,7 @@ class Scopes:
                 self._enter(data, data.variable)
 
     def _enter(self, data: Data, variable: Variable) -> None:
-        """Enters an object: `wander.c:turn.count` is a function's, `wander.c:count` is not."""
+        """Enter an object: `wander.c:turn.count` is a function's, `wander.c:count` is not."""
         address, name = self._compiled.addresses[data.name], plain_name(data.name)
         function, dot, _ = name.partition(".")
         if dot:
@@ -87,18 +87,18 @@ class Scopes:
             self._globals.append(Storage(variable, "global", address))
 
     def globals_(self) -> list[Storage]:
-        """Gives the global variables of the user's own files, in the order of their names."""
+        """Return the global variables of the user's own files, in the order of their names."""
         return sorted(self._globals, key=lambda each: (each.variable.name, each.variable.location))
 
     def extents(self, function: str) -> tuple[Storage, ...]:
-        """Gives what the sizes of types are kept in that only the running program knows."""
+        """Return the hidden variables that hold the sizes of variably modified types."""
         if function not in self._extents:
             found = frame_storage(self._compiled.info(function))
             self._extents[function] = tuple(each for each in found if each.variable.name == EXTENT)
         return self._extents[function]
 
     def of(self, function: str) -> list[Storage]:
-        """Gives all variables of a function, those of the innermost blocks first."""
+        """Return all variables of a function, those of the innermost blocks first."""
         info = self._compiled.info(function)
         known = {(each.variable.name, each.variable.location): each for each in frame_storage(info)}
         file = info.function.location.file
@@ -111,7 +111,7 @@ class Scopes:
         return sorted(found, key=_order, reverse=True)
 
     def functions(self, name: str) -> list[str]:
-        """Gives the linker's names of the functions of a name, those of the user's own first."""
+        """Return the linker's names of the functions of a name, those of the user's own first."""
         known = [
             info.function.name
             for info in self._compiled.functions
@@ -121,7 +121,7 @@ class Scopes:
         return sorted(known, key=lambda each: in_library(place[each]))
 
     def static(self, name: str, file: str) -> Storage | None:
-        """Gives a global variable that a file declares, by the file's name or the end of that."""
+        """Return a global variable that a file declares, by the file's name or the end of that."""
         for each in self._globals:
             known = each.variable.location.file
             if each.variable.name == name and (known == file or known.endswith(f"/{file}")):
@@ -130,7 +130,7 @@ class Scopes:
 
 
 def _order(storage: Storage) -> tuple[Location, Location, Location]:
-    """Sorts outer blocks before inner ones, and in a block the last declaration first."""
+    """Sort outer blocks before inner ones, and in a block the last declaration first."""
     place = storage.variable.location
     outside = Location(place.file)
     first, last = storage.variable.block or (outside, outside)
@@ -138,7 +138,7 @@ def _order(storage: Storage) -> tuple[Location, Location, Location]:
 
 
 def frame_storage(info: FunctionInfo) -> Iterator[Storage]:
-    """Gives what lies in the frames of a function; one that lies twice counts at the last."""
+    """Return the variables in the frames of a function; one stored twice counts at the last place."""
     passed: dict[tuple[str, Location], int] = {}
     for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
         variable = parameter.variable or parameter.place.variable
@@ -161,7 +161,7 @@ class FrameAddresses:
 
     Attributes:
         sp: its lower end.
-        place: where the function stands: variables that are declared behind it have no values.
+        place: the current location: variables that are declared later are uninitialised.
         unset: the registers that surely have none either.
     """
 
@@ -171,7 +171,7 @@ class FrameAddresses:
 
     @classmethod
     def of(cls, stopped: Stopped, active: StackFrame | None) -> FrameAddresses:
-        """Finds the frame; that of no function has nothing in it."""
+        """Find the frame; that of no function has nothing in it."""
         if active is None:
             return cls(0, Location(""))
         info = stopped.compiled.info(active.function)
@@ -184,11 +184,11 @@ class FrameAddresses:
 
     @property
     def has_no_room(self) -> bool:
-        """Whether the stack was too small: then there is nothing but what was passed."""
+        """Whether the stack was too small: then only passed arguments exist."""
         return 0 < self.sp < NULL_SIZE or self.sp < 0
 
     def address(self, storage: Storage) -> int:
-        """Gives the address of a variable."""
+        """Return the address of a variable."""
         if not storage.in_frame:
             return storage.at
         if self.has_no_room and storage.passed is not None:
@@ -196,7 +196,7 @@ class FrameAddresses:
         return self.sp + storage.at
 
     def saved(self, storage: Storage) -> SavedRegister | None:
-        """Gives a variable that lives where C cannot reach it; None for all others."""
+        """Return a variable that lives where C cannot reach it; None for all others."""
         if self.has_no_room and storage.passed is not None:
             return SavedRegister(
                 storage.variable.name, storage.variable.ctype, self.address(storage)
@@ -209,9 +209,9 @@ class FrameAddresses:
         return SavedRegister(variable.name, variable.ctype, self.address(storage), flag, is_unset)
 
     def sizes(self, extents: Iterable[Storage], memory: ByteArray) -> dict[Location, int]:
-        """Gives the sizes of types that only the running program knows, by their lengths' places.
+        """Return the sizes of types that only the running program knows, by their lengths' places.
 
-        Two of one place, which come from one macro, cannot be told from each other.
+        Two at one location, which come from one macro, cannot be distinguished.
         """
         found: dict[Location, int] = {}
         twice: set[Location] = set()
@@ -224,7 +224,7 @@ class FrameAddresses:
 
 
 def concrete(ctype: CType, sizes: Mapping[Location, int]) -> CType | None:
-    """Gives a type with the lengths that it has in the running program; None while unknown."""
+    """Return a type with the lengths that it has in the running program; None while unknown."""
     if not is_variably_modified(ctype):
         return ctype
     if isinstance(ctype, PointerType):

@@ -1,7 +1,7 @@
-"""Values of a stopped program: a line of text each, and their parts when somebody asks for them.
+"""Values of a stopped program: a line of text each, and their parts on demand.
 
-A value holds the bytes that were there when it was made. Behind pointers it looks into the memory
-as that is now, so it is of use until the program goes on.
+A value holds the bytes at its creation. Pointers are followed in the
+current memory, so it is valid until the program resumes.
 """
 
 from __future__ import annotations
@@ -39,11 +39,11 @@ class ValueReader(Protocol):
 
     @property
     def short(self) -> Values:
-        """Formats values in at most a line."""
+        """Format values in at most a line."""
 
     @property
     def full(self) -> Values:
-        """Formats values at length."""
+        """Format values at length."""
 
     def read(self, address: int, size: int) -> bytes:
         """Return the bytes at an address, as many as exist."""
@@ -60,13 +60,13 @@ class Value:
     """A value.
 
     Attributes:
-        inspector: what looks at the program.
+        inspector: the inspector of the program.
         type: its C type.
         content: its bytes; those of a bit-field are those of an object of its type.
         states: the `ByteState`s of these bytes; none when all have values.
-        address: where it lies; None for a value that was computed, and for a bit-field.
+        address: its address; None for a computed value, and for a bit-field.
         first: the number of its first element, if it is a slice of an array.
-        fields: what the numbers of `State[]` are called and mean, if these are some of them.
+        fields: the fields of `State[]`, if it is part of that.
     """
 
     inspector: ValueReader
@@ -79,22 +79,22 @@ class Value:
 
     @property
     def is_initialised(self) -> bool:
-        """Tells whether all its bytes have values."""
+        """Return whether all its bytes have values."""
         return not self.states.strip(_VALUED)
 
     @property
     def exists(self) -> bool:
-        """Tells whether C may look at any of its bytes."""
+        """Return whether C may look at any of its bytes."""
         return not self.states or bool(self.states.strip(GONE))
 
     @property
     def text(self) -> str:
-        """Gives the value in a line."""
+        """Return the value in a line."""
         return self._written(self.inspector.short)
 
     @property
     def full(self) -> str:
-        """Gives the value in a line that may be long: up to 200 elements of each array."""
+        """Return the value in a line that may be long: up to 200 elements of each array."""
         return self._written(self.inspector.full)
 
     def _written(self, values: Values) -> str:
@@ -110,7 +110,7 @@ class Value:
 
     @property
     def number(self) -> int | float | None:
-        """Gives a number, an enum or the address in a pointer; None for all else."""
+        """Return a number, an enum or the address in a pointer; None for all else."""
         if not self.is_initialised or not self.content:
             return None
         if isinstance(self.type, FloatType):
@@ -123,7 +123,7 @@ class Value:
 
     @property
     def child_count(self) -> int:
-        """Gives how many parts it has."""
+        """Return how many parts it has."""
         match self.type:
             case ArrayType():
                 size = self.type.element.size
@@ -135,7 +135,7 @@ class Value:
         return 0
 
     def children(self, start: int = 0, count: int | None = None) -> Iterator[tuple[str, Value]]:
-        """Gives its parts with their names: members, elements, or what a pointer points to.
+        """Return its parts with their names: members, elements, or what a pointer points to.
 
         Args:
             start: number of the first one.
@@ -156,21 +156,21 @@ class Value:
                     yield "*", target
 
     def element(self, number: int) -> Value:
-        """Gives an element of an array."""
+        """Return an element of an array."""
         assert isinstance(self.type, ArrayType)
         size = self.type.element.size
         part = self._part(self.type.element, number * size, size)
         return replace(part, fields=self.fields[number : number + 1])
 
     def _members(self) -> Iterator[Member]:
-        """Gives the members that hold anything: no bit-fields without names."""
+        """Return the members that hold anything: no bit-fields without names."""
         assert isinstance(self.type, RecordType)
         for member in self.type.record.members or []:
             if member.name is not None or isinstance(member.type, RecordType):
                 yield member
 
     def member(self, member: Member) -> Value:
-        """Gives a member of a struct or union."""
+        """Return a member of a struct or union."""
         part = self._part(member.type, member.offset, member.spread or member.type.size)
         if member.bit_width is None:
             return part
@@ -182,7 +182,7 @@ class Value:
         return Value(self.inspector, ctype, self.content[part], self.states[part], address)
 
     def target(self) -> Value | None:
-        """Gives what a pointer points to, if C may look at it and it is not just text."""
+        """Return what a pointer points to, if C may look at it and it is not just text."""
         assert isinstance(self.type, PointerType)
         target, address = self.type.target, self.number
         if not isinstance(address, int) or isinstance(target, FunctionType | VoidType):

@@ -1,4 +1,4 @@
-"""The variables that a stopped program has, with their values."""
+"""The variables of a stopped program, with their values."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Variable:
         name: its name.
         value: its value.
         scope: "parameter", "local", "static" (of a function) or "global".
-        is_hidden: whether its name means another one where the function stands.
+        is_hidden: whether it is shadowed at the current location.
     """
 
     name: str
@@ -31,9 +31,9 @@ class Variable:
 def variables_of(
     scopes: Scopes, type_of: TypeOf, inspector: MemoryInspector, active: StackFrame
 ) -> list[Variable]:
-    """Gives the variables of an active function, those of the innermost block first.
+    """Return the variables of a frame, those of the innermost block first.
 
-    Parameters come last; what is declared behind the place, or does not exist there, is left out.
+    Parameters come last; variables that are declared later, or do not exist yet, are left out.
     """
     frame = FrameAddresses.of(inspector.stopped, active)
     sizes = frame.sizes(scopes.extents(active.function), inspector.stopped.memory)
@@ -53,7 +53,7 @@ def variables_of(
 
 
 def globals_of(scopes: Scopes, inspector: MemoryInspector) -> list[Variable]:
-    """Gives the global variables of the user's own files, by their names."""
+    """Return the global variables of the user's files, sorted by name."""
     return [
         Variable(
             storage.variable.name, inspector.value(storage.at, storage.variable.ctype), storage.kind

@@ -1,12 +1,12 @@
-"""A run that can be at any instant of itself: forward by running, backward by running again.
+"""A run that can be moved to any position: forward by running, backward by replaying.
 
-`advance` lets the session go on to the next instant at which anything can be asked: a program has
-stopped before a statement that is marked, a round has ended, a timestep has ended. Snapshots are
-kept on the way. `seek` goes to any instant, back to the latest snapshot before it and forward from
-there with nothing but that instant marked.
+`advance` runs the session to the next event: a program has
+stopped before a requested statement, a round has ended, a timestep has ended. Snapshots are
+kept on the way. `seek` moves to any position: back to the latest snapshot before it and forward
+from there with only that position requested.
 
-Where the user has changed something, the snapshot made behind the change is all that leads on from
-there; the history keeps it, and running on through that instant means to restore it.
+Where the user has changed something, only the snapshot made after the change leads on from
+there; the history keeps it, and running through that position restores it.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 
 class InterruptedRunError(Exception):
-    """The user does not want to wait any longer."""
+    """The user has interrupted the run."""
 
 
 _STATEMENT: Final = RunEvent("statement")
@@ -51,14 +51,14 @@ class RecordedRun:
     """A run of programs in a world.
 
     Attributes:
-        session: the run as it is now; nothing but this class makes it go on.
-        console: what the programs wrote and read.
-        history: snapshots of it.
-        event_history: what happened in it.
-        input_log: what the programs were given in it.
+        session: the session; only this class advances it.
+        console: the output and input of the programs.
+        history: its snapshots.
+        event_history: its events.
+        input_log: the input of the programs in each round.
         programs: by robot, its program.
-        interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
-        is_off_timeline: whether this is no instant of the run: programs ran past where they should, or
+        interrupted: set to make `advance` raise `InterruptedRunError`.
+        is_off_timeline: whether the state is no state of the run: programs ran too far, or
             without the world. Then only `seek` or `restore` lead on.
     """
 
@@ -71,15 +71,15 @@ class RecordedRun:
         history: History,
         **options: Any,
     ) -> None:
-        """Puts the programs into the world, and nothing has happened yet.
+        """Load the programs into the world.
 
         Args:
             world: the world.
             programs: one for each robot.
-            seed: decides all that is random.
-            console: takes what they write, and gives what they read.
-            history: where the snapshots go.
-            options: further ones of `Session`.
+            seed: the random seed.
+            console: their standard streams.
+            history: stores the snapshots.
+            options: further options of `Session`.
         """
         self.programs = programs
         self.console = console
@@ -113,12 +113,12 @@ class RecordedRun:
         return self.console.read(robot, wanted)
 
     def step(self, step: Step) -> None:
-        """Hears from the session what happened in a timestep."""
+        """Receive the events of a timestep from the session."""
         self._step = step
 
     @property
     def position(self) -> Position:
-        """Where the run is."""
+        """The position of the run."""
         session = self.session
         if session.halted is None:
             return Position(session.timesteps, session.rounds)
@@ -127,15 +127,15 @@ class RecordedRun:
 
     @property
     def can_advance(self) -> bool:
-        """Whether there are programs that run, or robots to come."""
+        """Whether programs are running or robots have yet to join."""
         return self.session.running > 0 or self.session.environment.awaits
 
     def name(self, robot: int) -> str:
-        """Gives a robot's name."""
+        """Return a robot's name."""
         return self.session.environment.world.robots[robot].id
 
     def time_s(self, robot: int = -1) -> float:
-        """Gives a program's clock [s], for ever that of its end; the world's while it waits."""
+        """Return a program's clock [s], stopped at its end; the world's before it starts."""
         session = self.session
         if robot < 0:
             return session.time_s
@@ -145,16 +145,16 @@ class RecordedRun:
         return now_s if math.isfinite(now_s) else session.time_s
 
     def statements_begun(self, robot: int) -> int:
-        """Gives how many statements of a robot's program have begun."""
+        """Return how many statements of a robot's program have started."""
         return int(self.session.fleet.slots["statements"][robot])
 
     # -- where programs stop -----------------------------------------------------------------
 
     def arm(self, marks: StopRequest) -> None:
-        """Lets programs stop at these places, and at no others.
+        """Set where programs stop.
 
-        Accesses to what goes on being watched are told, even if they were made before; but not if
-        the run has been elsewhere since.
+        Accesses to objects that stay watched are reported even if they were made before, but not
+        if the run has moved since.
         """
         self._marks = marks
         self._stopped.clear()  # a program may move to another build
@@ -182,14 +182,14 @@ class RecordedRun:
     # -- going on ----------------------------------------------------------------------------
 
     def advance(self, limit: Position | None = None) -> RunEvent:
-        """Goes on to the next instant at which something can be asked.
+        """Advance to the next event.
 
         Args:
-            limit: goes no further than this. When no program stops there, the run has gone astray:
-                what is left is to `seek`.
+            limit: the position to stop at. If no program stops there, the run is off its timeline:
+                `seek` must follow.
 
         Raises:
-            InterruptedRunError: the user wants it.
+            InterruptedRunError: the user interrupts.
         """
         self._answer_interrupt()
         return self._advance(limit)
@@ -226,18 +226,18 @@ class RecordedRun:
     def replay(
         self, begin: Position, limit: Position, *, needs_world: bool = False
     ) -> Iterator[RunEvent]:
-        """Goes through a piece of the past again, up to an instant.
+        """Replay a part of the past up to a position.
 
-        As far as it is known what the programs were given, only they run, and the world stays where
-        it is. Whatever is looked at on the way, the run is astray behind it: `seek` comes next.
+        As far as the input of the programs is logged only they run, and the world stays where
+        it is. The run is off its timeline after that: `seek` must follow.
 
         Args:
-            begin: where it begins; there is a snapshot.
-            limit: where it ends; programs may run a little further.
-            needs_world: whether the steps of the world are asked for, too.
+            begin: the start, at a snapshot.
+            limit: the end; programs may run a little further.
+            needs_world: whether the steps of the world are needed, too.
 
         Raises:
-            InterruptedRunError: the user wants it.
+            InterruptedRunError: the user interrupts.
         """
         edit = self.history.next_edit(begin)
         is_plain = edit is None or edit >= limit
@@ -260,7 +260,7 @@ class RecordedRun:
             yield instant
 
     def _recall(self, begin: Position) -> None:
-        """Takes the programs, and nothing else, back to a snapshot."""
+        """Restore only the programs from a snapshot."""
         session = self.session
         self._stopped.clear()
         kept = self.history.at(begin).session
@@ -272,7 +272,7 @@ class RecordedRun:
         self._look_anew()
 
     def _again(self, limit: Position) -> RunEvent | None:
-        """Lets programs go through one more round, or a piece of it; None at the limit."""
+        """Replay one round of the programs, or a part of it; None at the limit."""
         session, place = self.session, self.position
         self._stopped.clear()
         round_ = self.input_log.round_at(place)
@@ -293,7 +293,7 @@ class RecordedRun:
         return self._with_accesses(self._answered(round_.robots))
 
     def _answered(self, robots: IndexArray) -> RunEvent:
-        """Gives what came of a round of which only the programs have run."""
+        """Return the event of a round in which only the programs have run."""
         slots = self.session.fleet.slots
         codes = slots["code"][robots]
         over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
@@ -305,7 +305,7 @@ class RecordedRun:
             raise InterruptedRunError
 
     def _with_accesses(self, instant: RunEvent) -> RunEvent:
-        """Adds to an instant what was done to what is watched, as far as it is to be told."""
+        """Add the accesses to watched objects to an event, as far as they are to be reported."""
         found = [
             WatchHit(robot, access, self._last_before(instant, robot))
             for robot in self._marks.watched
@@ -315,7 +315,7 @@ class RecordedRun:
         return replace(instant, accesses=tuple(found)) if found else instant
 
     def _last_before(self, instant: RunEvent, robot: int) -> Position:
-        """Gives the last instant before what a program did in the round that is told of."""
+        """Return the last position before an access that a program made in this round."""
         session = self.session
         round_ = session.rounds - (instant.kind == "round")
         begun = self.statements_begun(robot) - 1
@@ -327,14 +327,14 @@ class RecordedRun:
         self._begun = self.session.fleet.slots["statements"].copy()
 
     def _watching(self, executable: Executable) -> Executable:
-        """Gives the watching build of a program."""
+        """Return the watching build of a program."""
         number = id(executable)
         if number not in self._watching_builds:
             self._watching_builds[number] = build_watching(executable)
         return self._watching_builds[number]
 
     def _has_passed(self, place: Position) -> bool:
-        """Tells in a round that has just run whether a place in the middle of it is behind."""
+        """Return whether a position inside the round that has just run is in the past."""
         session = self.session
         if (session.timesteps, session.rounds) != (place.timestep, place.round):
             return False
@@ -368,7 +368,7 @@ class RecordedRun:
     # -- going anywhere ----------------------------------------------------------------------
 
     def seek(self, target: Position) -> None:
-        """Goes to an instant that the run has been at; nothing interrupts that."""
+        """Move to a recorded position; cannot be interrupted."""
         position, kept = self.history.before(target)
         if self.is_off_timeline or not position <= self.position <= target:
             self.restore(kept)
@@ -380,7 +380,7 @@ class RecordedRun:
             self._advance(target)
 
     def restore(self, kept: RunSnapshot) -> None:
-        """Goes to where a snapshot was made."""
+        """Restore a snapshot."""
         self.is_off_timeline = False
         self._stopped.clear()
         self.session.restore(kept.session)
@@ -389,14 +389,14 @@ class RecordedRun:
         self._look_anew()
 
     def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
-        """Takes up another course of events; where in it, is said by `seek`."""
+        """Switch to another history; `seek` must follow."""
         console.is_live = self.console.is_live
         self.history, self.console, self.event_history = history, console, event_history
         self.input_log = InputLog()
         self.is_off_timeline = True
 
     def changed(self) -> None:
-        """Takes note that the user has changed something: from here on the run is another."""
+        """Record a change by the user: discard the future of the history."""
         self._look_anew()
         self.console.truncate()
         self.event_history.forget(self.position.timestep)
@@ -404,7 +404,7 @@ class RecordedRun:
         self.history.branch(self.position, self._kept())
 
     def _look_anew(self) -> None:
-        """Takes what is watched as it is, as not the programs have changed it."""
+        """Reset the watched values: they were not changed by the programs."""
         self._note_begun()
         for watches in self._watches:
             watches.forget()
@@ -415,7 +415,7 @@ class RecordedRun:
     # -- where a program stands ---------------------------------------------------------------
 
     def stopped(self, robot: int) -> Stopped:
-        """Gives a program's memory and active functions as they are; the same until it moves."""
+        """Return a program's memory and stack; cached until it moves."""
         if robot not in self._stopped:
             fleet = self.session.fleet
             failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
@@ -423,34 +423,34 @@ class RecordedRun:
         return self._stopped[robot]
 
     def site(self, robot: int) -> StatementSite | None:
-        """Gives the statement that a program has stopped before, if it has."""
+        """Return the statement before which a program has stopped, or None."""
         if self.session.halted != robot:
             return None
         number = int(self.session.fleet.slots["stopped"][robot]) - 1
         return self.programs[robot].executable.detail().compiled.statements[number]
 
     def innermost(self, robot: int) -> StackFrame | None:
-        """Gives the innermost active function of a program."""
+        """Return the innermost frame of a program."""
         stack = self.stopped(robot).stack
         return stack[0] if stack else None
 
     def any_failed(self) -> bool:
-        """Tells whether any program was stopped by an error."""
+        """Return whether any program was stopped by an error."""
         return bool((self.session.fleet.slots["status"] == FAILED).any())
 
     def is_over(self, robot: int) -> bool:
-        """Tells whether a program has begun, and has ended."""
+        """Return whether a program has started and ended."""
         session = self.session
         joined_s = session.environment.state.presence.joined_s[robot]
         return math.isfinite(joined_s) and not session.alive[robot]
 
     def has_failed(self, robot: int) -> bool:
-        """Tells whether a program was stopped by an error."""
+        """Return whether a program was stopped by an error."""
         return bool(self.session.fleet.slots["status"][robot] == FAILED)
 
 
 def _posted(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
-    """Gives robots with the codes of the requests that they have posted, if they have."""
+    """Return robots with the codes of the requests that they have posted."""
     return tuple(
         (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
     )

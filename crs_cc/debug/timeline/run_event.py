@@ -1,4 +1,4 @@
-"""Where programs stop, and what a run has come to when they have."""
+"""Where a run should stop, and the events that it advances to."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ class StopRequest:
     Attributes:
         statements: by robot, the numbers of statements before which it stops.
         all: the robots that stop before every statement.
-        since: by robot, how many statements must have begun before it stops at all.
-        watched: by robot, what is watched in its memory: it stops behind accesses, too.
-        at_once: whether accesses are told when the round has ended, and not only where the program
-            has stopped for them: for who looks back.
+        since: by robot, how many statements must have started before it stops at all.
+        watched: by robot, the watched objects: it stops after accesses to them.
+        at_once: whether accesses are reported at the end of the round, and not only where the
+            program has stopped for them: for backward searches.
     """
 
     statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
@@ -34,12 +34,12 @@ class StopRequest:
 
 @dataclass(frozen=True, slots=True)
 class WatchHit:
-    """What a program did to what is watched.
+    """An access of a program to a watched object.
 
     Attributes:
-        robot: whose program.
-        access: what it did.
-        before: the last instant before: its statement was about to begin, or else the round was.
+        robot: the robot that runs the program.
+        access: the access.
+        before: the last position before it: before its statement, or else before the round.
     """
 
     robot: int
@@ -49,17 +49,17 @@ class WatchHit:
 
 @dataclass(frozen=True, slots=True)
 class RunEvent:
-    """What a run has come to.
+    """The event to which a run has advanced.
 
     Attributes:
         kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; or the
             `limit` has been passed.
-        posted: the requests that programs posted in the round: robot and code of each, rising.
-        ended: the programs that ended in the round, or failed; those whose robots left with the
+        posted: the requests posted in the round: robot and code of each, ascending.
+        ended: the programs that ended or failed in the round, or whose robots left with the
             timestep.
-        step: what happened in the timestep.
-        over: whether the timestep was the last one, as no program is left.
-        accesses: what happened to what is watched.
+        step: the result of the timestep.
+        over: whether no program is left.
+        accesses: the accesses to watched objects.
     """
 
     kind: Literal["statement", "round", "timestep", "limit"]

@@ -1,7 +1,7 @@
-"""The screen as a whole: keys and commands go to the debugger, what it looks like then comes back.
+"""The application: sends requests to the debugger and shows its replies.
 
-The debugger works in a thread of its own, one order after the other, so that the screen stays
-alive; the one thing done to it from here while it works is to interrupt it.
+The debugger works in a thread of its own, one request after the other, so that the screen stays
+responsive; the only thing done to it meanwhile is to interrupt it.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _WAIT_S: Final = 0.15  # before and between the times that it is said that somet
 
 @dataclass
 class RequestFinished(Message):
-    """An order is done."""
+    """A request is complete."""
 
     order: BackendRequest
     done: BackendReply
@@ -46,7 +46,7 @@ class RequestFinished(Message):
 
 @dataclass
 class InputRequested(Message):
-    """A robot's program waits for a line of input."""
+    """A program waits for a line of input."""
 
     robot: str
 
@@ -55,7 +55,7 @@ class DebugApp(App[int]):
     """The full screen of the debugger.
 
     Args:
-        work: the debugger's side.
+        work: the backend.
     """
 
     TITLE = "crs debug"
@@ -95,17 +95,17 @@ class DebugApp(App[int]):
         self._asks = ""  # the robot whose program waits for input
 
     def show(self, *, headless: bool = False) -> None:
-        """Shows the screen until the user leaves; on no terminal if it is `headless`."""
+        """Show the screen until the user quits; without a terminal if `headless`."""
         self.run(headless=headless)
         if self._exception is not None:
             raise self._exception
 
     def _fatal_error(self) -> None:
-        """Ends the screen after a mistake of ours, without the traceback that Textual shows."""
+        """Exit after an internal error, without Textual's traceback."""
         self._close_messages_no_wait()
 
     def compose(self) -> ComposeResult:
-        """Makes the screen."""
+        """Create the widgets."""
         yield StatusBar(id="status")
         yield Panes(id="panes")
         yield TimeLine(id="time")
@@ -115,7 +115,7 @@ class DebugApp(App[int]):
         yield ButtonBar(id="keys")
 
     def on_mount(self) -> None:
-        """Shows the start."""
+        """Request the first data."""
         self.main.query_one("#keys", ButtonBar).buttons = tuple(
             Button(each.label, f"simulate('{each.keys.split(',')[0]}')", each.shown)
             for each in SHORTCUTS
@@ -127,18 +127,18 @@ class DebugApp(App[int]):
 
     @property
     def main(self) -> Screen[object]:
-        """Gives the screen below the page of help."""
+        """Return the main screen, below the help page."""
         return self.screen_stack[0]
 
     @property
     def is_idle(self) -> bool:
-        """Tells whether the debugger has nothing to do."""
+        """Return whether the debugger is idle."""
         return self._current is None and not self._orders
 
     # -- orders to the debugger ----------------------------------------------------------------
 
     def _order(self, order: BackendRequest) -> None:
-        """Passes an order on, when those before are done."""
+        """Queue a request."""
         self._orders.append(order)
         self._go_on()
 
@@ -153,15 +153,15 @@ class DebugApp(App[int]):
         self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
 
     def _do(self, order: BackendRequest) -> None:
-        """Does an order; in the debugger's thread."""
+        """Execute a request; in the debugger's thread."""
         self.post_message(RequestFinished(order, self._work.do(order)))
 
     def _hear(self, robot: str) -> None:
-        """Hears that a program waits for input; in the debugger's thread."""
+        """Post that a program waits for input; in the debugger's thread."""
         self.post_message(InputRequested(robot))
 
     def on_request_finished(self, message: RequestFinished) -> None:
-        """Shows what came of an order."""
+        """Show a reply."""
         order, done = message.order, message.done
         self._current = None
         if self._slow is not None:
@@ -200,7 +200,7 @@ class DebugApp(App[int]):
         line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
 
     def _say_running(self) -> None:
-        """Says what runs, how far it is, and what it writes; most orders are done before."""
+        """Show the running command, its progress and new output; most commands end before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
             self.main.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
@@ -209,12 +209,12 @@ class DebugApp(App[int]):
     # -- what the user does --------------------------------------------------------------------
 
     def action_press(self, command: str) -> None:
-        """Does what a key stands for, unless something runs: keys held down do not pile up."""
+        """Execute the command of a key, unless one is running: keys held down do not pile up."""
         if self._current is None:
             self._order(BackendRequest(command))
 
     def action_interrupt(self) -> None:
-        """Stops what runs; else copies what is marked."""
+        """Interrupt the running command, or else copy the selection."""
         if self._current is not None:
             self._orders.clear()
             self._ask_for("")
@@ -223,18 +223,18 @@ class DebugApp(App[int]):
             self.copy_to_clipboard(marked)
 
     async def action_quit(self) -> None:
-        """Leaves as soon as what runs has stopped."""
+        """Quit as soon as the running command has stopped."""
         self._leaving = True
         if self._current is None:
             self.exit(0)
         self._work.interrupt()
 
     def action_breakpoint(self) -> None:
-        """Sets a breakpoint at the marked line of the source, or removes it."""
+        """Toggle a breakpoint at the cursor."""
         self._toggle(self.main.query_one(SourcePane).cursor)
 
     def action_here(self) -> None:
-        """Runs to the marked line."""
+        """Run to the cursor."""
         source = self.main.query_one(SourcePane)
         self.action_press(f"advance {source.file}:{source.cursor}")
 
@@ -246,7 +246,7 @@ class DebugApp(App[int]):
             self.action_press(f"break {source.file}:{line}")
 
     def action_file(self) -> None:
-        """Shows another file of the program."""
+        """Show the next source file."""
         files = self._look.source.files
         if files:
             shown = files.index(self.main.query_one(SourcePane).file)
@@ -254,22 +254,22 @@ class DebugApp(App[int]):
             self._look_again()
 
     def action_help(self) -> None:
-        """Shows the keys."""
+        """Show the help page."""
         if not isinstance(self.screen, HelpPage):
             self.push_screen(HelpPage())
 
     def action_pane(self, steps: int) -> None:
-        """Shows another of the lower panes."""
+        """Switch between the lower panes."""
         self.main.query_one(Panes).move(steps)
 
     def action_pick(self, name: str) -> None:
-        """Shows one of the lower panes."""
+        """Switch to a lower pane."""
         panes = self.main.query_one(Panes)
         panes.pick(name)
         panes.pane(name).focus()
 
     def action_zoom(self) -> None:
-        """Shows the pane with the focus alone, or all again."""
+        """Maximise the focused pane, or restore the layout."""
         panes = self.main.query_one(Panes)
         alone = self.focused if self.focused in panes.children else self.main.query_one(SourcePane)
         for each in panes.children:
@@ -277,7 +277,7 @@ class DebugApp(App[int]):
         self.main.toggle_class("-zoomed")
 
     def action_type(self) -> None:
-        """Goes to the command line, or from there to the source."""
+        """Toggle focus between command line and source."""
         if isinstance(self.screen, HelpPage):
             self.pop_screen()
             return
@@ -285,32 +285,32 @@ class DebugApp(App[int]):
         (self.main.query_one(SourcePane) if line.has_focus else line).focus()
 
     def action_simulate(self, key: str) -> None:
-        """Does as if a key had been pressed."""
+        """Simulate a key press."""
         self.simulate_key(key)
 
     # -- what the panes say --------------------------------------------------------------------
 
     def on_command_line_typed(self, message: CommandLine.Typed) -> None:
-        """Takes a command, or a line that a program waits for."""
+        """Handle a command, or input for a program."""
         if self._asks:
             self._give(message.line)
         else:
             self._order(BackendRequest(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:
-        """Leaves, or ends the input of a program that waits for more."""
+        """Quit, or end the input of a waiting program."""
         if self._asks:
             self._give(None)
         else:
             await self.action_quit()
 
     def on_input_requested(self, message: InputRequested) -> None:
-        """Lets the user type what a program reads."""
+        """Prompt for a program's input."""
         self._ask_for(message.robot)
         self.main.query_one(CommandLine).focus()
 
     def _ask_for(self, robot: str) -> None:
-        """Takes what is typed as the input of a robot's program; as commands for an empty name."""
+        """Direct typed lines to a robot's program; to the debugger for an empty name."""
         self._asks = robot
         self.main.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
 
@@ -320,21 +320,21 @@ class DebugApp(App[int]):
         self._work.give(line)
 
     def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
-        """Sets or removes a breakpoint."""
+        """Toggle a breakpoint."""
         self._toggle(message.line)
 
     def on_choice_list_chosen(self, message: ChoiceList.Chosen) -> None:
-        """Looks at another frame or robot."""
+        """Select a frame or robot."""
         what = {"stack": "frame", "robots": "robot"}[message.pane.id or ""]
         self.action_press(f"{what} {message.number}")
 
     def on_variables_pane_unfolded(self, message: VariablesPane.Unfolded) -> None:
-        """Shows the parts of a value, or no more."""
+        """Expand or collapse a value."""
         (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)
         self._look_again()
 
     def on_map_pane_resized(self, message: MapPane.Resized) -> None:
-        """Draws the map anew."""
+        """Redraw the map."""
         self._chart_size = message.width, message.height
         self._look_again()
 
@@ -343,11 +343,11 @@ class DebugApp(App[int]):
             self._order(BackendRequest())
 
     def on_time_line_press(self, message: TimeLine.Press) -> None:
-        """Takes a command of the time line's keys."""
+        """Execute a command of the time line's keys."""
         self.action_press(message.command)
 
     def on_time_line_move(self, message: TimeLine.Move) -> None:
-        """Goes to a time; while something runs, only the last one that was wanted counts."""
+        """Go to a time; while a command runs, only the last request counts."""
         self._goto_s = message.time_s
         self._pursue()
 
@@ -358,5 +358,5 @@ class DebugApp(App[int]):
 
 
 def _reads(robot: str) -> str:
-    """Gives the prompt for what a program reads."""
+    """Return the prompt for a program's input."""
     return f"{robot} reads: "

@@ -1,4 +1,4 @@
-"""What the screen wants of the debugger, and what it gets."""
+"""The interface between the screen and the debugger's thread."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from crs_cc.debug.tui.screen_data import Key, OutputLine, ScreenData
 
 @dataclass(frozen=True, slots=True)
 class BackendRequest:
-    """Something to be done.
+    """A request to the debugger.
 
     Attributes:
-        line: a command; None just to look.
-        is_typed: the user has typed it, and did not press a key.
-        unfolded: the values whose parts are wanted.
+        line: a command; None only to refresh.
+        is_typed: whether the user has typed it, and not pressed a key.
+        unfolded: the expanded values.
         chart_size: columns and lines of the map.
-        file: the C file to show; empty for the one where the run stands.
+        file: the C file to show; empty for the current one.
     """
 
     line: str | None = None
@@ -33,15 +33,15 @@ class BackendRequest:
 
 @dataclass(frozen=True, slots=True)
 class BackendReply:
-    """What came of it.
+    """The reply to a request.
 
     Attributes:
-        look: how the run looks now.
-        answer: what the command says.
-        errors: what is wrong with it, a line each.
-        moved: the run stands elsewhere.
-        leaves: the user wants to leave.
-        prompt: what asks for the next line.
+        look: the data to show.
+        answer: the answer of the command.
+        errors: its errors, a line each.
+        moved: whether the run has moved.
+        leaves: whether the user has quit.
+        prompt: the prompt for the next line.
     """
 
     look: ScreenData
@@ -53,26 +53,26 @@ class BackendReply:
 
 
 class Backend(Protocol):
-    """The debugger's side of the screen; `do` is called in a thread of its own."""
+    """The debugger as seen by the screen; `do` is called in a worker thread."""
 
     def do(self, order: BackendRequest) -> BackendReply:
-        """Does an order; raises nothing."""
+        """Execute a request; raises nothing."""
 
     def interrupt(self) -> None:
-        """Makes what is being done come to an end; from any thread."""
+        """Interrupt the current request; thread-safe."""
 
     @property
     def time_s(self) -> float:
-        """How far the run is [s], also while it goes on; from any thread."""
+        """The simulated time [s], also while the run advances; thread-safe."""
 
     def listen(self, asked: Callable[[str], None]) -> None:
-        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        """Set the callback for programs that wait for input; it receives the robot's name."""
 
     def give(self, line: str | None) -> None:
-        """Gives the program that waits a line; None for the end of its input."""
+        """Pass a line to the waiting program; None for the end of its input."""
 
     def take_output(self) -> tuple[OutputLine, ...]:
-        """Gives what programs have written since this was last asked for."""
+        """Return the output since the last call."""
 
     def complete(self, line: str) -> Sequence[str]:
-        """Gives what a line that has been begun may become; does not touch the run."""
+        """Return the completions of a line, without access to the run."""

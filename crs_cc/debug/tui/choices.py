@@ -1,4 +1,4 @@
-"""A list of which one is looked at: the stack's frames, the robots."""
+"""A list with a selected entry: stack frames, robots."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ _CURRENT = "▶ "
 
 
 class ChoiceList(OptionList):
-    """Shows choices, one a line; posts `Chosen` with the number of the one that is picked."""
+    """Shows entries, one a line; posts `Chosen` with the number of the selected one."""
 
     class Chosen(Message):
-        """The user wants to look at one of them."""
+        """The user has selected an entry."""
 
         def __init__(self, control: ChoiceList, number: int) -> None:
             super().__init__()
@@ -27,7 +27,7 @@ class ChoiceList(OptionList):
 
         @property
         def control(self) -> ChoiceList:
-            """Gives the list that it was picked from."""
+            """Return the list of the entry."""
             return self.pane
 
     def __init__(self, title: str, **arguments: str) -> None:
@@ -36,7 +36,7 @@ class ChoiceList(OptionList):
         self._choices: tuple[ListEntry, ...] = ()
 
     def show(self, choices: tuple[ListEntry, ...]) -> None:
-        """Shows these choices."""
+        """Show these entries."""
         if choices == self._choices:
             return
         self._choices = choices
@@ -45,7 +45,7 @@ class ChoiceList(OptionList):
         self.highlighted = current[0] if current else None
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        """Says which one was picked."""
+        """Post the selected entry."""
         event.stop()
         self.post_message(self.Chosen(self, self._choices[event.option_index].number))
 

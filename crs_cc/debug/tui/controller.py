@@ -1,6 +1,6 @@
-"""The debugger's side of the screen: does commands, and takes a look at where the run stands then.
+"""The backend of the screen: executes commands and returns the data to show.
 
-Commands are those of the one table; the screen has none of its own.
+Commands are those of the command table; the screen has none of its own.
 """
 
 from __future__ import annotations
@@ -39,21 +39,21 @@ _MAX_LINES: Final = 1000
 
 
 class Controller:
-    """Works on a debugger for the screen.
+    """Executes requests of the screen.
 
     Attributes:
-        shell: the debugger's command line.
+        shell: the command line.
     """
 
     def __init__(
         self, debugger: Debugger, streams: ProgramStreams, scripts: Iterable[str] = ()
     ) -> None:
-        """Takes a debugger.
+        """Store the debugger and start with its scripts.
 
         Args:
             debugger: the debugger.
-            streams: what its programs read from, and write to.
-            scripts: commands to be done before anybody is asked.
+            streams: the standard streams of its programs.
+            scripts: commands to execute first.
         """
         self.shell = Shell(debugger)
         self._streams = streams
@@ -64,37 +64,37 @@ class Controller:
         self._look = ScreenData()
 
     def interrupt(self) -> None:
-        """Makes what is being done come to an end; from any thread."""
+        """Interrupt the current request; thread-safe."""
         self._is_interrupted = True
         self.shell.debugger.interrupt()
         self._streams.end()
 
     @property
     def time_s(self) -> float:
-        """How far the run is [s], also while it goes on; from any thread."""
+        """The simulated time [s], also while the run advances; thread-safe."""
         return self.shell.debugger.session.time_s
 
     def listen(self, asked: Callable[[str], None]) -> None:
-        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        """Set the callback for programs that wait for input; it receives the robot's name."""
         self._streams.asks = lambda robot: asked(self.shell.debugger.names[robot])
 
     def give(self, line: str | None) -> None:
-        """Gives the program that waits a line; None for the end of its input."""
+        """Pass a line to the waiting program; None for the end of its input."""
         self._streams.give(b"" if line is None else f"{line}\n".encode())
 
     def take_output(self) -> tuple[OutputLine, ...]:
-        """Gives what has been written since this was last asked for."""
+        """Return the output since the last call."""
         return tuple(written(self.shell.debugger.names, self._streams.take()))
 
     def complete(self, line: str) -> Sequence[str]:
-        """Gives what a line may become; while something runs, by the names of commands alone."""
+        """Return the completions of a line; while a command runs, only command names."""
         if self._works:
             return list(matching(line))
         completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
     def do(self, order: BackendRequest) -> BackendReply:
-        """Does an order; whatever goes wrong is a line of the answer."""
+        """Execute a request; errors become lines of the reply."""
         self._works = True
         self._streams.take()  # the look before has shown it
         debugger = self.shell.debugger
@@ -147,7 +147,7 @@ class Controller:
                 if self.shell.has_ended:
                     return
                 if self._is_interrupted:
-                    yield Line("the script is left where it was interrupted", "error")
+                    yield Line("script interrupted", "error")
                     return
                 yield from self.shell.execute(line or "#")
         except DebugError as error:  # a script that cannot be read

@@ -1,4 +1,4 @@
-"""Two rolls of text: what was typed and answered, and what the programs write."""
+"""Two logs: commands with their answers, and the output of the programs."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ class ConsoleLog(RichLog):
         self._wrapped_at = 0
 
     def echo(self, line: str, prompt: str = PROMPT) -> None:
-        """Shows what was typed."""
+        """Show a typed line."""
         self._add(Text(prompt + printable(line), _ECHO))
 
     def answer(self, text: Text) -> None:
-        """Shows what a command says."""
+        """Show an answer."""
         if text.plain:
             self._add(text)
 
     def error(self, line: str) -> None:
-        """Shows what is wrong with a command."""
+        """Show an error."""
         self._add(Text(printable(line), _ERROR))
 
     def _add(self, text: Text) -> None:
@@ -52,7 +52,7 @@ class ConsoleLog(RichLog):
         self.write(text)
 
     def on_resize(self, event: events.Resize) -> None:
-        """Wraps the lines anew."""
+        """Rewrap the lines."""
         width = event.size.width
         if self._wrapped_at not in {0, width}:
             self.clear()
@@ -62,7 +62,7 @@ class ConsoleLog(RichLog):
 
 
 class OutputLog(RichLog):
-    """What the programs have written up to where the run stands."""
+    """The output of the programs up to the current position."""
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(
@@ -74,7 +74,7 @@ class OutputLog(RichLog):
         self._lines: tuple[OutputLine, ...] = ()
 
     def show(self, lines: tuple[OutputLine, ...]) -> None:
-        """Shows what was written; less than before when the run has gone back."""
+        """Show the output; less than before if the run has gone back."""
         known = len(self._lines)
         if lines[:known] != self._lines:
             self.clear()
@@ -83,7 +83,7 @@ class OutputLog(RichLog):
         self._lines = lines
 
     def add(self, lines: tuple[OutputLine, ...]) -> None:
-        """Shows what is being written."""
+        """Append new output."""
         for line in lines[-_MAX_LINES:]:
             self.write(_written(line))
         self._lines += lines

@@ -1,7 +1,7 @@
-"""All panes in one grid, and how they share a screen of any size.
+"""The grid of panes, and its layout by screen size.
 
-A wide and tall screen has all of them at once. Where there is less room one of the lower panes is
-shown at a time, picked in a bar of their names; in the lowest screens only source and console.
+A large screen shows all of them. On smaller ones only one of the lower panes is
+shown at a time, selected in a bar of their names; on the smallest only source and console.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Panes(Container):
     """The grid."""
 
     def compose(self) -> ComposeResult:
-        """Makes the panes, in the order of the grid's cells."""
+        """Create the panes, in the order of the grid's cells."""
         yield SourcePane(id="source", classes="pane")
         yield ButtonBar(id="tabs")
         yield MapPane(id="chart", classes="pane lower")
@@ -41,20 +41,20 @@ class Panes(Container):
         yield ChoiceList("robots", id="robots", classes="pane lower")
 
     def on_mount(self) -> None:
-        """Shows the first of the lower panes."""
+        """Select the first of the lower panes."""
         self.pick(LOWER[0])
 
     @property
     def picked(self) -> str:
-        """Gives which of the lower panes is shown where there is room for one."""
+        """Return the selected lower pane."""
         return next(name for name in LOWER if self.pane(name).has_class("-shown"))
 
     def pane(self, name: str) -> Widget:
-        """Gives a pane."""
+        """Return a pane."""
         return self.query_one(f"#{name}")
 
     def pick(self, name: str) -> None:
-        """Shows one of the lower panes where there is room for one."""
+        """Select a lower pane."""
         buttons = []
         for each in LOWER:
             self.pane(each).set_class(each == name, "-shown")
@@ -62,15 +62,15 @@ class Panes(Container):
         self.query_one("#tabs", ButtonBar).buttons = tuple(buttons)
 
     def move(self, steps: int) -> None:
-        """Shows the lower pane so many further on."""
+        """Select the lower pane some steps further on."""
         self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
 
     def show(self, look: ScreenData, *, moved: bool) -> None:
-        """Shows a stopped run.
+        """Show a stopped run.
 
         Args:
-            look: what there is to see.
-            moved: the run has moved since the last look.
+            look: the data to show.
+            moved: whether the run has moved since.
         """
         self.query_one(SourcePane).show(look.source)
         self.query_one(MapPane).chart = look.chart

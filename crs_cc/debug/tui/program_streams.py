@@ -1,6 +1,6 @@
-"""What programs write while they run, and what they read: lines that the user types.
+"""The standard streams of programs under the full screen.
 
-Both go from one thread to the other: the debugger's and the screen's.
+They connect the debugger's thread and the screen's.
 """
 
 from __future__ import annotations
@@ -32,18 +32,18 @@ class ProgramStreams:
         self._written: deque[Piece] = deque(maxlen=_MAX)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes."""
+        """Write output of a program."""
         self._written.append((robot, stream, content))
 
     def take(self) -> list[Piece]:
-        """Gives what has been written since this was last asked for."""
+        """Return the output since the last call."""
         taken = []
         while self._written:
             taken.append(self._written.popleft())
         return taken
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Gives what a program reads, at most as much as it wants; waits for the user."""
+        """Return input for a program, at most so many bytes; wait for the user."""
         left = self._left.pop(robot, b"")
         if not left:
             self._is_asking = True
@@ -55,10 +55,10 @@ class ProgramStreams:
         return left[:wanted]
 
     def give(self, content: bytes) -> None:
-        """Takes what the user has typed; nothing for the end of the input."""
+        """Pass on a typed line; None for the end of the input."""
         self._lines.put(content)
 
     def end(self) -> None:
-        """Lets a program that waits find the end of its input."""
+        """End the input of a waiting program."""
         if self._is_asking:
             self.give(b"")

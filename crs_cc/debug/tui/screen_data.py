@@ -1,4 +1,4 @@
-"""What the screen shows of a stopped run: plain data, made by `build_snapshot`, shown by the panes."""
+"""What the panes show of a stopped run, as plain data; `build_snapshot` makes it."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ class BreakpointMark:
 
 @dataclass(frozen=True, slots=True)
 class SourceData:
-    """A file and where the run stands in it.
+    """A source file and the current line in it.
 
     Attributes:
-        file: its name, for the title and for places like `wander.c:12`.
+        file: its name, for the title and for locations like `wander.c:12`.
         lines: its text.
-        line: where the frame that is looked at stands, from 1; 0 when it is in another file.
-        innermost: the run itself stands there, not only a caller.
-        breakpoints: by line, the one that is there.
+        line: the current line of the selected frame, from 1; 0 if it is in another file.
+        innermost: whether it belongs to the innermost frame.
+        breakpoints: the breakpoints by line.
         files: all files of the program.
     """
 
@@ -51,14 +51,14 @@ class SourceData:
 
 @dataclass(frozen=True, slots=True)
 class ValueRow:
-    """A value with a name, which may have parts.
+    """A named value, maybe with parts.
 
     Attributes:
-        key: what it is, the same at each stop.
-        name: what to call it.
+        key: its identity across stops.
+        name: its name.
         text: the value.
-        has_parts: whether it can be unfolded.
-        parts: its parts, as far as they are unfolded.
+        has_parts: whether it can be expanded.
+        parts: its parts, as far as they are expanded.
     """
 
     key: Key
@@ -70,7 +70,7 @@ class ValueRow:
 
 @dataclass(frozen=True, slots=True)
 class ListEntry:
-    """A row of the stack or of the robots: what it says and whether it is the one looked at."""
+    """An entry of the stack or of the robots: its text and whether it is selected."""
 
     number: int
     text: str
@@ -80,7 +80,7 @@ class ListEntry:
 
 @dataclass(frozen=True, slots=True)
 class OutputLine:
-    """A line that a program wrote: who, where there are several, what, and whether to `stderr`."""
+    """A line of output: robot, if there are several, text, and whether from `stderr`."""
 
     who: str
     text: str
@@ -89,21 +89,21 @@ class OutputLine:
 
 @dataclass(frozen=True, slots=True)
 class ScreenData:
-    """All that the screen shows.
+    """The data that the screen shows.
 
     Attributes:
-        state: why it stopped, in one line.
-        badge: how it stands, in a word.
-        time_s: the simulated time [s] of where it stands.
+        state: the reason of the stop, in one line.
+        badge: the state in a word.
+        time_s: the simulated time [s].
         end_s: the latest time [s] that the run has reached.
-        place: where it stands, in counts of timesteps and statements.
+        place: the position, in counts of timesteps and statements.
         source: the file to show.
         frames: the stack, innermost first.
-        robots: who there is.
-        variables: groups of values: the frame's, what is watched, the program's.
-        chart: the world from above.
-        output: the last lines that the programs have written so far.
-        events: what happened, in the order of time.
+        robots: the robots.
+        variables: groups of values: locals, displays, globals and others.
+        chart: the map.
+        output: the last lines of output.
+        events: the events, by time.
     """
 
     state: str = ""

@@ -1,4 +1,4 @@
-"""Takes a look at a stopped run: all that the screen shows of it, as plain data."""
+"""Collects the data that the screen shows of a stopped run."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
 
 
 def build_snapshot(shell: Shell, order: BackendRequest) -> ScreenData:
-    """Takes a look.
+    """Return the data to show.
 
     Args:
-        shell: whose run it is.
-        order: which values are unfolded, and how large the map is.
+        shell: the command line of the run.
+        order: which values are expanded, and the size of the map.
     """
     debugger = shell.debugger
     position, event_history = debugger.position, debugger.run.event_history
@@ -90,14 +90,14 @@ def _timestep_s(debugger: Debugger) -> float:
 
 
 def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
-    """Draws the map, with what the robot that is looked at senses; none where there is no room."""
+    """Draw the map with the echoes of the selected robot; empty if there is no room."""
     if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
         return Text()
     return run_map(debugger.view, columns, rows, robot=debugger.view.robot).text
 
 
 def _source(debugger: Debugger, wanted: str) -> SourceData:
-    """Gives the file that is wanted, or else the one where the user looks at a function."""
+    """Return the requested file, or else the one of the selected frame."""
     program = debugger.run.programs[debugger.view.robot]
     files = tuple(program.executable.detail().lines)
     place, own = (
@@ -123,7 +123,7 @@ def _breakpoints(debugger: Debugger, file: str) -> dict[int, BreakpointMark]:
 
 
 def _frames(debugger: Debugger) -> Iterator[ListEntry]:
-    """Gives the stack; of the C library's functions only those that the program has called."""
+    """Return the stack; of library frames only those called by the user's code."""
     frames = debugger.view.frames()
     for each in frames[:_MAX_FRAMES]:
         caller = frames[each.number + 1] if each.number + 1 < len(frames) else None
@@ -137,7 +137,7 @@ def _frames(debugger: Debugger) -> Iterator[ListEntry]:
 
 
 def _robots(debugger: Debugger) -> Iterator[ListEntry]:
-    """Gives the robots; of very many those around the one that is looked at."""
+    """Return the robots; of very many those around the selected one."""
     session, names = debugger.session, debugger.names
     first = max(0, min(debugger.view.robot - _MAX_ROBOTS // 2, len(names) - _MAX_ROBOTS))
     for number in range(first, min(first + _MAX_ROBOTS, len(names))):
@@ -146,7 +146,7 @@ def _robots(debugger: Debugger) -> Iterator[ListEntry]:
 
 
 def _pose(session: Session, robot: int) -> str:
-    """Gives x and y [m] and the heading, or nothing for a robot that is not there."""
+    """Return x and y [m] and the heading; empty for an absent robot."""
     state = session.environment.state
     if not state.presence.present[robot]:
         return ""
@@ -161,7 +161,7 @@ def _output(debugger: Debugger) -> Iterator[OutputLine]:
 
 
 def written(names: tuple[str, ...], pieces: Iterable[Piece]) -> Iterator[OutputLine]:
-    """Gives what was written in lines; a line ends, too, where another program goes on."""
+    """Return output as lines; a line ends, too, where another program writes."""
     writer, begun = (-1, -1), ""
     for robot, stream, piece in pieces:
         if (robot, stream) != writer and begun:

@@ -1,4 +1,4 @@
-"""Bars of one line: what can be clicked (keys, names of panes), and how the run stands."""
+"""One-line bars: buttons (keys, names of panes), and the status of the run."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ _BADGES: Final = {
 
 @dataclass(frozen=True, slots=True)
 class Button:
-    """A word in a bar.
+    """A button in a bar.
 
     Attributes:
-        text: the word.
-        action: what a click does, as Textual names actions.
-        key: what stands before it, to be pressed instead.
-        is_chosen: it is the one that is shown.
+        text: its label.
+        action: its Textual action.
+        key: its key, shown before it.
+        is_chosen: whether it is selected.
     """
 
     text: str
@@ -46,12 +46,12 @@ class Button:
 
 
 class ButtonBar(Widget):
-    """A line of words; as many as fit."""
+    """A line of buttons, as many as fit."""
 
     buttons: reactive[tuple[Button, ...]] = reactive(())
 
     def render_line(self, _y: int) -> Strip:
-        """Gives the bar."""
+        """Render the bar."""
         strip = Strip([])
         for each in self.buttons:
             longer = Strip([*strip, *_button(each)])
@@ -62,7 +62,7 @@ class ButtonBar(Widget):
         return strip.apply_style(self.rich_style)
 
     async def on_click(self, event: events.Click) -> None:
-        """Does what the word under the pointer says."""
+        """Run the action of the button under the pointer."""
         left = 0
         for each in self.buttons:
             right = left + Strip(_button(each)).cell_length
@@ -79,13 +79,13 @@ def _button(button: Button) -> Sequence[Segment]:
 
 
 class StatusBar(Widget):
-    """Says what runs, or why it stands, and when."""
+    """Shows what runs, or why it has stopped, and the time."""
 
     look: reactive[ScreenData] = reactive(ScreenData())
     running: reactive[str] = reactive("")
 
     def render(self) -> Text:
-        """Gives the line: why, then when, as far as there is room."""
+        """Render the line: the reason, then the time, as far as there is room."""
         text = Text(no_wrap=True, overflow="ellipsis")
         if self.running:
             text.append(" running ", _RUNNING)

@@ -1,4 +1,4 @@
-"""What the pane of variables shows: groups of values, with the parts that are unfolded."""
+"""The rows of the variables pane: groups of values with their expanded parts."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _CHUNK: Final = 100
 
 
 def variables(shell: Shell, unfolded: frozenset[Key]) -> tuple[ValueRow, ...]:
-    """Gives the groups.
+    """Return the groups.
 
     Args:
-        shell: whose run it is, and what is displayed at every stop.
-        unfolded: the rows whose parts are wanted.
+        shell: the command line of the run, with its displays.
+        unfolded: the expanded rows.
     """
     tree = _Tree(shell, unfolded)
     debugger = shell.debugger
@@ -51,12 +51,12 @@ def variables(shell: Shell, unfolded: frozenset[Key]) -> tuple[ValueRow, ...]:
 
 
 def _some(parts: Iterable[ValueRow], name: str) -> tuple[ValueRow, ...]:
-    """Gives the rows of a group; where there are none a row that says so."""
+    """Return the rows of a group, or a row that says that there are none."""
     return tuple(parts) or (ValueRow((name, ""), "", "nothing"),)
 
 
 class _Tree:
-    """Makes rows, and those below them that are unfolded."""
+    """Builds rows and their expanded children."""
 
     def __init__(self, shell: Shell, unfolded: frozenset[Key]) -> None:
         self._shell = shell
@@ -64,7 +64,7 @@ class _Tree:
         self._unfolded = unfolded
 
     def locals(self, group: Key) -> Iterator[ValueRow]:
-        """Gives the variables of the function that is looked at; the same ones in each depth."""
+        """Return the variables of the selected frame, with the same keys at each depth."""
         debugger = self._debugger
         frame = debugger.view.current_frame()
         if frame is None:
@@ -77,13 +77,13 @@ class _Tree:
             yield self._value((*key, f"{each.name}#{seen[each.name]}"), each.name, each.value)
 
     def globals(self, group: Key) -> Iterator[ValueRow]:
-        """Gives the program's variables."""
+        """Return the program's variables."""
         for each in self._debugger.view.globals_():
             key = (*group, str(self._debugger.view.robot), each.name)
             yield self._value(key, each.name, each.value)
 
     def displays(self, group: Key) -> Iterator[ValueRow]:
-        """Gives what is shown at every stop; those that mean nothing here without a value."""
+        """Return the displays; those that cannot be evaluated have no value."""
         for number, display in self._shell.context.displays.items():
             key = (*group, str(number))
             try:
@@ -94,19 +94,19 @@ class _Tree:
                 yield self._value(key, display.expression, value)
 
     def state(self, group: Key) -> Iterator[ValueRow]:
-        """Gives the numbers of `State[]` by their names; none where a program has none."""
+        """Return `State[]` by names; empty if the program has none."""
         debugger = self._debugger
         return self._rows(
             state_rows(debugger.view.vendor_state()), (*group, str(debugger.view.robot))
         )
 
     def robot(self, group: Key) -> Iterator[ValueRow]:
-        """Gives what there is to say about the robot."""
+        """Return the rows about the robot."""
         found = robot_rows(self._debugger.session, self._debugger.view.robot)
         return self._rows(found, (*group, str(self._debugger.view.robot)))
 
     def world(self, group: Key) -> Iterator[ValueRow]:
-        """Gives what there is to say about the world."""
+        """Return the rows about the world."""
         return self._rows(world_rows(self._debugger.session.environment), group)
 
     def _rows(self, found: Iterable[rows.Row], above: Key) -> Iterator[ValueRow]:

@@ -1,4 +1,4 @@
-"""Values by name, unfolded like a tree; what differs from the last stop is marked."""
+"""The variables pane: a tree of values; changes since the last stop are highlighted."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _MARK: Final = "•"
 
 
 class VariablesPane(Tree[ValueRow]):
-    """Shows rows; posts `Unfolded` when the user wants to see the parts of one, or no more."""
+    """Shows rows; posts `Unfolded` when the user expands or collapses one."""
 
     class Unfolded(Message):
-        """The user has unfolded a row, or folded it."""
+        """The user has expanded or collapsed a row."""
 
         def __init__(self, key: Key, is_open: bool) -> None:
             super().__init__()
@@ -39,11 +39,11 @@ class VariablesPane(Tree[ValueRow]):
         self._rows: tuple[ValueRow, ...] = ()
 
     def show(self, rows: tuple[ValueRow, ...], *, moved: bool = True) -> None:
-        """Shows these rows.
+        """Show these rows.
 
         Args:
-            rows: groups of values; those with parts in them are unfolded.
-            moved: the run stands elsewhere than before, so that differences are to be marked anew.
+            rows: groups of values; those with parts in them are expanded.
+            moved: whether the run has moved, so that changes are to be highlighted.
         """
         if moved:
             self._before = self._now
@@ -82,7 +82,7 @@ class VariablesPane(Tree[ValueRow]):
         return text
 
     def _return_to(self, key: Key, line: int, top: float) -> None:
-        """Puts the cursor where it was: on the same value, or else in the same line."""
+        """Restore the cursor: on the same value, or else in the same line."""
         for node in _nodes(self.root):
             if node.data is not None and node.data.key == key:
                 line = node.line
@@ -90,11 +90,11 @@ class VariablesPane(Tree[ValueRow]):
         self.scroll_to(y=top, animate=False)
 
     def on_tree_node_expanded(self, event: Tree.NodeExpanded[ValueRow]) -> None:
-        """Asks for the parts of a value that has been unfolded."""
+        """Post that a value is expanded."""
         self._tell(event.node, is_open=True)
 
     def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[ValueRow]) -> None:
-        """Says that the parts of a value are not to be seen any more."""
+        """Post that a value is collapsed."""
         self._tell(event.node, is_open=False)
 
     def _tell(self, node: TreeNode[ValueRow], *, is_open: bool) -> None:

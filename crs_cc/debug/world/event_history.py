@@ -1,7 +1,7 @@
-"""What has happened in a run, and where its robots have been: for time lines and maps.
+"""The events of a run and the paths of its robots, for time lines and maps.
 
-It is known of every timestep that has ever been run, also of those ahead once the run has gone
-back: they come again as they were, unless the user changes something.
+Every timestep that has ever been run is recorded, also those ahead of a run that has gone
+back: they repeat unless the user changes something.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ by us."""
 
 
 class EventHistory:
-    """What happened in each timestep of a branch of a run.
+    """The events of each timestep of a branch.
 
     Attributes:
-        timesteps: how many timesteps are known.
+        timesteps: how many timesteps are recorded.
     """
 
     def __init__(self) -> None:
-        """Knows nothing yet."""
+        """Create an empty history."""
         self.timesteps = 0
         self._happened: list[tuple[int, WorldEvent]] = []
         self._stride = 1
@@ -47,7 +47,7 @@ class EventHistory:
         self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
 
     def hear(self, step: Step, environment: Environment) -> None:
-        """Takes what happened in a timestep that has just ended, unless it is known."""
+        """Record the events of a timestep that has just ended, unless recorded before."""
         if step.cycle < self.timesteps:
             return
         self.timesteps = step.cycle + 1
@@ -58,7 +58,7 @@ class EventHistory:
             self._take_poses(step.cycle, environment)
 
     def note(self, timestep: int, happening: WorldEvent) -> None:
-        """Takes something else that happened in a timestep, once."""
+        """Record another event of a timestep, once."""
         if (timestep, happening) not in self._happened:
             self._add(timestep, happening)
 
@@ -80,11 +80,11 @@ class EventHistory:
             self._poses = [each for each in self._poses if each[0] % self._stride == 0]
 
     def world_events(self) -> Sequence[WorldEvent]:
-        """Gives what has happened, by time; also ahead of where the run is."""
+        """Return all events by time, also those ahead of the current position."""
         return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
 
     def contacts(self, timestep: int) -> list[tuple[int, float, float]]:
-        """Gives the robot and the place [m] of what was touched before a timestep."""
+        """Return the robot and the position [m] of contacts before a timestep."""
         return [
             (each.robot, *each.place)
             for at, each in self._happened
@@ -92,9 +92,9 @@ class EventHistory:
         ]
 
     def paths(self, timestep: int) -> list[FloatArray]:
-        """Gives where each robot has been [m] before a timestep, (n, 2) each.
+        """Return the path of each robot [m] before a timestep, (n, 2) each.
 
-        A row of NaN parts places between which it did not drive, but was carried.
+        A row of NaN separates positions between which it was moved by hand.
         """
         known = [(at, places) for at, places in self._poses if at < timestep]
         if not known:
@@ -112,13 +112,13 @@ class EventHistory:
         return np.insert(path[:, 1:], jumps + 1, np.nan, axis=0)
 
     def forget(self, timestep: int) -> None:
-        """Forgets a timestep and all behind it, as they will be others."""
+        """Discard a timestep and all later ones."""
         self.timesteps = min(self.timesteps, timestep)
         self._happened = [each for each in self._happened if each[0] < timestep]
         self._poses = [each for each in self._poses if each[0] < timestep]
 
     def fork(self, timestep: int) -> EventHistory:
-        """Gives one of its own that knows the timesteps before this one."""
+        """Return an independent copy of the timesteps before this one."""
         other = copy.copy(self)
         other.forget(timestep)
         return other

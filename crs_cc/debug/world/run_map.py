@@ -1,4 +1,4 @@
-"""The map of a run: the world now, where its robots have been, and what they touched."""
+"""The map of a run: the world, the paths of its robots, and their contacts."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _MAX_PATHS: Final = 30  # more are a tangle
 def run_map(
     view: View, columns: int, rows: int, *, robot: int = -1, across_m: float | None = None
 ) -> world_map.WorldMap:
-    """Draws a run as it stands.
+    """Draw the current state of a run.
 
     Args:
         view: the run.
-        columns: cells side by side, at least 1.
-        rows: cells one below the other, at least 1.
-        robot: whose sensors' echoes are drawn, -1 for none.
-        across_m: how much is seen around that robot; None for the whole world.
+        columns: the width [cells], at least 1.
+        rows: the height [cells], at least 1.
+        robot: the robot whose sensors' echoes are drawn, -1 for none.
+        across_m: the size of the window around that robot [m]; None for the whole world.
     """
     environment, event_history = view.session.environment, view.run.event_history
     timestep, state = view.position.timestep, environment.state

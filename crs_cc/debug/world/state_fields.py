@@ -1,7 +1,7 @@
-"""The vendor's `State[]` with names and units, of whatever numbers a program has in it.
+"""The fields of the vendor's `State[]`, with names and units.
 
-Names and units are those of the table of the vendor's API; where the CRS report has others, a
-program in its dialect is shown with these (`robot_api.report`).
+Names and units are those of the vendor's table; if the CRS report has others, a
+program in its dialect uses these (`robot_api.report`).
 
 >>> fields = state_fields("nomad")
 >>> fields[17].name, fields[17].text(48), fields[17].text(255), fields[38].name
@@ -35,16 +35,16 @@ _NO_REPLY: Final = 111
 
 @dataclass(frozen=True, slots=True)
 class StateField:
-    """One number of `State[]`.
+    """A field of `State[]`.
 
     Attributes:
         index: its index.
-        name: the constant that stands for the index.
+        name: the constant of the index.
         unit: its unit, empty for none.
-        nothing: the number that stands for nothing; None where none does.
-        word: what that means.
-        bits: whether it is bits.
-        meaning: what it is, for people.
+        nothing: the sentinel for no measurement; None if there is none.
+        word: the meaning of the sentinel.
+        bits: whether it is a bit mask.
+        meaning: its description.
     """
 
     index: int
@@ -56,7 +56,7 @@ class StateField:
     meaning: str = ""
 
     def text(self, value: int) -> str:
-        """Gives a number in words: with its unit, and what it is in metres or degrees."""
+        """Return a formatted value: with its unit, and in metres or degrees."""
         if self.nothing is not None and value == self.nothing:
             return self.word
         if self.bits:
@@ -76,11 +76,11 @@ class StateField:
 
 @lru_cache(maxsize=4)
 def state_fields(dialect: Dialect, *, synchro: bool = False) -> tuple[StateField, ...]:
-    """Gives the numbers of `State[]` by their indices.
+    """Return the fields of `State[]` by index.
 
     Args:
-        dialect: whose it is: the vendor's, or that of the CRS report.
-        synchro: whether the robot has a synchro drive, which calls some numbers otherwise.
+        dialect: the vendor's, or that of the CRS report.
+        synchro: whether the robot has a synchro drive, for which some names differ.
     """
     hidden = _DIFFERENTIAL if synchro else _SYNCHRO
     fields = {each.index: _special(each) for each in _fields() if each.name not in hidden}
@@ -96,7 +96,7 @@ def state_fields(dialect: Dialect, *, synchro: bool = False) -> tuple[StateField
 
 
 def _fields() -> Iterator[StateField]:
-    """Gives what the vendor's table says; some indices have two names."""
+    """Return the rows of the vendor's table; some indices have two names."""
     for row in STATE:
         unit = _UNIT.search(row.meaning)
         first, series = int(row.value), _NAME.fullmatch(row.name)
@@ -108,7 +108,7 @@ def _fields() -> Iterator[StateField]:
 
 
 def _special(each: StateField) -> StateField:
-    """Gives a number with what stands for nothing in it, and whether it is bits."""
+    """Return a field with its sentinel, and whether it is a bit mask."""
     if "SONAR" in each.name:
         return replace(each, nothing=_NO_ECHO, word="no echo")
     if "_IR_" in each.name:

@@ -1,4 +1,4 @@
-"""The vendor's `State[]` as rows, of whatever values a program has in it."""
+"""The vendor's `State[]` as rows."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
-    """Gives the numbers that a program has in its `State[]` as rows."""
+    """Return the values of a `State[]` as rows."""
     return [
         Row(
             f"[{each.index}] {each.name}",
@@ -26,9 +26,9 @@ def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
 
 
 def vendor_state_rows(view: View, robot: int) -> list[Row]:
-    """Gives what a robot's program has in its `State[]`; nothing for a program without one.
+    """Return the `State[]` of a robot's program; empty for a program without one.
 
-    What the robot has no device for is left out, unless it is not 0.
+    Fields of devices that the robot lacks are left out if they are 0.
     """
     model = view.session.environment.world.robots[robot].model
     missing = [name for name, device in _devices(model).items() if not device]
@@ -41,7 +41,7 @@ def vendor_state_rows(view: View, robot: int) -> list[Row]:
 
 
 def _devices(model: RobotModel) -> dict[str, object]:
-    """Gives what some robots do not have, by a part of the names of its numbers."""
+    """Return optional devices by a part of the names of their fields."""
     return {
         "STATE_IR_": model.infrared,
         "_TURRET": model.drive.turret,

@@ -1,4 +1,4 @@
-"""The world as rows for a screen: its time, its robots, what stands in it, its messages."""
+"""The world as rows: time, robots, objects, messages."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def world_rows(environment: Environment) -> list[Row]:
-    """Gives all there is to say about a world, its robots' own affairs apart."""
+    """Return the rows of a world."""
     world, state = environment.world, environment.state
     area = world.area
     corner = f"{length(area.x_min_m)[:-2]}, {length(area.y_min_m)}"
@@ -44,7 +44,7 @@ def _robots(environment: Environment) -> Row:
 
 
 def _things(environment: Environment) -> Iterator[Row]:
-    """Gives what stands, and of what can be pushed where it is now and how far from its start."""
+    """Return the objects, and of movable ones the position and the distance from the start."""
     state, world = environment.state, environment.world_now
     solids = world.solids()
     first = len(world.robots)
@@ -63,7 +63,7 @@ def _things(environment: Environment) -> Iterator[Row]:
 
 
 def _channels(environment: Environment) -> Iterator[Row]:
-    """Gives what became of messages, on each channel that has had any."""
+    """Return message counts of each channel that was used."""
     for channel in environment.world.communication.channels:
         counts = environment.communication.counts(channel.name)
         if any(counts.values()):

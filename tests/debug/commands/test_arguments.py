@@ -24,7 +24,7 @@ def test_where_has_a_robot_and_a_condition() -> None:
     assert parse_breakpoint_arguments("turn if iffy == 3") == BreakpointArguments(
         "turn", condition="iffy == 3"
     )
-    with pytest.raises(DebugError, match="condition"):
+    with pytest.raises(DebugError, match="'if' needs"):
         parse_breakpoint_arguments("turn if ")
 
 

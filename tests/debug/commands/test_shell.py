@@ -25,7 +25,7 @@ def shell(tmp_path: Path) -> Shell:
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
-    """Lets `step` meet an error."""
+    """Let `step` meet an error."""
 
     def fail(*_: object, **__: object) -> Never:
         raise error

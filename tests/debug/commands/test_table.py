@@ -43,7 +43,7 @@ def test_a_name_ends_where_no_letter_follows(typed: str) -> None:
         ("§$%", 'Undefined command: "§$%".  Try "help".'),
         ("whe", 'Ambiguous command "whe": when, where.'),
         ("info foo", 'Undefined info command: "foo".  Try "help info".'),
-        ("info", '"info" must be followed by what: try "help info".'),
+        ("info", '"info" needs a subcommand: try "help info".'),
     ],
 )
 def test_what_is_no_command_is_refused_in_gdbs_words(typed: str, said: str) -> None:

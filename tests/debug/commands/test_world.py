@@ -68,7 +68,7 @@ def test_state_is_shown_by_names_without_what_the_robot_does_not_have(shell: She
 def test_a_program_without_state_says_so(tmp_path: Path) -> None:
     shell = Shell(debugger_of(SILENT, folder=tmp_path))
     shell.debugger.start()
-    assert said(shell, "info State") == ["the program of robot0 has no State[]"]
+    assert said(shell, "info State") == ["robot0's program has no State[]"]
 
 
 OWN_STATE = """\
@@ -86,7 +86,7 @@ def test_a_state_of_the_users_own_is_not_taken_for_the_vendors(tmp_path: Path) -
     shell = Shell(debugger_of(OWN_STATE, folder=tmp_path))
     said(shell, "next", "next")
     assert said(shell, "print State[2]")[0].endswith("nan")
-    assert said(shell, "info state") == ["the program of robot0 has no State[]"]
+    assert said(shell, "info state") == ["robot0's program has no State[]"]
 
 
 def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
@@ -98,7 +98,7 @@ def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
     assert close != whole
     assert said(shell, "map nobody") == ["unknown robot 'nobody' (known: robot0)"]
     assert said(shell, "map robot0 wide")[0].startswith("'wide' is not a length")
-    assert said(shell, "map robot0 0") == ["what is to be seen is from 0.01 to 100000 m"]
+    assert said(shell, "map robot0 0") == ["the map's height must be 0.01 to 100000 m"]
 
 
 def test_a_change_of_the_world_is_another_run_backward_and_forward_the_same(shell: Shell) -> None:

@@ -36,7 +36,7 @@ int main(void)
 
 
 def open_run(arguments: Sequence[str], output: Output, say: Callable[[str], None]) -> Debugger:
-    """Makes a debugger of files: those that end in .xml are worlds, the others programs."""
+    """Make a debugger of files: those that end in .xml are worlds, the others programs."""
     if any(word.startswith("--") for word in arguments):
         raise DebugError("no options here")
     worlds = [word for word in arguments if word.endswith(".xml")]

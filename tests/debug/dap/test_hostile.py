@@ -152,14 +152,14 @@ def test_who_asks_without_waiting_is_refused_at_some_point(client: Client, tmp_p
     client.begin()
     client.ask("next", threadId=1)
     seqs = [client.post("threads") for _ in range(MAX + 10)]
-    assert "wait already" in client.answer(seqs[-1])["message"]
+    assert "already pending" in client.answer(seqs[-1])["message"]
     client.hang_up()
 
 
 def test_what_is_unfolded_has_a_limit(
     client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(handles, "MOST", 100)
+    monkeypatch.setattr(handles, "MAX", 100)
     path = tmp_path / "big.c"
     path.write_text("struct { int x; } big[200];\nint main(void) { return big[1].x; }\n")
     client.launch(path, stopOnEntry=True)
@@ -167,7 +167,7 @@ def test_what_is_unfolded_has_a_limit(
     big = next(each for each in client.scope("Globals") if each["name"] == "big")
     number = big["variablesReference"]
     assert len(client.parts(number, start=150, count=10**9)) == 50
-    assert "too much is unfolded" in client.refused("variables", variablesReference=number)
+    assert "too many variables" in client.refused("variables", variablesReference=number)
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -193,7 +193,7 @@ def test_whatever_comes_whenever_gets_one_answer_each(
 
 
 def plausible(chance: random.Random, path: Path) -> tuple[str, dict[str, object]]:
-    """Gives a request as a client could make it."""
+    """Return a request as a client could make it."""
     number = chance.randint(1, 60)
     lines = [{"line": chance.randint(1, 20)} for _ in range(chance.randint(0, 2))]
     names = [{"name": chance.choice(["twice", "main", "other"])}]

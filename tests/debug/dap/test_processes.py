@@ -107,13 +107,13 @@ def test_programs_take_arguments_input_and_files_from_launch(
 
 
 def hear_interrupts() -> None:
-    """Undoes what is handed down to jobs in the background: that they hear no Ctrl-C."""
+    """Undo what is handed down to jobs in the background: that they hear no Ctrl-C."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 @pytest.fixture
 def port(tmp_path: Path) -> Iterator[int]:
-    """Gives the port of a server."""
+    """Return the port of a server."""
     command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     with subprocess.Popen(
@@ -179,6 +179,6 @@ int main(int argc, char **argv)
 
 
 def messages(content: bytes) -> list[dict[str, Any]]:
-    """Gives all messages in what a server has said."""
+    """Return all messages in what a server has said."""
     parts = content.split(b"Content-Length: ")[1:]
     return [json.loads(part.partition(b"\r\n\r\n")[2]) for part in parts]

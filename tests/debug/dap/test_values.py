@@ -241,5 +241,5 @@ def test_a_hidden_variable_is_shown_and_is_not_the_one_that_hides_it(
     frame = client.frames()[0]["id"]
     mine = client.ask("scopes", frameId=frame)["scopes"][0]["variablesReference"]
     hidden = {"variablesReference": mine, "name": "n (hidden)"}
-    assert "no name in C" in client.refused("setVariable", **hidden, value="5")
+    assert "cannot be expressed in C" in client.refused("setVariable", **hidden, value="5")
     assert client.ask("dataBreakpointInfo", **hidden)["dataId"] is None

@@ -59,7 +59,7 @@ class Talking(Interpreter):
         super().__init__(executable.program, executable.detail().compiled.addresses, memory)
 
     def _request(self, code: int, message: int) -> int:
-        """Answers as a host does; robots there are none."""
+        """Answer as a host does; robots there are none."""
         row = np.frombuffer(bytearray(self._read(message, MESSAGE.itemsize)), MESSAGE)
         self.host.serve(code, HostRequest(0, row[0], 0.0, 0.0))
         if self.host.exit_status[0] is not None:
@@ -68,7 +68,7 @@ class Talking(Interpreter):
         return int(row["result"][0])
 
     def write(self, _robot: int, stream: int, content: bytes) -> None:
-        """Takes what the program prints."""
+        """Take what the program prints."""
         if stream == 1:
             self.output += content
 

@@ -117,7 +117,7 @@ def test_pointers_tell_what_became_of_their_objects(evaluator: Evaluator) -> Non
     assert shown["heap"] == "(heap block of 36 bytes from test.c:27)"
     assert shown["&heap->at.y"] == "(4 bytes into heap block of 36 bytes from test.c:27)"
     assert shown["freed"] == "(freed heap block of 24 bytes from test.c:27)"
-    assert shown["wild"] == "(nothing is there)"
+    assert shown["wild"] == "(no object)"
     assert shown["stale"] == "(ended 'gone')"
 
 

@@ -57,7 +57,7 @@ class Session:
         os.write(self._own, text.encode())
 
     def wait_for(self, wanted: str) -> str:
-        """Gives what is shown up to some words, and forgets it."""
+        """Return what is shown up to some words, and forgets it."""
         end = time.monotonic() + MOST_S
         while wanted not in self._text:
             if not select.select([self._own], [], [], max(0.0, end - time.monotonic()))[0]:
@@ -71,11 +71,11 @@ class Session:
         wait_until_it_waits(self._process.pid)
 
     def end(self) -> int:
-        """Gives the exit status."""
+        """Return the exit status."""
         return self._process.wait(MOST_S)
 
     def kill(self) -> None:
-        """Ends it whatever it does."""
+        """End it whatever it does."""
         self._process.kill()
         self._process.wait()
         os.close(self._own)

@@ -24,11 +24,11 @@ class Screen:
         self.repl = Repl(debugger_of(source, folder=folder), terminal, self.keyboard)
 
     def at_log_points(self, do: Callable[[], None]) -> None:
-        """Lets something be done whenever a log point is passed."""
+        """Let something be done whenever a log point is passed."""
         self.repl.shell.debugger.stop_points.say = lambda _: do()
 
     def run(self, *commands: str, file: Path | None = None) -> list[str]:
-        """Gives the lines that are shown."""
+        """Return the lines that are shown."""
         files = [] if file is None else [file]
         self.failed = self.repl.run(Scripts(files, commands), batch=True)
         return self.stream.getvalue().decode().splitlines()
@@ -43,7 +43,7 @@ def test_ctrl_c_stops_what_runs_and_the_script(endless: Screen) -> None:
     endless.at_log_points(endless.keyboard.on_interrupt)
     shown = endless.run("log 1 going on", "continue", "print 42")
     assert "Interrupted." in shown
-    assert shown[-1] == "the script is left where it was interrupted"
+    assert shown[-1] == "script interrupted"
     assert endless.failed == 1
 
 
@@ -64,5 +64,5 @@ def test_what_log_points_say_stands_where_it_belongs(tmp_path: Path) -> None:
     shown = screen.run("log 4 i is {i}", "continue")
     assert shown[-2:] == [
         "i is 1",
-        "All programs have ended: robot0 exited with 0. The way leads back from here.",
+        "All programs have ended: robot0 exited with 0. Step back, or quit.",
     ]

@@ -14,7 +14,7 @@ from crs_cc.runtime.resident_pages import CHUNK
 
 
 def moment(number: int, size: int = 100) -> RunSnapshot:
-    """Gives a snapshot that is unlike all others."""
+    """Return a snapshot that is unlike all others."""
     content: Any = np.random.default_rng(number).integers(0, 256, size, np.uint8)
     return RunSnapshot(content, ConsolePosition(number, ()))
 
@@ -24,7 +24,7 @@ def at(timestep: int) -> Position:
 
 
 def forward(history: History, first: int, last: int, size: int = 100) -> None:
-    """Runs over some timesteps as the engine does."""
+    """Run over some timesteps as the engine does."""
     for timestep in range(first, last):
         if history.wants(at(timestep)):
             history.keep(at(timestep), moment(timestep, size))

@@ -40,7 +40,7 @@ def desk(program: str, world: str) -> Controller:
 
 
 def show(work: Controller, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
-    """Gives the screen as text in each size, and as a picture, after commands and keys: `<f5>`."""
+    """Return the screen as text in each size, and as a picture, after commands and keys: `<f5>`."""
     texts: list[str] = []
     pictures: list[str] = []
 
@@ -95,7 +95,7 @@ def test_the_picture_in_the_readme_shows_a_session(check_golden: CheckGolden) ->
 
 
 def plain(picture: str) -> str:
-    """Gives a picture that takes nothing from outside, and is half as long."""
+    """Return a picture that takes nothing from outside, and is half as long."""
     picture = re.sub(r"@font-face \{.*?\}", "", picture, flags=re.DOTALL)
     picture = re.sub(r"terminal-\d+", "t", picture.replace("&#160;", "\N{NO-BREAK SPACE}"))
     picture = re.sub(r'<clipPath id="t-line-\d+">.*?</clipPath>', "", picture, flags=re.DOTALL)
@@ -104,6 +104,6 @@ def plain(picture: str) -> str:
 
 
 def words(picture: str) -> list[str]:
-    """Gives what a picture says, whatever its colours."""
+    """Return what a picture says, whatever its colours."""
     texts = re.findall(r"<text [^>]*>(.*?)</text>", picture, re.DOTALL)
     return " ".join(unescape(each) for each in texts).translate(NO_BARS).split()

@@ -13,7 +13,7 @@ ALL = tuple(KINDS)
 
 
 def told(driver, wanted, most=200):
-    """Runs on until something happens that is wanted; gives it and its instants."""
+    """Run on until something happens that is wanted; return it and its instants."""
     for _ in range(most):
         step = driver.environment.step()
         if found := world_events(step, driver.environment.world, wanted):
