@@ -50,5 +50,5 @@ class RequestCode:
 
 
 def arguments(*rows: tuple[str, str, str]) -> tuple[Argument, ...]:
-    """Gives arguments or results: each place, name and unit."""
+    """Return arguments or results: each place, name and unit."""
     return tuple(Argument(*row) for row in rows)

@@ -40,7 +40,7 @@ _ORDER: Final = arguments(
 
 
 def _axes(unit: str) -> tuple[Argument, ...]:
-    """Gives the three axes of a motion command; units are those of a Nomad 200's."""
+    """Return the three axes of a motion command; units are those of a Nomad 200's."""
     turning = unit.replace("in", "deg")
     return arguments(
         ("i[0]", "translation; a Scout's right wheel", unit),
@@ -53,7 +53,7 @@ def _robot(
     name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
     *, results: tuple[Argument, ...] | None = None,
 ) -> RequestCode:  # fmt: skip
-    """Gives a request of the robot's; without results of its own it is answered with `State`."""
+    """Return a request of the robot's; without results of its own it is answered with `State`."""
     tells_state = results is None
     return RequestCode(
         name, code, "robot", prototype, meaning, arguments,

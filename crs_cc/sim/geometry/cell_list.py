@@ -25,7 +25,7 @@ _SPAN: Final = 2  # cells within reach to each side; more are smaller and hold f
 
 
 def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Gives the members of many ranges, one after the other.
+    """Return the members of many ranges, one after the other.
 
     Returns:
         which range each member belongs to, and the member itself.
@@ -41,7 +41,7 @@ def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArr
 
 
 def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None:
-    """Gives all pairs of query and point, None where these are many: then cells find the near ones.
+    """Return all pairs of query and point, None where these are many: then cells find the near ones.
 
     >>> few_pairs(2, 2)
     (array([0, 0, 1, 1]), array([0, 1, 0, 1]))
@@ -71,7 +71,7 @@ class CellList:
         self._ends = np.concatenate([[0], np.cumsum(counts)])
 
     def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of query and point; among them all that lie within the reach.
+        """Return pairs of query and point; among them all that lie within the reach.
 
         Returns:
             the query and the point of each pair, by rising query.
@@ -105,18 +105,18 @@ class Discs:
     radius_m: FloatArray
 
     def take(self, which: IndexArray) -> Discs:
-        """Gives some of them."""
+        """Return some of them."""
         return Discs(self.x_m[which], self.y_m[which], self.radius_m[which])
 
     def by_size(self) -> Iterator[IndexArray]:
-        """Gives the numbers of those that are about equally large, size after size."""
+        """Return the numbers of those that are about equally large, size after size."""
         sizes = np.frexp(self.radius_m)[1]
         for size in np.unique(sizes):
             yield np.flatnonzero(sizes == size)
 
 
 def overlapping(discs: Discs, others: Discs) -> Iterator[tuple[IndexArray, IndexArray]]:
-    """Gives pairs of a disc and another one that overlap, or touch but for rounding, bit by bit.
+    """Return pairs of a disc and another one that overlap, or touch but for rounding, bit by bit.
 
     >>> few = Discs(np.array([0.0, 5.0]), np.zeros(2), np.array([1.0, 0.1]))
     >>> [(int(a), int(b)) for found in overlapping(few, few) for a, b in zip(*found)]

@@ -11,7 +11,7 @@ from crs_cc.sim.geometry.scene import Outlines, Scene
 
 
 def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> float:
-    """Gives the shortest distance between a robot and anything else [m], infinite for no robot.
+    """Return the shortest distance between a robot and anything else [m], infinite for no robot.
 
     It looks at all pairs, and is meant for few bodies. Inside of something it is 0 or less.
 

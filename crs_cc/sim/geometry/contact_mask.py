@@ -40,7 +40,7 @@ class Pieces:
     """All that has an inside with sides: first what does not move, then what does."""
 
     def __init__(self, scene: Scene, start_m: float) -> None:
-        """Sorts what does not move, and takes what does for where it starts.
+        """Sort what does not move, and takes what does for where it starts.
 
         Args:
             scene: what there is.
@@ -125,7 +125,7 @@ class Pieces:
         return np.asarray((outward <= self._slants_m[shapes] + _ON_M).all(axis=1))
 
     def _near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of robot and piece; among them all that a sensor can lie in."""
+        """Return pairs of robot and piece; among them all that a sensor can lie in."""
         robots, shapes = self._grid.near(place)
         count = len(self._bodies)
         if count == 0:
@@ -175,7 +175,7 @@ class _Piece:
 
 @lru_cache(maxsize=4096)  # they are asked for with each obstacle that comes or goes
 def _pieces(solid: Solid) -> tuple[_Piece, ...]:
-    """Gives what a solid is made of, apart from what is round."""
+    """Return what a solid is made of, apart from what is round."""
     if isinstance(solid, Cylinder):
         return ()
     if isinstance(solid, Wall):

@@ -101,7 +101,7 @@ class Pings:
         lobe_rad: float = 0.0,
         critical_rad: float = ANY_ANGLE,
     ) -> Self:
-        """Makes pings of beams that are alike: the robot's middle, the start, the direction."""
+        """Create pings of beams that are alike: the robot's middle, the start, the direction."""
         rows = list(beams)
         count = len(rows)
         return cls(
@@ -119,11 +119,11 @@ class Pings:
         return len(self.place)
 
     def local(self, which: IndexArray, place: ComplexArray) -> ComplexArray:
-        """Gives places as seen from transducers, whose axes are x."""
+        """Return places as seen from transducers, whose axes are x."""
         return (place - self.start.take(which)) * np.conjugate(self.axis.take(which))
 
     def reach_m(self, which: IndexArray, angle_rad: FloatArray) -> FloatArray:
-        """Gives how far each of some transducers hears at an angle off its axis."""
+        """Return how far each of some transducers hears at an angle off its axis."""
         falloff = self.falloff.take(which)
         return np.asarray(self.range_m.take(which) * np.exp2(-falloff * angle_rad * angle_rad))
 
@@ -146,12 +146,12 @@ class Points:
 
     @classmethod
     def at(cls, *parts: tuple[IndexArray, ComplexArray, FloatArray]) -> Self:
-        """Makes points that tell their distance."""
+        """Create points that tell their distance."""
         ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
         return cls(ping, place, np.abs(place), share)
 
     def where(self, kept: BoolArray | IndexArray | slice) -> Self:
-        """Gives some of the points."""
+        """Return some of the points."""
         return type(self)(self.ping[kept], self.place[kept], self.told_m[kept], self.share[kept])
 
 
@@ -161,7 +161,7 @@ def first_echo(
     voices: Points | None = None,
     hushed: FloatArray | None = None,
 ) -> FloatArray:
-    """Gives the distance at which each ping's first echo seems to be.
+    """Return the distance at which each ping's first echo seems to be.
 
     Args:
         pings: what is sent.
@@ -223,7 +223,7 @@ class _Faces:
     share: FloatArray
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
-        """Gives how far along rays of length 1 the faces are, infinite for those that miss."""
+        """Return how far along rays of length 1 the faces are, infinite for those that miss."""
         start, along = self.start[which][..., None], self.along[which][..., None]
         with np.errstate(divide="ignore", invalid="ignore"):
             across = _cross(rays, along)
@@ -243,7 +243,7 @@ class _Rounds:
     share: FloatArray
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
-        """Gives how far along rays of length 1 the circles are, infinite for those that miss."""
+        """Return how far along rays of length 1 the circles are, infinite for those that miss."""
         radius_m, turned = self.radius_m[which], self.middle[which][..., None] * rays.conj()
         square = radius_m[..., None] ** 2 - turned.imag * turned.imag
         hit = (square >= 0.0) & (turned.real > 0.0)
@@ -253,7 +253,7 @@ class _Rounds:
 def _faces(
     pings: Pings, obstacles: Prospect, hushed: FloatArray | None
 ) -> tuple[_Faces, IndexArray]:
-    """Gives the faces that may lie in beams, and the pings whose transducers lie in or on one."""
+    """Return the faces that may lie in beams, and the pings whose transducers lie in or on one."""
     ping, a, b, length_m = obstacles.segments_near(pings.place)
     a, b = pings.local(ping, a), pings.local(ping, b)
     behind_m = _cross(a, b) / length_m  # how far the transducer lies in the solid
@@ -280,7 +280,7 @@ def _faces(
 def _rounds(
     pings: Pings, obstacles: Prospect, hushed: FloatArray | None
 ) -> tuple[_Rounds, IndexArray]:
-    """Gives the circles that may lie in beams, and the pings whose transducers lie in one."""
+    """Return the circles that may lie in beams, and the pings whose transducers lie in one."""
     ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
     middle = pings.local(ping, middle)
     away_m = np.abs(middle)
@@ -325,7 +325,7 @@ def _points(
 def _ends(
     faces: _Faces, end: ComplexArray, shaped: bool
 ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-    """Gives the ends of faces, without those at which another face goes on, if that matters."""
+    """Return the ends of faces, without those at which another face goes on, if that matters."""
     if not shaped:
         return faces.ping, end, faces.share
     along, corner = faces.along, np.ones(len(end), dtype=np.bool_)
@@ -340,7 +340,7 @@ def _ends(
 
 
 def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
-    """Gives where faces in the same beam cut each other, as those of walls in a room do.
+    """Return where faces in the same beam cut each other, as those of walls in a room do.
 
     Sound goes by way of both, so the softer one decides.
     """
@@ -357,7 +357,7 @@ def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
 
 
 def _in_beam(pings: Pings, points: Points) -> Points:
-    """Gives those of some points that lie in the beams and within reach."""
+    """Return those of some points that lie in the beams and within reach."""
     tan = np.tan(pings.half_rad).take(points.ping)
     points = points.where(np.abs(points.place.imag) <= tan * points.place.real)
     reach_m = pings.reach_m(points.ping, np.angle(points.place)) * points.share

@@ -66,7 +66,7 @@ class Outlook:
     """
 
     def __init__(self, scene: Scene, obstacles: Obstacles, reach_m: float) -> None:
-        """Sorts what does not move.
+        """Sort what does not move.
 
         Args:
             scene: what there is.
@@ -102,7 +102,7 @@ class Outlook:
         self.tops_m[: self._moving] = self._heights_m[: self._moving] + ground_m
 
     def at(self, z_m: FloatArray | float, spread: FloatArray | float = 0.0) -> Level:
-        """Gives what beams see that start at a height above the ground under their robots.
+        """Return what beams see that start at a height above the ground under their robots.
 
         Args:
             z_m: the height, one for all or one for each place that will be asked for.
@@ -132,7 +132,7 @@ class Outlook:
         return given
 
     def plane(self, place: ComplexArray) -> tuple[FloatArray, ComplexArray]:
-        """Gives the ground under places, and how it rises there."""
+        """Return the ground under places, and how it rises there."""
         x_m, y_m = place.real, place.imag
         rise = self.terrain.gradient(x_m, y_m)
         return self.terrain.height_m(x_m, y_m), rise[:, 0] + 1j * rise[:, 1]
@@ -153,14 +153,14 @@ class Level:
     spread: FloatArray | float
 
     def segments_near(self, place: ComplexArray) -> Segments:
-        """Gives what `Obstacles.segments_near` gives, without what is looked over, and ground."""
+        """Return what `Obstacles.segments_near` gives, without what is looked over, and ground."""
         found, keep, ground = self._segments(place)
         parts = [(part[keep], more) for part, more in zip(found, ground, strict=True)]
         viewers, start, end, length_m = (np.concatenate(pair) for pair in parts)
         return viewers, start, end, length_m
 
     def segment_things(self, place: ComplexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        """Return the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
         _, keep, ground = self._segments(place)
         things = self.outlook.obstacles.segment_things(place)[keep]
         return np.concatenate([things, np.full(len(ground[0]), self.outlook.ground, np.intp)])
@@ -168,12 +168,12 @@ class Level:
     def circles_near(
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-        """Gives what `Obstacles.circles_near` gives, without what is looked over."""
+        """Return what `Obstacles.circles_near` gives, without what is looked over."""
         (viewers, middle, radius_m), keep = self._circles(place, own)
         return viewers[keep], middle[keep], radius_m[keep]
 
     def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        """Return the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
         _, keep = self._circles(place, own)
         return self.outlook.obstacles.circle_things(place, own)[keep]
 
@@ -213,14 +213,14 @@ class Level:
         return np.asarray(self.outlook.tops_m.take(things) > beam_m)
 
     def _above(self, viewers: IndexArray, away_m: FloatArray) -> FloatArray:
-        """Gives how high above the viewers' ground the lower sides of beams are somewhere."""
+        """Return how high above the viewers' ground the lower sides of beams are somewhere."""
         z_m, spread = (np.asarray(value, dtype=np.float64) for value in (self.z_m, self.spread))
         z_m = z_m.take(viewers) if z_m.ndim else z_m
         spread = spread.take(viewers) if spread.ndim else spread
         return np.asarray(np.maximum(z_m - spread * away_m, 0.0))
 
     def _ground(self, place: ComplexArray, plane: tuple[FloatArray, ComplexArray]) -> Segments:
-        """Gives the sides of what the beams' planes cut off of patches, and of the floor."""
+        """Return the sides of what the beams' planes cut off of patches, and of the floor."""
         patches, corners = self.outlook.patches, self.outlook.corners
         viewers, patch = self.outlook.grid.near(place)
         tilted = np.flatnonzero(plane[1])
@@ -248,7 +248,7 @@ class Level:
 
 
 def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segments:
-    """Gives the sides of the parts of rectangles that rise over something.
+    """Return the sides of the parts of rectangles that rise over something.
 
     Args:
         viewers: whose each rectangle is, (n,).
@@ -276,5 +276,5 @@ def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segm
 
 
 def is_needed(scene: Scene) -> bool:
-    """Tells whether anything in a scene is so low, or the ground so high, that heights matter."""
+    """Return whether anything in a scene is so low, or the ground so high, that heights matter."""
     return not scene.world.surface.is_flat or any(thing.height_m < TALL_M for thing in scene.things)

@@ -45,7 +45,7 @@ class Heights:
         self.nodes_m = np.array(heightmap.heights_m).reshape(-1, heightmap.columns)
 
     def at(self, x_m: FloatArray, y_m: FloatArray) -> tuple[FloatArray, ComplexArray]:
-        """Gives how high places are [m], and how the ground rises there along x and i y."""
+        """Return how high places are [m], and how the ground rises there along x and i y."""
         rows, columns = self.nodes_m.shape
         across, up = (
             (x_m - self.corner.real) / self.pixel_m,
@@ -72,7 +72,7 @@ class Heights:
         )
 
     def steep(self, slope: float) -> tuple[ComplexArray, FloatArray, FloatArray]:
-        """Gives the squares between four pixels that are steeper than a slope.
+        """Return the squares between four pixels that are steeper than a slope.
 
         Returns:
             their middles, how high their highest corners are, and how steep they are.
@@ -97,7 +97,7 @@ class Heights:
         spread: FloatArray,
         reach_m: float,
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
-        """Gives the sides of all pixels that rise over beams, as if each were level, to viewers.
+        """Return the sides of all pixels that rise over beams, as if each were level, to viewers.
 
         Args:
             place: where the viewers are, (k,).
@@ -127,14 +127,14 @@ class Heights:
         return viewers, start, end, np.full(len(viewers), self.pixel_m)
 
     def _away(self, place: ComplexArray) -> tuple[ComplexArray, FloatArray]:
-        """Gives where the middles of all pixels are from places, and how far away."""
+        """Return where the middles of all pixels are from places, and how far away."""
         rows, columns = self.nodes_m.shape
         grid = np.arange(columns) + 0.5 + 1j * (np.arange(rows)[:, None] + 0.5)
         away = np.asarray(self.corner + self.pixel_m * grid - place[:, None, None], np.complex128)
         return away, np.abs(away)
 
     def _sides(self, over: BoolArray) -> tuple[IndexArray, ComplexArray, ComplexArray]:
-        """Gives the sides between pixels that are over beams, (k, rows, columns), and others."""
+        """Return the sides between pixels that are over beams, (k, rows, columns), and others."""
         over = np.pad(over, ((0, 0), (1, 1), (1, 1)))
         found = []
         for right, up, first, last in _SIDES:
@@ -148,7 +148,7 @@ class Heights:
 
 
 def _between(place: FloatArray, count: int) -> tuple[IndexArray, FloatArray, BoolArray]:
-    """Gives the node before each place, how far behind it that lies, and if it is between two."""
+    """Return the node before each place, how far behind it that lies, and if it is between two."""
     clipped = np.clip(place, 0.0, count - 1.0)
     before = np.minimum(np.floor(clipped), count - 2.0)
     return before.astype(np.intp), clipped - before, clipped == place

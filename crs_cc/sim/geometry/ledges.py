@@ -76,7 +76,7 @@ class Ledges:
         self._highest_m = self._middle_m + np.abs(self._slope) * self._half_length_m
 
     def corners_m(self) -> FloatArray:
-        """Gives the corners of all that can block, counter-clockwise, (n, 4, 2)."""
+        """Return the corners of all that can block, counter-clockwise, (n, 4, 2)."""
         return corners_m(self._middle, self._along, self._half_length_m, self._half_width_m)
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
@@ -86,7 +86,7 @@ class Ledges:
         self._ground_m: dict[int, float] = {}
 
     def blocks(self, body: int, patch: int, touches_m: Sequence[tuple[float, float]]) -> bool:
-        """Tells whether a patch blocks a body that touches it at some places."""
+        """Return whether a patch blocks a body that touches it at some places."""
         middle, along, half_m = self._middle[patch], self._along[patch], self._half_length_m[patch]
         local = (self._place[body] - middle) * along.conjugate()
         if abs(local.real) <= half_m and abs(local.imag) <= self._half_width_m[patch]:
@@ -102,7 +102,7 @@ class Ledges:
         return top_m > self._stands_m(body) + self._step_m[body]
 
     def _stands_m(self, body: int) -> float:
-        """Gives how high the highest ground under a body is."""
+        """Return how high the highest ground under a body is."""
         if body not in self._ground_m:
             feet = self._place[body] + self._turn[body] * self._feet[body]
             self._ground_m[body] = float(self._terrain.height_m(feet.real, feet.imag).max())
@@ -110,7 +110,7 @@ class Ledges:
 
 
 def _steep_squares(terrain: Terrain, slope: float) -> tuple[ComplexArray, FloatArray, FloatArray]:
-    """Gives the parts of a picture that are steeper than a slope: middles, tops, slopes."""
+    """Return the parts of a picture that are steeper than a slope: middles, tops, slopes."""
     if terrain.heights is not None:
         return terrain.heights.steep(slope)
     return np.zeros(0, np.complex128), np.zeros(0), np.zeros(0)
@@ -121,7 +121,7 @@ def _round_feet(radius_m: float) -> ComplexArray:
 
 
 def _feet(thing: Thing) -> ComplexArray:
-    """Gives the middle of a thing, and its corners, a rim nearer to it."""
+    """Return the middle of a thing, and its corners, a rim nearer to it."""
     if isinstance(thing, Cylinder):
         return _round_feet(thing.radius_m)
     corners = own_corners_m(thing)

@@ -45,7 +45,7 @@ class Sight:
     def between(
         self, position_m: FloatArray, angle_rad: FloatArray, start: ComplexArray, end: ComplexArray
     ) -> IndexArray:
-        """Gives how many things lie between places.
+        """Return how many things lie between places.
 
         Args:
             position_m: where the bodies that move are now, as for `Scene.moving`.
@@ -88,7 +88,7 @@ class Sight:
 
 
 def _near(middle: ComplexArray, shapes: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Gives pairs of piece and shape that moves; among them all that meet.
+    """Return pairs of piece and shape that moves; among them all that meet.
 
     Args:
         middle: the middles of the pieces.
@@ -106,7 +106,7 @@ def _near(middle: ComplexArray, shapes: FloatArray) -> tuple[IndexArray, IndexAr
 def _meet_segments(
     a: ComplexArray, step: ComplexArray, piece: IndexArray, shape: IndexArray, segments: FloatArray
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives those pairs of piece and segment that cross each other."""
+    """Return those pairs of piece and segment that cross each other."""
     low = segments[shape, 0] + 1j * segments[shape, 1]
     high = segments[shape, 2] + 1j * segments[shape, 3]
     start, along, side = a[piece], step[piece], high - low
@@ -116,7 +116,7 @@ def _meet_segments(
 
 
 def _sides_differ(along: ComplexArray, one: ComplexArray, other: ComplexArray) -> BoolArray:
-    """Tells whether two places lie on different sides of a line through 0, or on it."""
+    """Return whether two places lie on different sides of a line through 0, or on it."""
     turned = np.conjugate(along)
     return np.asarray(((turned * one).imag > 0.0) != ((turned * other).imag > 0.0))
 
@@ -124,7 +124,7 @@ def _sides_differ(along: ComplexArray, one: ComplexArray, other: ComplexArray) -
 def _meet_circles(
     a: ComplexArray, step: ComplexArray, piece: IndexArray, shape: IndexArray, circles: FloatArray
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives those pairs of piece and circle where the piece comes into the circle."""
+    """Return those pairs of piece and circle where the piece comes into the circle."""
     away = circles[shape, 0] + 1j * circles[shape, 1] - a[piece]
     along = step[piece]
     length2 = np.maximum(along.real**2 + along.imag**2, np.finfo(np.float64).tiny)

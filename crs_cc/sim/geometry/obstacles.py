@@ -31,7 +31,7 @@ class Obstacles:
     """
 
     def __init__(self, fixed: Outlines, moving: Outlines, reach_m: float, start_m: float) -> None:
-        """Sorts what does not move.
+        """Sort what does not move.
 
         Args:
             fixed: what does not move.
@@ -58,7 +58,7 @@ class Obstacles:
     def segments_near(
         self, place: ComplexArray
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
-        """Gives pairs of robot and segment; among them all within reach.
+        """Return pairs of robot and segment; among them all within reach.
 
         Args:
             place: where the robots are.
@@ -78,7 +78,7 @@ class Obstacles:
     def circles_near(
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-        """Gives pairs of robot and circle, without its own; among them all within reach.
+        """Return pairs of robot and circle, without its own; among them all within reach.
 
         Args:
             place: where the robots are.
@@ -94,14 +94,14 @@ class Obstacles:
         return np.concatenate([robots, others]), middle, radius_m
 
     def segment_things(self, place: ComplexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        """Return the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
         _, shapes = self._segment_grid.near(place)
         _, movers = self._moving_segments(place)
         fixed, moving = self._fixed_owners[1].take(shapes), self._segment_owners.take(movers)
         return np.concatenate([fixed, moving])
 
     def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        """Return the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
         _, shapes = self._circle_grid.near(place)
         _, movers = self._moving_circles(place, own)
         return np.concatenate([self._fixed_owners[0].take(shapes), self._owners.take(movers)])
@@ -202,7 +202,7 @@ class Grid:
         self._starts = np.cumsum(self._counts) - self._counts
 
     def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of place and shape; among them all within reach."""
+        """Return pairs of place and shape; among them all within reach."""
         if pairs := few_pairs(len(place), self._count):
             return pairs
         column = np.floor((place.real - self._corner_m[0]) / self._cell_m)
@@ -226,7 +226,7 @@ class Grid:
         low: FloatArray,
         high: FloatArray,
     ) -> tuple[IndexArray, IndexArray]:
-        """Gives the cells from which some shapes are within reach, in pairs with the shapes."""
+        """Return the cells from which some shapes are within reach, in pairs with the shapes."""
         first = ((low[shapes] - self._corner_m) / self._cell_m).astype(np.intp)
         last = np.minimum(((high[shapes] - self._corner_m) / self._cell_m), self._size - 1)
         span = last.astype(np.intp) - first + 1
@@ -243,7 +243,7 @@ class Grid:
 
 
 def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Gives how far points are from segments, and how far to the left of their lines."""
+    """Return how far points are from segments, and how far to the left of their lines."""
     ax, ay, bx, by = ends[:, 0], ends[:, 1], ends[:, 2], ends[:, 3]
     along_x, along_y = bx - ax, by - ay
     length = np.hypot(along_x, along_y)

@@ -16,15 +16,15 @@ class Prospect(Protocol):
     def segments_near(
         self, place: ComplexArray
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
-        """Gives the robots, and both ends and the length [m] of the segments."""
+        """Return the robots, and both ends and the length [m] of the segments."""
 
     def segment_things(self, place: ComplexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        """Return the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
 
     def circles_near(
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-        """Gives the robots, and middle and radius [m] of the circles, but for their own bodies."""
+        """Return the robots, and middle and radius [m] of the circles, but for their own bodies."""
 
     def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        """Return the thing, as in `Scene.names`, of each pair that `circles_near` gives."""

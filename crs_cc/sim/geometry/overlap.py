@@ -22,7 +22,7 @@ from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 
 def overlap_m(thing: Solid, other: Solid) -> float:
-    """Gives how deep two things, not both of them walls, overlap; negative for a gap [m]."""
+    """Return how deep two things, not both of them walls, overlap; negative for a gap [m]."""
     return max(
         margin_m + other_margin_m - _gap_m(part, other_part)
         for part, margin_m in _convex(thing)
@@ -31,7 +31,7 @@ def overlap_m(thing: Solid, other: Solid) -> float:
 
 
 def _convex(solid: Solid) -> list[tuple[FloatArray, float]]:
-    """Gives corners of convex parts, counter-clockwise, and how far they reach beyond these [m]."""
+    """Return corners of convex parts, counter-clockwise, and how far they reach beyond these [m]."""
     if isinstance(solid, Cylinder):
         return [(np.array([(solid.pose.x_m, solid.pose.y_m)]), solid.radius_m)]
     if isinstance(solid, Wall):
@@ -44,7 +44,7 @@ def _convex(solid: Solid) -> list[tuple[FloatArray, float]]:
 
 
 def _gap_m(one: FloatArray, other: FloatArray) -> float:
-    """Gives the distance of convex parts; negative by how deep they overlap."""
+    """Return the distance of convex parts; negative by how deep they overlap."""
     apart_m = [_apart_m(one, other), _apart_m(other, one)]
     least_m = max(apart_m)
     if least_m > 0.0 or np.isinf(least_m):
@@ -53,7 +53,7 @@ def _gap_m(one: FloatArray, other: FloatArray) -> float:
 
 
 def _apart_m(one: FloatArray, other: FloatArray) -> float:
-    """Gives how far apart parts are along that normal of the first one's sides where it is most."""
+    """Return how far apart parts are along that normal of the first one's sides where it is most."""
     if len(one) < 2:
         return -np.inf
     sides = np.roll(one, -1, axis=0) - one
@@ -63,7 +63,7 @@ def _apart_m(one: FloatArray, other: FloatArray) -> float:
 
 
 def _distance_m(corners: FloatArray, other: FloatArray) -> float:
-    """Gives the shortest distance from corners to the sides of another part."""
+    """Return the shortest distance from corners to the sides of another part."""
     sides = np.roll(other, -1, axis=0) - other
     across = corners[:, None] - other
     length2 = np.maximum((sides * sides).sum(axis=1), np.finfo(np.float64).tiny)

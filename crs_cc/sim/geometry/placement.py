@@ -31,7 +31,7 @@ TOLERANCE_M: Final = 1e-6
 
 
 def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str]]:
-    """Gives the index of each robot that stands where it cannot, and what is wrong.
+    """Return the index of each robot that stands where it cannot, and what is wrong.
 
     Args:
         world: the world.
@@ -54,7 +54,7 @@ def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str
 
 
 def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
-    """Gives the id of each thing that can be pushed and overlaps something, and what is wrong."""
+    """Return the id of each thing that can be pushed and overlaps something, and what is wrong."""
     solids = world.solids()
     pushable = [number for number, solid in enumerate(solids) if is_pushable(solid)]
     if not pushable:
@@ -74,7 +74,7 @@ def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
 
 
 def distance_from_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-    """Gives how far points lie from a solid [m]; 0 or less inside."""
+    """Return how far points lie from a solid [m]; 0 or less inside."""
     if isinstance(solid, Wall):
         return _from_wall_m(solid, x_m, y_m)
     if isinstance(solid, Polygon):
@@ -136,7 +136,7 @@ def _inside(
 
 
 def _together(one: Solid, other: Solid) -> bool:
-    """Tells whether things are parts of the same object."""
+    """Return whether things are parts of the same object."""
     if isinstance(one, Wall) or isinstance(other, Wall):
         return False
     return bool(one.part_of) and one.part_of == other.part_of
@@ -147,7 +147,7 @@ def _named(solid: Solid) -> str:
 
 
 def _disc_around(solid: Solid) -> tuple[float, float, float]:
-    """Gives x, y and radius [m] of a disc that covers a solid."""
+    """Return x, y and radius [m] of a disc that covers a solid."""
     if isinstance(solid, Wall):
         x_m, y_m = (solid.x1_m + solid.x2_m) / 2, (solid.y1_m + solid.y2_m) / 2
         length_m = math.hypot(solid.x2_m - solid.x1_m, solid.y2_m - solid.y1_m)

@@ -81,7 +81,7 @@ class Fan:
     def of(
         cls, beams: Iterable[tuple[float, float, float, float, float]], z_m: float = 0.0
     ) -> Self:
-        """Makes a fan of beams: x [m], y [m], direction, half angle [rad], range [m]."""
+        """Create a fan of beams: x [m], y [m], direction, half angle [rad], range [m]."""
         table = np.array(list(beams), dtype=np.float64).reshape(-1, 5)
         table[:, 2] %= _TURN
         order = np.argsort(table[:, 2], kind="stable")
@@ -117,7 +117,7 @@ def nearest(
     own: IndexArray | None = None,
     things: IndexArray | None = None,
 ) -> FloatArray:
-    """Gives what each beam of each robot measures.
+    """Return what each beam of each robot measures.
 
     A beam that starts inside a circle measures 0. One that starts behind a segment, in its solid,
     measures what is not there: see `covered`.
@@ -256,7 +256,7 @@ class _Sectors:
 def _sectors_of_segments(
     fan: Fan, a: ComplexArray, b: ComplexArray, length: FloatArray
 ) -> tuple[IndexArray, _Sectors]:
-    """Gives which segments can be hit, and what these look like, from robots that stand at 0.
+    """Return which segments can be hit, and what these look like, from robots that stand at 0.
 
     A segment that has all beams' starts to its left is the back of its solid.
     """
@@ -276,7 +276,7 @@ def _sectors_of_segments(
 def _sectors_of_circles(
     fan: Fan, middle: ComplexArray, radius: FloatArray
 ) -> tuple[IndexArray, _Sectors]:
-    """Gives which circles can be hit, and what these look like, from robots that stand at 0."""
+    """Return which circles can be hit, and what these look like, from robots that stand at 0."""
     away = np.sqrt(middle.real**2 + middle.imag**2)
     keep = np.flatnonzero(away - radius <= fan.reach_m)
     away, radius, middle = away.take(keep), radius.take(keep), middle.take(keep)
@@ -290,7 +290,7 @@ def _sectors_of_circles(
 def _beams_between(
     fan: Fan, heading_rad: FloatArray, sectors: _Sectors
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives the range of beams that may meet the shape in each sector.
+    """Return the range of beams that may meet the shape in each sector.
 
     Returns:
         number of the first beam and how many; numbers go on beyond the last beam to the first.
@@ -316,7 +316,7 @@ def _beams_behind(direction: FloatArray) -> IndexArray:
 
 
 def _to_segment(fan: Fan, beam: IndexArray, a: ComplexArray, b: ComplexArray) -> FloatArray:
-    """Gives the distance from each beam's start to the part of a segment inside the beam.
+    """Return the distance from each beam's start to the part of a segment inside the beam.
 
     Args:
         fan: the beams.
@@ -342,7 +342,7 @@ def _to_segment(fan: Fan, beam: IndexArray, a: ComplexArray, b: ComplexArray) ->
 
 
 def _to_circle(fan: Fan, beam: IndexArray, middle: ComplexArray, radius: FloatArray) -> FloatArray:
-    """Gives the distance from each beam's start to the part of a circle inside the beam.
+    """Return the distance from each beam's start to the part of a circle inside the beam.
 
     Args:
         fan: the beams.

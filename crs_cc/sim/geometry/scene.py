@@ -109,7 +109,7 @@ class Scene:
         self._round_bodies = np.array(round_bodies, dtype=np.intp)
 
     def moving(self, position_m: FloatArray, angle_rad: FloatArray) -> Outlines:
-        """Gives the outlines of the bodies.
+        """Return the outlines of the bodies.
 
         Args:
             position_m: where they are, shape (bodies, 2).
@@ -149,7 +149,7 @@ class _Sides:
 
 
 def own_corners_m(thing: Box | Polygon) -> FloatArray:
-    """Gives the corners of a thing in its own frame, counter-clockwise, shape (corners, 2)."""
+    """Return the corners of a thing in its own frame, counter-clockwise, shape (corners, 2)."""
     if isinstance(thing, Polygon):
         return np.array(thing.corners_m)
     x, y = thing.length_m / 2, thing.width_m / 2
@@ -158,7 +158,7 @@ def own_corners_m(thing: Box | Polygon) -> FloatArray:
 
 @lru_cache(maxsize=4096)  # a scene is made anew with each obstacle that comes or goes
 def corners_m(thing: Box | Polygon) -> FloatArray:
-    """Gives the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
+    """Return the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
     corners = _thing_segments([thing])[:, :2]
     corners.flags.writeable = False
     return corners
@@ -166,19 +166,19 @@ def corners_m(thing: Box | Polygon) -> FloatArray:
 
 @lru_cache(maxsize=4096)
 def triangles_of(polygon: Polygon) -> IndexArray:
-    """Gives the triangles that a polygon is made of: numbers of three corners each, (n, 3)."""
+    """Return the triangles that a polygon is made of: numbers of three corners each, (n, 3)."""
     return triangles(own_corners_m(polygon))
 
 
 @lru_cache(maxsize=4096)
 def convex_parts_of(polygon: Polygon) -> IndexArray:
-    """Gives the convex parts of a polygon: itself, or its triangles; numbers of corners, (n, m)."""
+    """Return the convex parts of a polygon: itself, or its triangles; numbers of corners, (n, m)."""
     corners = own_corners_m(polygon)
     return np.arange(len(corners))[None] if is_convex(corners) else triangles_of(polygon)
 
 
 def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
-    """Gives the outlines of what does not move; the first of them is thing number `first`."""
+    """Return the outlines of what does not move; the first of them is thing number `first`."""
     segments: list[FloatArray] = [np.zeros((0, 5))]
     circles: list[tuple[float, float, float]] = []
     owners: list[int] = []

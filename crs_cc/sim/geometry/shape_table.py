@@ -61,7 +61,7 @@ class Things:
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
-        """Gives the things in a scene."""
+        """Return the things in a scene."""
         things = scene.things
         shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)
         fixed = [_pose(thing) for thing in scene.fixed_solids]
@@ -83,14 +83,14 @@ class Things:
         return np.hypot(self.half_m[:, 0], self.half_m[:, 1]) + self.margin_m
 
     def poses(self, bodies: Placed) -> FloatArray:
-        """Gives x, y [m] and heading [rad] of all things, (things, 3)."""
+        """Return x, y [m] and heading [rad] of all things, (things, 3)."""
         moving = np.column_stack([bodies.position_m, bodies.angle_rad])
         return np.concatenate([moving, self.fixed])
 
     def distance_m(
         self, poses: FloatArray, things: IndexArray, x_m: FloatArray, y_m: FloatArray
     ) -> FloatArray:
-        """Gives the distance from points to the nearest point of things, 0 or less inside.
+        """Return the distance from points to the nearest point of things, 0 or less inside.
 
         Args:
             poses: of all things, see `poses`.
@@ -110,7 +110,7 @@ class Things:
         return distance_m
 
     def _from_polygons_m(self, own_m: FloatArray, things: IndexArray) -> FloatArray:
-        """Gives the distance of points from polygons, in whose frames they are."""
+        """Return the distance of points from polygons, in whose frames they are."""
         counts = self.corners[things]
         ends = np.cumsum(counts)
         corner = np.arange(ends[-1]) + np.repeat(self.first[things] - (ends - counts), counts)
@@ -118,7 +118,7 @@ class Things:
 
 
 def _shape(thing: Robot | Solid) -> tuple[float, float, float]:
-    """Gives half the length, half the width, and the margin [m]."""
+    """Return half the length, half the width, and the margin [m]."""
     match thing:
         case Box():
             return thing.length_m / 2, thing.width_m / 2, 0.0

@@ -30,7 +30,7 @@ _NEAR: Final = 1e-12
 
 
 def segments(points: FloatArray, threshold: float, min_points: int, gap: float) -> FloatArray:
-    """Gives the segments that points lie on.
+    """Return the segments that points lie on.
 
     Args:
         points: x and y of each, in the order in which they were seen, shape (n, 2).
@@ -50,7 +50,7 @@ def segments(points: FloatArray, threshold: float, min_points: int, gap: float) 
 
 
 def _runs(points: FloatArray, gap: float) -> list[Run]:
-    """Cuts points where neighbours lie too far apart."""
+    """Split points where neighbours lie too far apart."""
     if not len(points):
         return []
     steps = np.hypot(*np.diff(points, axis=0).T)
@@ -59,7 +59,7 @@ def _runs(points: FloatArray, gap: float) -> list[Run]:
 
 
 def _split(points: FloatArray, run: Run, threshold: float) -> list[Run]:
-    """Splits a run at corners; neighbours share the point at the corner."""
+    """Split a run at corners; neighbours share the point at the corner."""
     done: list[Run] = []
     waiting = [run]
     while waiting:
@@ -73,7 +73,7 @@ def _split(points: FloatArray, run: Run, threshold: float) -> list[Run]:
 
 
 def _merged(points: FloatArray, runs: list[Run], threshold: float) -> list[Run]:
-    """Joins neighbours that lie on one line."""
+    """Join neighbours that lie on one line."""
     merged = runs[:1]
     for run in runs[1:]:
         together = (merged[-1][0], run[1])
@@ -85,7 +85,7 @@ def _merged(points: FloatArray, runs: list[Run], threshold: float) -> list[Run]:
 
 
 def _from_chord(points: FloatArray, run: Run) -> FloatArray:
-    """Gives how far the points between the ends of a run are from the chord."""
+    """Return how far the points between the ends of a run are from the chord."""
     start, end = points[run[0]], points[run[1]]
     along, inner = end - start, points[run[0] + 1 : run[1]] - start
     length = float(np.hypot(*along))
@@ -95,7 +95,7 @@ def _from_chord(points: FloatArray, run: Run) -> FloatArray:
 
 
 def _line(points: FloatArray, run: Run) -> tuple[FloatArray, FloatArray, float]:
-    """Gives the middle, the direction, and the mean square error of the line through a run."""
+    """Return the middle, the direction, and the mean square error of the line through a run."""
     part = points[run[0] : run[1] + 1]
     middle = part.mean(axis=0)
     x, y = (part - middle).T

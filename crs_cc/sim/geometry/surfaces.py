@@ -42,7 +42,7 @@ class Surfaces:
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
-        """Gives the surfaces of all things in a scene."""
+        """Return the surfaces of all things in a scene."""
         materials = [thing.material for thing in scene.things]
         materials += [PLAIN] * (len(scene.names) - len(scene.things))  # of the ground
         sonar = np.array([material.sonar for material in materials], dtype=np.float64)
@@ -56,6 +56,6 @@ class Surfaces:
 
 
 def packed(colour: tuple[int, int, int]) -> int:
-    """Gives a colour as 0xRRGGBB."""
+    """Return a colour as 0xRRGGBB."""
     red, green, blue = colour
     return red << 16 | green << 8 | blue

@@ -58,27 +58,27 @@ class Terrain:
         self.heights = None if ground.heightmap is None else Heights(ground.heightmap)
 
     def grid(self, reach_m: float) -> Grid:
-        """Gives the patches, sorted by where they are within reach."""
+        """Return the patches, sorted by where they are within reach."""
         half = self.along * self.half_length_m
         ends = [self.middle - half, self.middle + half]
         columns = [part for end in ends for part in (end.real, end.imag)]
         return Grid(np.column_stack(columns), self.half_width_m, reach_m)
 
     def corners_m(self) -> FloatArray:
-        """Gives the corners of all patches, counter-clockwise, (patches, 4, 2)."""
+        """Return the corners of all patches, counter-clockwise, (patches, 4, 2)."""
         return corners_m(self.middle, self.along, self.half_length_m, self.half_width_m)
 
     def local(self, place: ComplexArray, patch: IndexArray) -> ComplexArray:
-        """Gives places as seen from patches: the middle is 0, x runs along them; shape (n,)."""
+        """Return places as seen from patches: the middle is 0, x runs along them; shape (n,)."""
         return np.asarray((place - self.middle.take(patch)) * self.along.take(patch).conj())
 
     def height_m(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-        """Gives how high the ground is at places in the world frame [m], shape (n,)."""
+        """Return how high the ground is at places in the world frame [m], shape (n,)."""
         place = x_m + 1j * y_m
         return self._on(place)[0]
 
     def gradient(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-        """Gives by how much the ground rises along x and y at places [m/m], shape (n, 2)."""
+        """Return by how much the ground rises along x and y at places [m/m], shape (n, 2)."""
         place = x_m + 1j * y_m
         gradient = np.zeros(len(place), dtype=np.complex128)
         if self.heights is not None:
@@ -90,7 +90,7 @@ class Terrain:
         return np.column_stack([gradient.real, gradient.imag])
 
     def _on(self, place: ComplexArray) -> tuple[FloatArray, IndexArray, IndexArray, FloatArray]:
-        """Gives the heights of places, and pairs of a place and a patch there with its height."""
+        """Return the heights of places, and pairs of a place and a patch there with its height."""
         height_m = np.zeros(len(place))
         if self.heights is not None:
             height_m = self.heights.at(place.real, place.imag)[0]
@@ -108,7 +108,7 @@ class Terrain:
 def corners_m(
     middle: ComplexArray, along: ComplexArray, half_length_m: FloatArray, half_width_m: FloatArray
 ) -> FloatArray:
-    """Gives the corners of rectangles, as patches are told of, counter-clockwise, (n, 4, 2)."""
+    """Return the corners of rectangles, as patches are told of, counter-clockwise, (n, 4, 2)."""
     ahead, left = along * half_length_m, 1j * along * half_width_m
     corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
     places = middle[:, None] + np.column_stack(corners)

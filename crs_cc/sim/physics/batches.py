@@ -36,7 +36,7 @@ class Batches:
     """
 
     def __init__(self, names: int) -> None:
-        """Makes the buffers.
+        """Create the buffers.
 
         Args:
             names: how many things there are, robots and what stands among them.
@@ -72,22 +72,22 @@ class Batches:
         batch.set_space_bodies(space.inner, batch.BodyFields.FORCE, self._write_force)
 
     def read(self, space: Space, bodies: Bodies, rigid: Rigid) -> None:
-        """Writes where the bodies of a space got to, and their velocities, into bodies."""
+        """Write where the bodies of a space got to, and their velocities, into bodies."""
         motion = self._body_fields(space.inner, _MOTION, 6)[: len(bodies.position_m)]
         bodies.position_m[:], bodies.angle_rad[:] = motion[:, 0:2], motion[:, 2]
         bodies.velocity_mps[:], bodies.spin_radps[:] = motion[:, 3:5], motion[:, 5]
         rigid.place(bodies)
 
     def velocity_mps(self, space: Space) -> FloatArray:
-        """Gives the velocities of the bodies, (bodies, 2); valid until the next reading."""
+        """Return the velocities of the bodies, (bodies, 2); valid until the next reading."""
         return self._body_fields(space.inner, batch.BodyFields.VELOCITY, 2)
 
     def position_m(self, space: Space) -> FloatArray:
-        """Gives the places of the bodies, (bodies, 2); valid until the next reading."""
+        """Return the places of the bodies, (bodies, 2); valid until the next reading."""
         return self._body_fields(space.inner, batch.BodyFields.POSITION, 2)
 
     def touching(self, space: Space) -> tuple[IndexArray, FloatArray]:
-        """Gives the pairs of bodies in contact, and x, y, distance [m] of each."""
+        """Return the pairs of bodies in contact, and x, y, distance [m] of each."""
         self._touch.clear()
         batch.get_space_arbiters(space.inner, _CONTACT, self._touch)
         numbers = np.frombuffer(self._touch.int_buf(), dtype=np.uintp).reshape(-1, 3)

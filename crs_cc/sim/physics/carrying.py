@@ -71,7 +71,7 @@ class Load:
 
     @classmethod
     def of(cls, world: WorldModel, scene: Scene, holds: Holds) -> Self:
-        """Gives the load of robots that hold something."""
+        """Return the load of robots that hold something."""
         rows, things = holds.in_grippers()
         hands, lifted = holds.in_hands()
         together = np.bincount(things, minlength=len(scene.pushables))
@@ -109,7 +109,7 @@ class Load:
         return bool(len(self.carriers) + len(self.sharers) + len(self.lifters))
 
     def spin_radps(self, bodies: Bodies, pull: Pull, timestep_s: float) -> FloatArray:
-        """Gives how fast the mounts of robots turn in a cycle, 0 for those with empty fingers."""
+        """Return how fast the mounts of robots turn in a cycle, 0 for those with empty fingers."""
         spin_radps = np.zeros(self.robots)
         if pull.mount_rad is not None:
             for rows in (self.carriers, self.sharers):
@@ -136,7 +136,7 @@ class Load:
             self._put(bodies, self.lifted, compose(hands, self.lift))
 
     def stretch_m(self, bodies: Bodies) -> FloatArray:
-        """Gives how far what sharers hold has slipped out of the middle of their fingers, (s,)."""
+        """Return how far what sharers hold has slipped out of the middle of their fingers, (s,)."""
         mounts = np.column_stack([bodies.position_m, bodies.angle_rad])
         fingers, points = np.zeros((2, len(self.sharers), 3))
         fingers[:, 0], points[:, :2] = self.grip_m, self.point_m
@@ -189,7 +189,7 @@ def release(state: EnvState, rows: IndexArray) -> None:
 
 
 def grasp_anew(state: EnvState, things: IndexArray) -> None:
-    """Notes how grippers hold things, as robots and things stand now."""
+    """Record how grippers hold things, as robots and things stand now."""
     bodies, holds = state.bodies, state.bodies.holds
     rows, held = holds.in_grippers()
     rows, held = rows[np.isin(held, things)], held[np.isin(held, things)]

@@ -21,7 +21,7 @@ STRETCH_M: Final = 0.05
 
 
 def first_contacts(scene: Scene, found: list[tuple[IndexArray, FloatArray]]) -> Contacts:
-    """Gives the first place at which each robot touched each thing.
+    """Return the first place at which each robot touched each thing.
 
     Args:
         scene: its names number what touches.
@@ -62,12 +62,12 @@ def told_apart(
 
 
 def with_slipped(contacts: Contacts, load: Load, bodies: Bodies) -> Contacts:
-    """Adds the robots out of whose fingers slipped what they hold with others."""
+    """Add the robots out of whose fingers slipped what they hold with others."""
     slipped = load.sharers[load.stretch_m(bodies) > STRETCH_M]
     return replace(contacts, torn=np.union1d(contacts.torn, slipped))
 
 
 def is_settled(scene: Scene, pairs: IndexArray, places: FloatArray) -> bool:
-    """Tells whether no thing presses into anything; arguments as in `told_apart`."""
+    """Return whether no thing presses into anything; arguments as in `told_apart`."""
     things = ((pairs >= scene.robots) & (pairs < len(scene.start))).any(axis=1)
     return bool((places[things, 2] >= -2 * SLOP_M).all())

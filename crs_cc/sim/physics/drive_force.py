@@ -75,7 +75,7 @@ class DriveForce:
         wanted_mps: FloatArray,
         incline: Incline | None,
     ) -> Drawn:
-        """Gives what draws the robots in a cycle, and hangs those on joints that stand.
+        """Return what draws the robots in a cycle, and hangs those on joints that stand.
 
         Args:
             space: takes the joints.
@@ -104,7 +104,7 @@ class DriveForce:
     def write(
         self, force_n: FloatArray, drawn: Drawn, velocity_mps: FloatArray, substep_s: float
     ) -> None:
-        """Writes the forces of the next substep.
+        """Write the forces of the next substep.
 
         Args:
             force_n: takes them, (bodies, 2).
@@ -144,7 +144,7 @@ class DriveForce:
         force_n[:robots] += incline.drawn_n(needs_n, drawn.limit_n, self._grip_n, across)
 
     def _joint(self, space: Space, bodies: Bodies, pull: Pull, robot: int) -> pymunk.Constraint:
-        """Gives the joint that holds a robot as its grip does, a limp one across only."""
+        """Return the joint that holds a robot as its grip does, a limp one across only."""
         joint: pymunk.Constraint
         body = space.bodies[robot]
         if not pull.limp[robot]:
@@ -158,7 +158,7 @@ class DriveForce:
         return joint
 
     def _limp_n(self, pull: Pull, lagging: IndexArray, needs_n: FloatArray) -> FloatArray:
-        """Gives the force that limp wheels, because they roll, do not have along them."""
+        """Return the force that limp wheels, because they roll, do not have along them."""
         facing_rad, roll_n = pull.facing_rad.take(lagging), self._roll_n.take(lagging)
         ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
         along_n = (needs_n * ahead).sum(axis=1)

@@ -73,7 +73,7 @@ class Incline:
     def drawn_n(
         self, needed_n: FloatArray, along_n: FloatArray, grip_n: FloatArray, held: BoolArray
     ) -> FloatArray:
-        """Gives the forces of wheels, as seen from above, (robots, 2).
+        """Return the forces of wheels, as seen from above, (robots, 2).
 
         Args:
             needed_n: what it takes to run as fast as the wheels turn, seen from above, (robots, 2).
@@ -112,7 +112,7 @@ class Inclines:
         self._near = self.terrain.grid(self._reach_m)
 
     def under(self, position_m: FloatArray, facing_rad: FloatArray, mass_kg: FloatArray) -> Incline:
-        """Gives the slope under bodies.
+        """Return the slope under bodies.
 
         Args:
             position_m: where they are, (bodies, 2).
@@ -143,7 +143,7 @@ class Inclines:
     def shortened(
         self, position_m: FloatArray, x_m: FloatArray, y_m: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Gives ways along the ground as seen from above.
+        """Return ways along the ground as seen from above.
 
         Args:
             position_m: where they begin, (k, 2).
@@ -157,7 +157,7 @@ class Inclines:
         return x_m * share, y_m * share
 
     def longer(self, position_m: FloatArray, direction: FloatArray) -> FloatArray:
-        """Gives by how much ways are longer along the ground than they look from above.
+        """Return by how much ways are longer along the ground than they look from above.
 
         Args:
             position_m: where they begin, (k, 2).

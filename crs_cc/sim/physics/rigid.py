@@ -44,7 +44,7 @@ class Whole:
 
     @classmethod
     def of(cls, parts: list[tuple[Thing, FloatArray]]) -> Self:
-        """Adds up parts, which are where they are in the frame of the centre of mass."""
+        """Add up parts, which are where they are in the frame of the centre of mass."""
         off_m = [math.hypot(place[0], place[1]) for _, place in parts]
         pairs = [(thing, away_m) for (thing, _), away_m in zip(parts, off_m, strict=True)]
         return cls(

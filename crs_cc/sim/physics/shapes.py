@@ -24,7 +24,7 @@ _AS_IT_IS: Final = np.zeros(3)
 
 
 def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
-    """Adds a body with its shapes."""
+    """Add a body with its shapes."""
     for shape in shapes:
         shape.friction = SURFACE_FRICTION
     space.add(body, *shapes)
@@ -33,7 +33,7 @@ def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
 def floor_friction(
     floor: pymunk.Body, body: pymunk.Body, whole: Whole
 ) -> tuple[pymunk.Constraint, pymunk.Constraint]:
-    """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
+    """Return joints that hold a thing's velocity and spin at 0 as far as friction can."""
     slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
     turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
     slide.max_force, turn.max_force = whole.friction_n, whole.friction_nm
@@ -42,14 +42,14 @@ def floor_friction(
 
 
 def shapes_of(body: pymunk.Body, whole: Whole) -> list[pymunk.Shape]:
-    """Gives the shapes of all parts of what moves as one body."""
+    """Return the shapes of all parts of what moves as one body."""
     return [shape for thing, place in whole.parts for shape in thing_shapes(body, thing, place)]
 
 
 def thing_shapes(
     body: pymunk.Body, thing: Thing, pose: FloatArray = _AS_IT_IS
 ) -> list[pymunk.Shape]:
-    """Gives the shapes of what can be pushed, at a pose in the frame of a body."""
+    """Return the shapes of what can be pushed, at a pose in the frame of a body."""
     if isinstance(thing, Cylinder):
         return [pymunk.Circle(body, thing.radius_m, (float(pose[0]), float(pose[1])))]
     corners = np.column_stack([own_corners_m(thing), np.zeros(len(own_corners_m(thing)))])
@@ -58,7 +58,7 @@ def thing_shapes(
 
 
 def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
-    """Gives the shapes of what stands, in the world frame."""
+    """Return the shapes of what stands, in the world frame."""
     if isinstance(solid, Wall):
         ends = (solid.x1_m, solid.y1_m), (solid.x2_m, solid.y2_m)
         return [pymunk.Segment(body, *ends, solid.thickness_m / 2)]
@@ -70,7 +70,7 @@ def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
 def _straight_shapes(
     body: pymunk.Body, thing: Box | Polygon, corners: FloatArray
 ) -> list[pymunk.Shape]:
-    """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
+    """Return the shapes of a box or polygon; pymunk's polygons are convex."""
     if isinstance(thing, Box):
         return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
     pieces = corners[convex_parts_of(thing)].tolist()
@@ -78,7 +78,7 @@ def _straight_shapes(
 
 
 def add_ground(space: pymunk.Space, bodies: list[pymunk.Body], ledges: Ledges) -> pymunk.Body:
-    """Adds all of the ground that can block; whether it does, `ledges` tells at each touch."""
+    """Add all of the ground that can block; whether it does, `ledges` tells at each touch."""
     ground = pymunk.Body(body_type=pymunk.Body.STATIC)
     numbers = {shape: n for n, body in enumerate(bodies) for shape in body.shapes}
     shapes: list[pymunk.Shape] = []
@@ -111,7 +111,7 @@ def _meet_patch(
 
 
 def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
-    """Tells whether two things, as in `Scene.names`, overlap or touch where they are now."""
+    """Return whether two things, as in `Scene.names`, overlap or touch where they are now."""
     space = pymunk.Space()  # pymunk's comparison of two shapes fails where they do not meet
     body, theirs = _standing(scene, bodies, other)
     space.add(body, *theirs)
@@ -120,7 +120,7 @@ def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
 
 
 def _standing(scene: Scene, bodies: Bodies, thing: int) -> tuple[pymunk.Body, list[pymunk.Shape]]:
-    """Gives the body and the shapes of a thing where it is now, in no space."""
+    """Return the body and the shapes of a thing where it is now, in no space."""
     moving = len(scene.start)
     body = pymunk.Body(body_type=pymunk.Body.STATIC)
     shapes: list[pymunk.Shape]

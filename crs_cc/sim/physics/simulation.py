@@ -94,7 +94,7 @@ class Physics:
         return self._spaces[0]
 
     def step(self, bodies: Bodies, pull: Pull) -> Contacts:
-        """Moves bodies through one cycle.
+        """Move bodies through one cycle.
 
         Args:
             bodies: moved in place.
@@ -110,11 +110,11 @@ class Physics:
         return contacts
 
     def start_from(self, bodies: Bodies) -> None:
-        """Makes the space anew from bodies, which may be elsewhere than they were."""
+        """Create the space anew from bodies, which may be elsewhere than they were."""
         self._begin(PhysicsSnapshot(bodies.copy(), 0, (), 0.0))
 
     def snapshot(self) -> PhysicsSnapshot:
-        """Gives all that is needed to come back to here, but for the bodies."""
+        """Return all that is needed to come back to here, but for the bodies."""
         return PhysicsSnapshot(self._start, self._cycles, tuple(self._ran), self._room_m)
 
     def restore(self, snapshot: PhysicsSnapshot) -> None:
@@ -122,7 +122,7 @@ class Physics:
         self._begin(snapshot)
 
     def _begin(self, snapshot: PhysicsSnapshot) -> None:
-        """Gives up the space, to make it anew from a snapshot when it is to run."""
+        """Return up the space, to make it anew from a snapshot when it is to run."""
         self._spaces.clear()
         self._start, self._cycles = snapshot.start, snapshot.cycles
         self._ran, self._room_m = list(snapshot.ran), snapshot.room_m
@@ -177,7 +177,7 @@ class Physics:
         return with_slipped(contacts, self._load, bodies)
 
     def _incline(self, bodies: Bodies, pull: Pull) -> Incline | None:
-        """Gives the slope under the bodies, None in a flat world."""
+        """Return the slope under the bodies, None in a flat world."""
         if self._inclines is None or self._ledges is None:
             return None
         pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.thing_kg])
@@ -185,7 +185,7 @@ class Physics:
         return self._inclines.under(bodies.position_m, pull.facing_rad, pulled_kg)
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
-        """Tells whether nothing can touch in this cycle, so that the space need not run.
+        """Return whether nothing can touch in this cycle, so that the space need not run.
 
         `_room_m` is a distance that no robot can have used up since it was measured.
         """
@@ -241,7 +241,7 @@ class Physics:
         return contacts, touched[: self._robots]
 
     def _swing(self, bodies: Bodies, pull: Pull) -> int:
-        """Turns robots that carry something; gives how many substeps that takes."""
+        """Turn robots that carry something; gives how many substeps that takes."""
         substeps = self._fewest_substeps
         if self._load is not None:
             timestep_s = self._world.timestep_s

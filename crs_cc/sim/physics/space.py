@@ -88,7 +88,7 @@ class SpaceBuilder:
         self._world, self._scene, self._rigid, self._ledges = world, scene, rigid, ledges
 
     def build(self, position_m: FloatArray, mass_kg: FloatArray, load: Load | None) -> Space:
-        """Makes the space.
+        """Create the space.
 
         Args:
             position_m: where about the bodies are, (bodies, 2); poses are loaded in each cycle.
@@ -125,7 +125,7 @@ class SpaceBuilder:
         mass_kg: FloatArray,
         parts: dict[int, tuple[Thing, FloatArray]],
     ) -> list[pymunk.Body]:
-        """Adds the robots, with what they carry; those that are not there have no shape."""
+        """Add the robots, with what they carry; those that are not there have no shape."""
         bodies = []
         for number, robot in enumerate(self._world.robots):
             body = pymunk.Body(float(mass_kg[number]), math.inf)  # only its wheels turn it
@@ -139,7 +139,7 @@ class SpaceBuilder:
         return bodies
 
     def _on_floor(self, inner: pymunk.Space, bodies: list[pymunk.Body], borne: set[int]) -> Space:
-        """Adds the floor, which rubs on all things that nobody bears."""
+        """Add the floor, which rubs on all things that nobody bears."""
         floor, robots = pymunk.Body(body_type=pymunk.Body.STATIC), self._scene.robots
         bodies.append(floor)
         inner.add(floor)
@@ -156,7 +156,7 @@ class SpaceBuilder:
     def _parts(
         self, load: Load | None
     ) -> tuple[dict[int, tuple[Thing, FloatArray]], set[int], set[int]]:
-        """Gives how things are attached to robots.
+        """Return how things are attached to robots.
 
         Returns:
             what each robot carries as a part of itself, and where; the things that no floor rubs
@@ -171,7 +171,7 @@ class SpaceBuilder:
         return parts, apart | set(load.shared.tolist()), apart
 
     def _shared_grips(self, bodies: list[pymunk.Body], load: Load) -> list[pymunk.Constraint]:
-        """Gives the joints between robots and what several of them hold."""
+        """Return the joints between robots and what several of them hold."""
         joints: list[pymunk.Constraint] = []
         rows = zip(load.sharers, load.shared, load.grip_m, load.point_m.tolist(), strict=True)
         for robot, thing, grip_m, point_m in rows:

@@ -17,7 +17,7 @@ from crs_cc.sim.state.env_state import EnvState
 
 
 def grown(state: EnvState, world: WorldModel) -> EnvState:
-    """Gives a state of a world whose last robot is new, and has not joined yet.
+    """Return a state of a world whose last robot is new, and has not joined yet.
 
     Args:
         state: the state without it; arrays may be shared with it.
@@ -36,7 +36,7 @@ def grown(state: EnvState, world: WorldModel) -> EnvState:
 
 
 def _grown(value: Any, before: Any, after: Any) -> Any:
-    """Gives a value, behind it what one has after that the other did not have before."""
+    """Return a value, behind it what one has after that the other did not have before."""
     if is_dataclass(value) and not isinstance(value, type):
         names = [field.name for field in fields(value)]
         parts = ([getattr(each, name) for each in (value, before, after)] for name in names)

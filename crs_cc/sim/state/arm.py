@@ -31,7 +31,7 @@ class ArmState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives arms that are stretched out as far as their joints allow, hands open."""
+        """Return arms that are stretched out as far as their joints allow, hands open."""
         found = [arm for robot in world.robots if (arm := robot.model.arm) is not None]
         start = [[joint.within(0.0) for joint in (arm.shoulder, arm.elbow)] for arm in found]
         start_rad = np.array(start, dtype=np.float64).reshape(-1, 2)

@@ -26,6 +26,6 @@ class BatteryState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives batteries of robots that have not moved yet."""
+        """Return batteries of robots that have not moved yet."""
         count = len(world.robots)
         return cls(np.zeros(count), np.zeros((count, AXES)))

@@ -27,6 +27,6 @@ class BeaconState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives robots that are dark and silent."""
+        """Return robots that are dark and silent."""
         count = len(world.robots)
         return cls(np.zeros(count), np.zeros(count), np.zeros(count, dtype=np.int64))

@@ -40,7 +40,7 @@ class Bodies:
 
     @classmethod
     def at_start(cls, scene: Scene) -> Self:
-        """Gives the bodies of a world before the first cycle."""
+        """Return the bodies of a world before the first cycle."""
         count = len(scene.start)
         return cls(
             scene.start[:, :2].copy(),
@@ -54,7 +54,7 @@ class Bodies:
         )
 
     def take(self, rows: IndexArray) -> Self:
-        """Gives some of the bodies, all robots among them; the others are gone."""
+        """Return some of the bodies, all robots among them; the others are gone."""
         robots = len(self.slipping)
         return type(self)(
             self.position_m[rows],
@@ -68,7 +68,7 @@ class Bodies:
         )
 
     def with_robot(self, start: Pose) -> Self:
-        """Gives the same with a further robot, which rests."""
+        """Return the same with a further robot, which rests."""
         robots = len(self.slipping)
         return type(self)(
             np.insert(self.position_m, robots, (start.x_m, start.y_m), axis=0),
@@ -87,7 +87,7 @@ class Bodies:
         self.slipping[robots] = self.touching[robots] = False
 
     def copy(self) -> Self:
-        """Gives a copy that shares nothing."""
+        """Return a copy that shares nothing."""
         return type(self)(*(getattr(self, field.name).copy() for field in fields(self)))
 
 

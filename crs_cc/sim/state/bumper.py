@@ -26,6 +26,6 @@ class BumperState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives switches that nothing presses."""
+        """Return switches that nothing presses."""
         count = len(world.robots)
         return cls(np.zeros(count, dtype=np.int32), Moments.never(count))

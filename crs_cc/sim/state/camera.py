@@ -35,7 +35,7 @@ class CameraState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives cameras that have seen nothing yet."""
+        """Return cameras that have seen nothing yet."""
         count = sum(robot.model.camera is not None for robot in world.robots)
         return cls(
             np.zeros((count, MAX_COLUMNS), dtype=np.int32),

@@ -32,7 +32,7 @@ class CompassState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives compasses that have not measured yet."""
+        """Return compasses that have not measured yet."""
         found = [model for robot in world.robots if (model := robot.model.compass) is not None]
         count = len(found)
         return cls(

@@ -67,7 +67,7 @@ class DegradationState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the degradations of a world file, none of which has begun."""
+        """Return the degradations of a world file, none of which has begun."""
         state = cls(
             np.zeros(0, _FORM),
             np.zeros(0),
@@ -85,7 +85,7 @@ class DegradationState:
         return state
 
     def append(self, records: Sequence[Any]) -> None:
-        """Adds degradations behind the others, each with an empty memory."""
+        """Add degradations behind the others, each with an empty memory."""
         self._assemble([*self._pairs(), *((row, empty_memory(row)) for row in records)])
 
     def remove(self, place: int) -> None:
@@ -101,7 +101,7 @@ class DegradationState:
         self._assemble(pairs)
 
     def _pairs(self) -> list[tuple[Any, FloatArray]]:
-        """Gives each degradation with what it remembers."""
+        """Return each degradation with what it remembers."""
         ends = [*self.table["begin"].tolist(), len(self.memory)]
         parts = (self.memory[begin:end] for begin, end in itertools.pairwise(ends))
         return list(zip(self.table, parts, strict=True))
@@ -128,7 +128,7 @@ class DegradationState:
 
 
 def turns_s(table: Records) -> FloatArray:
-    """Gives when degradations come to their next phase, infinite for never, shape (n,)."""
+    """Return when degradations come to their next phase, infinite for never, shape (n,)."""
     end_s = table["onset_s"] + table["duration_s"]
     never_s = np.full(len(table), np.inf)
     choices = np.stack([table["onset_s"], end_s, end_s + table["recovery_s"], never_s])
@@ -136,7 +136,7 @@ def turns_s(table: Records) -> FloatArray:
 
 
 def record(degradation: Degradation, robot: int, serial: int) -> Records:
-    """Gives a degradation as a record of the table.
+    """Return a degradation as a record of the table.
 
     Args:
         degradation: the degradation, which `complaint` has found nothing wrong with.
@@ -161,7 +161,7 @@ def record(degradation: Degradation, robot: int, serial: int) -> Records:
 
 
 def degradation_of(row: Any, robot: str) -> Degradation:
-    """Gives a record as plain data; `robot` is the id of its robot."""
+    """Return a record as plain data; `robot` is the id of its robot."""
     stuck: float | Literal["hold"] | None = None
     if row["stuck"] != FREE:
         stuck = HOLD if row["stuck"] == HOLDS else float(row["stuck_at"])
@@ -180,7 +180,7 @@ def degradation_of(row: Any, robot: str) -> Degradation:
 
 
 def empty_memory(row: Any) -> FloatArray:
-    """Gives what a degradation remembers at first, see `DegradationState`."""
+    """Return what a degradation remembers at first, see `DegradationState`."""
     width = width_of(row["device"], row["element"])
     depth = int(row["depth"])
     held = np.full(width, np.nan)
@@ -191,7 +191,7 @@ def empty_memory(row: Any) -> FloatArray:
 
 
 def width_of(device: Any, element: Any) -> Any:
-    """Gives of how many elements degradations remember values; numbers or arrays."""
+    """Return of how many elements degradations remember values; numbers or arrays."""
     return np.where(element == ALL_ELEMENTS, _widths()[device], 1)
 
 

@@ -24,5 +24,5 @@ class DrawingState:
 
     @classmethod
     def at_start(cls) -> Self:
-        """Gives an empty picture."""
+        """Return an empty picture."""
         return cls(np.zeros((0, 8), dtype=np.int32), np.zeros(0, dtype=np.int64))

@@ -58,7 +58,7 @@ class DriveState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives axes that rest."""
+        """Return axes that rest."""
         count = len(world.robots)
         drives = [robot.model.drive for robot in world.robots]
         axes = [[axis or STILL for axis in drive.axes] for drive in drives]

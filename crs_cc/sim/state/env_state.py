@@ -145,7 +145,7 @@ class EnvState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the state before the first cycle: everything rests, odometry at 0."""
+        """Return the state before the first cycle: everything rests, odometry at 0."""
         count = len(world.robots)
         scene = Scene(world)
         bodies = Bodies.at_start(scene)
@@ -218,7 +218,7 @@ class EnvState:
         self.contacts_before = np.sort(robot * len(now) + thing)
 
     def sha256(self) -> str:
-        """Gives a digest of the whole state."""
+        """Return a digest of the whole state."""
         digest = hashlib.sha256()
         for name, value in _leaves(self, ""):
             digest.update(f"{name} {np.shape(value)}\n".encode())

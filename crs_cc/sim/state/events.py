@@ -51,18 +51,18 @@ class EventLog:
         self._events: list[Event] = []
 
     def say(self, time_s: float, kind: str, text: str, robot: int = -1) -> None:
-        """Adds an event, see `Event`."""
+        """Add an event, see `Event`."""
         assert kind in KINDS, kind
         self._events.append(Event(float(time_s), kind, text, int(robot)))
 
     def take(self, until_s: float = math.inf) -> tuple[Event, ...]:
-        """Gives the events up to an instant, and forgets them."""
+        """Return the events up to an instant, and forgets them."""
         events = tuple(event for event in self._events if event.time_s <= until_s)
         self._events[:] = [event for event in self._events if event.time_s > until_s]
         return events
 
     def snapshot(self) -> tuple[Event, ...]:
-        """Gives all events."""
+        """Return all events."""
         return tuple(self._events)
 
     def restore(self, events: tuple[Event, ...]) -> None:

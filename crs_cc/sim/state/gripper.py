@@ -31,7 +31,7 @@ class GripperState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives grippers that are open."""
+        """Return grippers that are open."""
         found = [gripper for robot in world.robots if (gripper := robot.model.gripper) is not None]
         open_m = np.array([gripper.opening_m for gripper in found], dtype=np.float64)
         nothing, no = np.zeros(len(found)), np.zeros(len(found), dtype=np.bool_)

@@ -25,7 +25,7 @@ class HeatState:
 
     @classmethod
     def at_start(cls, world: WorldModel, scene: Scene) -> Self:
-        """Gives the heat that the world file gives to each thing; robots to come have none yet."""
+        """Return the heat that the world file gives to each thing; robots to come have none yet."""
         left = np.zeros(len(scene.names))
         left[: len(scene.things)] = [thing.heat for thing in scene.things]
         left[: scene.robots] *= [robot.join_s <= 0.0 for robot in world.robots]

@@ -25,6 +25,6 @@ class HeatSensorState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sensors that have not measured yet."""
+        """Return sensors that have not measured yet."""
         count = sum(robot.model.heat.range_m > 0.0 for robot in world.robots)
         return cls(np.zeros(count), np.full(count, -1.0))

@@ -38,22 +38,22 @@ class Holds:
 
     @classmethod
     def nothing(cls, robots: int) -> Self:
-        """Gives empty fingers and hands."""
+        """Return empty fingers and hands."""
         return cls(np.full((robots, _KINDS), -1, np.int64), np.zeros((robots, _KINDS, 3)))
 
     def with_another(self) -> Self:
-        """Gives the same with a further robot, which holds nothing."""
+        """Return the same with a further robot, which holds nothing."""
         more = self.nothing(1)
         return type(self)(
             np.concatenate([self.thing, more.thing]), np.concatenate([self.grasp, more.grasp])
         )
 
     def copy(self) -> Self:
-        """Gives a copy that shares nothing."""
+        """Return a copy that shares nothing."""
         return type(self)(self.thing.copy(), self.grasp.copy())
 
     def any(self) -> bool:
-        """Tells whether anything is held."""
+        """Return whether anything is held."""
         return bool((self.thing >= 0).any())
 
     def take(self, rows: IndexArray, kind: int, things: IndexArray, grasp: FloatArray) -> None:
@@ -67,15 +67,15 @@ class Holds:
         self.grasp[rows, kind] = 0.0
 
     def in_grippers(self) -> tuple[IndexArray, IndexArray]:
-        """Gives the robots that hold something in their fingers, rising, and what each holds."""
+        """Return the robots that hold something in their fingers, rising, and what each holds."""
         return self._held(GRIPPER)
 
     def in_hands(self) -> tuple[IndexArray, IndexArray]:
-        """Gives the robots that hold something in their hands, rising, and what each holds."""
+        """Return the robots that hold something in their hands, rising, and what each holds."""
         return self._held(HAND)
 
     def renumbered(self, kept: BoolArray) -> Self:
-        """Gives what is held when only some of all things are left.
+        """Return what is held when only some of all things are left.
 
         Args:
             kept: which of the things that can be pushed are, (things,).

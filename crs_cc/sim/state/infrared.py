@@ -36,7 +36,7 @@ class InfraredState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sensors that have not measured yet."""
+        """Return sensors that have not measured yet."""
         rings = [ring for robot in world.robots if (ring := robot.model.infrared) is not None]
         on = np.zeros((len(rings), MAX_INFRARED), dtype=np.bool_)
         for row, ring in zip(on, rings, strict=True):

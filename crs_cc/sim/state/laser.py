@@ -49,7 +49,7 @@ class LaserState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives lasers that are as their definitions say, and have seen nothing."""
+        """Return lasers that are as their definitions say, and have seen nothing."""
         found = [laser for robot in world.robots if (laser := robot.model.laser) is not None]
         count = len(found)
         return cls(

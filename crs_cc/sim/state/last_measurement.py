@@ -37,7 +37,7 @@ class Moments:
 
     @classmethod
     def never(cls, count: int) -> Self:
-        """Gives robots that have not measured yet."""
+        """Return robots that have not measured yet."""
         return cls(np.full(count, -1.0), np.zeros((count, _CONFIGURATION), dtype=np.int32))
 
     def are_due(self, rows: IndexArray, at_s: FloatArray, interval_s: FloatArray) -> BoolArray:
@@ -53,6 +53,6 @@ class Moments:
     def note(
         self, rows: IndexArray, at_s: FloatArray | float, configuration: npt.NDArray[np.integer]
     ) -> None:
-        """Notes a measurement of some robots."""
+        """Record a measurement of some robots."""
         self.at_s[rows] = at_s
         self.configuration[rows] = configuration

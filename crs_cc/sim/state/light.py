@@ -28,7 +28,7 @@ class LightState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sensors that have not measured yet."""
+        """Return sensors that have not measured yet."""
         count = sum(robot.model.light_sensors is not None for robot in world.robots)
         reading = np.zeros((count, MAX_LIGHT_SENSORS))
         return cls(reading, np.full(count, -1.0), np.zeros(count, dtype=np.int64))

@@ -23,5 +23,5 @@ class LinkState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives lines as the definitions have them."""
+        """Return lines as the definitions have them."""
         return cls(np.array([robot.model.link.baud for robot in world.robots], dtype=np.int64))

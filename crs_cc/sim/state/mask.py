@@ -20,7 +20,7 @@ COMPASS: Final = slice(43, 44)
 
 
 def first_mask(robots: int) -> ByteArray:
-    """Gives what `init_mask` sets: everything, but no positions."""
+    """Return what `init_mask` sets: everything, but no positions."""
     mask = np.ones((robots, NUM_MASK), dtype=np.uint8)
     mask[:, POS_DATA] = 0
     return mask

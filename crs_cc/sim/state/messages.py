@@ -105,7 +105,7 @@ class MessageState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives a state in which nobody has sent anything."""
+        """Return a state in which nobody has sent anything."""
         robots, channels = len(world.robots), len(world.communication.channels)
         shuts = [
             (shut.at_s, shut.until_s, shut.channel, shut.sender, shut.receiver)

@@ -71,11 +71,11 @@ class Axes:
 
     @classmethod
     def standing(cls, robots: int) -> Self:
-        """Gives axes that stand still."""
+        """Return axes that stand still."""
         return cls(*(np.zeros((robots, AXES)) for _ in fields(cls)))
 
     def end_s(self, rows: Rows = ALL) -> FloatArray:
-        """Gives when each axis will stand still [s]: infinite when it goes on for ever."""
+        """Return when each axis will stand still [s]: infinite when it goes on for ever."""
         end_s = take(self.start_s, rows) + take(self.ramp_s, rows)
         return np.asarray(end_s + take(self.cruise_s, rows) + take(self.brake_s, rows))
 
@@ -176,7 +176,7 @@ def plan_move(
 
 
 def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
-    """Turns axes on to an instant, not before the last one.
+    """Turn axes on to an instant, not before the last one.
 
     Args:
         axes: their profiles.
@@ -251,7 +251,7 @@ def end_here(axes: Axes, rows: Rows, which: BoolArray) -> None:
 
 
 def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
-    """Writes new profiles over the old ones of the axes that are meant."""
+    """Write new profiles over the old ones of the axes that are meant."""
     profile["travelled"] = profile["begun"]
     for name, values in profile.items():
         old: FloatArray = getattr(axes, name)

@@ -48,17 +48,17 @@ class ObstacleState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the obstacles of a world that no program has changed."""
+        """Return the obstacles of a world that no program has changed."""
         none = np.zeros(0, dtype=np.int64)
         things = np.ones(len(things_of(world)), dtype=np.bool_)
         return cls(np.zeros((0, MAX_VERTICES, 2), np.int32), none, none, none, 0, things)
 
     def of(self, added: int) -> Corners:
-        """Gives the corners of an added polygon, shape (corners, 2)."""
+        """Return the corners of an added polygon, shape (corners, 2)."""
         return self.corners[added, : self.sizes[added]]
 
     def take(self, rows: IndexArray) -> Self:
-        """Gives the same with some of the added polygons only."""
+        """Return the same with some of the added polygons only."""
         return replace(
             self,
             corners=self.corners[rows],
@@ -68,7 +68,7 @@ class ObstacleState:
         )
 
     def same_as(self, other: ObstacleState) -> bool:
-        """Tells whether the same things stand at the same places."""
+        """Return whether the same things stand at the same places."""
         return (
             np.array_equal(self.numbers, other.numbers)
             and np.array_equal(self.corners, other.corners)
@@ -77,7 +77,7 @@ class ObstacleState:
         )
 
     def world_now(self, world: WorldModel) -> WorldModel:
-        """Gives a world with what programs put into it, and without what they took out of it."""
+        """Return a world with what programs put into it, and without what they took out of it."""
         left = iter(self.standing.tolist())
         added = [polygon_of(number, self.of(n)) for n, number in enumerate(self.numbers.tolist())]
         return replace(
@@ -90,7 +90,7 @@ class ObstacleState:
 
 
 def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleState:
-    """Gives the obstacles without a thing, whether of the world file or added by a program.
+    """Return the obstacles without a thing, whether of the world file or added by a program.
 
     Raises:
         ValueError: there is no such thing.
@@ -107,12 +107,12 @@ def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleS
 
 
 def things_of(world: WorldModel) -> tuple[Solid, ...]:
-    """Gives all things of a world file, its edge and its robots apart."""
+    """Return all things of a world file, its edge and its robots apart."""
     return (*world.walls, *world.boxes, *world.cylinders, *world.polygons)
 
 
 def polygon_of(number: int, corners: Corners) -> Polygon:
-    """Gives a polygon that a program adds.
+    """Return a polygon that a program adds.
 
     Args:
         number: the number in its name.

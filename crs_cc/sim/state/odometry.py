@@ -35,7 +35,7 @@ class OdometryState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the odometry of robots that were just switched on."""
+        """Return the odometry of robots that were just switched on."""
         count = len(world.robots)
         shaft = np.zeros((count, AXES))
         x_m, y_m, heading_rad, turret_rad = np.zeros((4, count))

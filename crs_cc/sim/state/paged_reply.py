@@ -39,7 +39,7 @@ class Told:
 
     @classmethod
     def nothing(cls, count: int, room: int) -> Self:
-        """Gives no readings, with room for some numbers."""
+        """Return no readings, with room for some numbers."""
         return cls(
             np.zeros(count, dtype=np.int32),
             np.full(count, 1, dtype=np.int32),
@@ -53,7 +53,7 @@ class Told:
         self.numbers[row, : count * width] = numbers.ravel()[: count * width]
 
     def page(self, row: int, first: int, message: np.void) -> None:
-        """Writes a page over a message: how many readings, how many numbers of each, and these.
+        """Write a page over a message: how many readings, how many numbers of each, and these.
 
         Args:
             row: the device.

@@ -39,12 +39,12 @@ class PosDataState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives a state in which nobody has asked."""
+        """Return a state in which nobody has asked."""
         nobody = np.full(len(world.robots), -1, dtype=np.intp)
         return cls(nobody, np.zeros((0, _SENSORS, NUMBERS), dtype=np.int32))
 
     def attach(self, robots: IndexArray) -> None:
-        """Makes room for robots that ask."""
+        """Create room for robots that ask."""
         new = robots[self.row[robots] < 0]
         self.row[new] = len(self.told) + np.arange(len(new))
         room = np.zeros((len(new), _SENSORS, NUMBERS), dtype=np.int32)

@@ -30,12 +30,12 @@ class PresenceState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives a world with those robots that are there from the start."""
+        """Return a world with those robots that are there from the start."""
         present = np.array([robot.join_s <= 0.0 for robot in world.robots], dtype=np.bool_)
         return cls(present, np.where(present, 0.0, np.inf), np.full(len(present), np.inf))
 
     def with_another(self) -> Self:
-        """Gives the same with a further robot, which has not joined."""
+        """Return the same with a further robot, which has not joined."""
         return type(self)(
             np.append(self.present, False),
             np.append(self.joined_s, np.inf),

@@ -16,8 +16,8 @@ class Running(Protocol):
 
     @property
     def world(self) -> WorldModel:
-        """Gives the world with all its robots."""
+        """Return the world with all its robots."""
 
     @property
     def time_s(self) -> float:
-        """Gives the start of the current cycle [s]."""
+        """Return the start of the current cycle [s]."""

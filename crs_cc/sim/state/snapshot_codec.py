@@ -42,12 +42,12 @@ class Packed:
     others: tuple[Any, ...]
 
     def state(self) -> Any:
-        """Gives the state; nothing of it is shared with anybody."""
+        """Return the state; nothing of it is shared with anybody."""
         return _Unpacking(self).next()
 
 
 def packed(state: Any, like: Packed | None = None) -> Packed:
-    """Packs a state.
+    """Pack a state.
 
     Args:
         state: a dataclass.
@@ -91,7 +91,7 @@ class _Unpacking:
         self._at = 0
 
     def next(self) -> Any:
-        """Gives the next thing, with all that is in it."""
+        """Return the next thing, with all that is in it."""
         part = next(self._layout)
         if part is None:
             return next(self._others)
@@ -105,5 +105,5 @@ class _Unpacking:
 
 @cache
 def _names(kind: Hashable) -> tuple[str, ...] | None:
-    """Gives the names of the fields of a dataclass, None for any other type."""
+    """Return the names of the fields of a dataclass, None for any other type."""
     return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None

@@ -64,7 +64,7 @@ class SonarState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sonars that have heard nothing; those in the order begin at once."""
+        """Return sonars that have heard nothing; those in the order begin at once."""
         boards = [robot.model.sonar_board for robot in world.robots]
         count = len(boards)
         order = np.zeros((count, MAX_SONARS), dtype=np.intp)
@@ -91,7 +91,7 @@ class SonarState:
         )
 
     def reading_in(self, rows: IndexArray) -> Int32Array:
-        """Gives the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
+        """Return the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
         return inches(self.echo_m[rows])
 
     def hear(self, rows: IndexArray, to_s: FloatArray) -> None:
@@ -121,5 +121,5 @@ class SonarState:
 
 
 def inches(distance_m: FloatArray) -> Int32Array:
-    """Gives distances as sonars tell them: whole inches, 0 to `NO_ECHO`."""
+    """Return distances as sonars tell them: whole inches, 0 to `NO_ECHO`."""
     return np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO).astype(np.int32)

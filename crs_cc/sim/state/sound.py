@@ -30,7 +30,7 @@ class SoundState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives microphones that have not measured yet."""
+        """Return microphones that have not measured yet."""
         count = sum(robot.model.microphones is not None for robot in world.robots)
         never, none = np.full(count, -1.0), np.zeros(count, dtype=np.int64)
         return cls(np.zeros((count, TONES)), np.zeros(count), never, none)

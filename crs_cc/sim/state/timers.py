@@ -43,7 +43,7 @@ class TimerState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives timers as the robots' definitions set them."""
+        """Return timers as the robots' definitions set them."""
         periods = [_periods_s(robot.model) for robot in world.robots]
         period_s = np.array(periods, dtype=np.float64).reshape(-1, sensor_count())
         next_s = np.where(period_s > 0.0, 0.0, np.inf)
@@ -63,7 +63,7 @@ class TimerState:
         self.soonest_s[rows] = self.next_s[rows].min(axis=1, initial=np.inf)
 
     def set(self, robot: int, sensor: int, period_s: float, now_s: float) -> None:
-        """Sets a timer, whose first period begins now; or takes it away, with 0."""
+        """Set a timer, whose first period begins now; or takes it away, with 0."""
         self.period_s[robot, sensor] = period_s
         self.start_s[robot, sensor] = now_s
         self.turn[robot, sensor] = 0

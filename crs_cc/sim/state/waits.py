@@ -31,7 +31,7 @@ class WaitState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives robots that do not wait."""
+        """Return robots that do not wait."""
         count = len(world.robots)
         return cls(
             np.zeros(count, dtype=np.int64),
