@@ -107,7 +107,7 @@ def test_energy_heat_and_ways_of_messages() -> None:
         ("degrade a sonar.3", "write degrade ROBOT DEVICE[.ELEMENT] FAULT..."),
         ("degrade c sonar dead", "there is no robot 'c': there are a, b"),
         ("degrade a sonra dead", "device: there is no device 'sonra': there are sonar, bumper"),
-        ("degrade a sonar.16 dead", "element: sonar has no '16'; it has 0 to 15"),
+        ("degrade a sonar.16 dead", "element: unknown '16' of sonar (known: 0 to 15)"),
         ("degrade a compass dead", "the robot has no compass"),
         ("degrade a sonar loud", "there is no fault 'loud': there are bias, gain"),
         ("degrade a sonar noise", "noise has a value"),

@@ -74,13 +74,13 @@ def test_sixteen_bits_keep_their_steps() -> None:
 @pytest.mark.parametrize(
     ("data", "expected"),
     [
-        (b"", "is not a PNG file"),
-        (b"GIF89a" + bytes(50), "is not a PNG file"),
-        (b"\x89PNG\r\n\x1a\n", "is not a PNG file"),
-        (bomb(0, 4, b""), "is not a PNG file"),
-        (bomb(60_000, 60_000, b"0"), f"has 60000 x 60000 pixels; {MAX_PIXELS} are allowed"),
-        (bomb(2**31 - 1, 2**31 - 1, b"0"), "pixels; "),
-        (bomb(100, 100, b"0"), "is broken: "),
+        (b"", "not a PNG file"),
+        (b"GIF89a" + bytes(50), "not a PNG file"),
+        (b"\x89PNG\r\n\x1a\n", "not a PNG file"),
+        (bomb(0, 4, b""), "not a PNG file"),
+        (bomb(60_000, 60_000, b"0"), f"60000 x 60000 pixels are too many .maximum: {MAX_PIXELS}"),
+        (bomb(2**31 - 1, 2**31 - 1, b"0"), "pixels are too many"),
+        (bomb(100, 100, b"0"), "invalid PNG file: "),
     ],
 )
 def test_what_is_no_picture_is_refused(data: bytes, expected: str) -> None:
@@ -109,7 +109,7 @@ def test_files_in_the_folder_and_below_are_read(tmp_path: Path) -> None:
     (tmp_path / "maps").mkdir()
     (tmp_path / "maps" / "a.PNG").write_bytes(b"abc")
     assert read_below(tmp_path, "maps/a.PNG", ".png", 3) == b"abc"
-    with pytest.raises(ValueError, match="is larger than 2 bytes"):
+    with pytest.raises(ValueError, match="larger than 2 bytes"):
         read_below(tmp_path, "maps/a.PNG", ".png", 2)
 
 
@@ -117,7 +117,7 @@ def test_files_in_the_folder_and_below_are_read(tmp_path: Path) -> None:
     "name", ["/etc/a.png", "../a.png", "maps/../../a.png", "a.txt", "", "a\0.png", "a/" * 9999]
 )
 def test_names_that_lead_elsewhere_are_refused(tmp_path: Path, name: str) -> None:
-    with pytest.raises(ValueError, match="must be a file"):
+    with pytest.raises(ValueError, match="must be a relative path to a file"):
         read_below(tmp_path, name, ".png", 9)
 
 
@@ -131,7 +131,7 @@ def test_links_and_devices_are_refused(tmp_path: Path) -> None:
     os.mkfifo(world / "pipe.png")
     (world / "folder.png").mkdir()
     for name in ("a.png", "maps/a.png"):
-        with pytest.raises(ValueError, match="a link"):
+        with pytest.raises(ValueError, match="symbolic links"):
             read_below(world, name, ".png", 9)
     for name in ("pipe.png", "folder.png"):
         with pytest.raises(ValueError, match=r"regular file|directory"):

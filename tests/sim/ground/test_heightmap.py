@@ -105,7 +105,7 @@ def test_a_beam_meets_the_first_pixel_that_is_as_high(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("size", "wrong"), [((1, 4), "2 to 128 a side"), ((129, 4), "2 to 128 a side")]
+    ("size", "wrong"), [((1, 4), "2 to 128 pixels a side"), ((129, 4), "2 to 128 pixels a side")]
 )
 def test_pictures_of_other_sizes_are_refused(tmp_path, size, wrong):
     path = write(tmp_path, np.zeros(size))
@@ -116,7 +116,7 @@ def test_pictures_of_other_sizes_are_refused(tmp_path, size, wrong):
 def test_what_is_no_picture_is_refused(tmp_path):
     path = write(tmp_path, np.zeros((4, 4)))
     (tmp_path / "ground.png").write_bytes(b"P6 1 1 255 abc")
-    with pytest.raises(WorldError, match="is not a PNG file"):
+    with pytest.raises(WorldError, match="not a PNG file"):
         load_world(path)
 
 

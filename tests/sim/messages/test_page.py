@@ -72,16 +72,16 @@ def test_the_lines_of_python_run(
     [
         ('<channel name="x" loss="1.5"/>', "loss"),
         ('<channel name="x" range="0"/>', "range: '0' must be greater than 0"),
-        ('<channel name="x" queue="65"/>', "queue: '65' is not a whole number, 1 to 64"),
+        ('<channel name="x" queue="65"/>', "queue: '65' is not an integer from 1 to 64"),
         ('<channel name="x" delay="61s"/>', "delay: must be 60s or less"),
         ('<channel name="x" bandwidth="0.1"/>', "bandwidth: must be 1B/s or more"),
         ('<channel name="x" bandwidth="9 baud"/>', "is not a rate of data: write a number and one"),
-        ('<channel name="x"/><channel name="x"/>', "a second channel 'x'"),
+        ('<channel name="x"/><channel name="x"/>', "duplicate channel 'x'"),
         ("".join(f'<channel name="x{n}"/>' for n in range(14)), "more than 16 channels"),
         ('<shut channel="x"/>', "shut, channel: there is no channel 'x'"),
         ('<shut from="nobody"/>', "shut, from: there is no robot 'nobody'"),
         ('<shut at="2s" until="2s"/>', "shut, until: must be later than at"),
-        ("<shut/>" * 1001, "shut more than 1000 times"),
+        ("<shut/>" * 1001, "more than 1000 outages"),
     ],
 )
 def test_what_is_wrong_is_told(
