@@ -101,7 +101,7 @@ def test_a_definition_can_be_used_again_and_again():
         ),
         (
             [LEG, '<object ref="leg" x="1" y="1"/>'],
-            "2: error: robot 'robot0' stands inside cylinder 'object0.post'",
+            "2: error: robot 'robot0' overlaps cylinder 'object0.post'",
         ),
     ],
 )

@@ -200,7 +200,7 @@ BROKEN = {
     ),
     "robot inside a polygon": (
         (AREA, ROBOT, '<polygon points="2.5,1.5 3.5,1.5 3.5,2.5 2.5,2.5"/>'),
-        "w.xml:3: error: robot 'robot0' stands inside polygon 'polygon0'",
+        "w.xml:3: error: robot 'robot0' overlaps polygon 'polygon0'",
     ),
     "missing attribute": (
         (AREA, ROBOT, '<wall x1="1" y1="1" x2="2"/>'),
@@ -313,15 +313,15 @@ BROKEN = {
     ),
     "robot outside": (
         (AREA, '<robot x="7" y="1"/>'),
-        "w.xml:3: error: robot 'robot0' stands outside the world or in its edge",
+        "w.xml:3: error: robot 'robot0' is not completely inside the world",
     ),
     "robot in the edge": (
         (AREA, '<robot x="0.1" y="1"/>'),
-        "w.xml:3: error: robot 'robot0' stands outside the world or in its edge",
+        "w.xml:3: error: robot 'robot0' is not completely inside the world",
     ),
     "robot in a wall": (
         (AREA, '<wall id="w" x1="2" y1="0" x2="2" y2="3"/>', '<robot x="2.2" y="1"/>'),
-        "w.xml:4: error: robot 'robot0' stands inside wall 'w'",
+        "w.xml:4: error: robot 'robot0' overlaps wall 'w'",
     ),
     "robot in a turned box": (
         (
@@ -329,19 +329,19 @@ BROKEN = {
             '<robot x="2" y="1"/>',
             '<box id="b" x="3" y="1" heading="45" length="1.2" width="1.2"/>',
         ),
-        "w.xml:3: error: robot 'robot0' stands inside box 'b'",
+        "w.xml:3: error: robot 'robot0' overlaps box 'b'",
     ),
     "robot in the middle of a box": (
         (AREA, '<robot x="3" y="2"/>', '<box x="3" y="2" length="2" width="2"/>'),
-        "w.xml:3: error: robot 'robot0' stands inside box 'box0'",
+        "w.xml:3: error: robot 'robot0' overlaps box 'box0'",
     ),
     "robot in a cylinder": (
         (AREA, '<robot x="3" y="2"/>', '<cylinder x="3" y="2.3" radius="0.1"/>'),
-        "w.xml:3: error: robot 'robot0' stands inside cylinder 'cylinder0'",
+        "w.xml:3: error: robot 'robot0' overlaps cylinder 'cylinder0'",
     ),
     "robot in a robot": (
         (AREA, '<robot id="a" x="3" y="2"/>', '<robot id="b" x="3.4" y="2"/>'),
-        "w.xml:4: error: robot 'b' stands inside robot 'a'",
+        "w.xml:4: error: robot 'b' overlaps robot 'a'",
     ),
 }
 
@@ -406,11 +406,11 @@ def test_all_mistakes_are_told_at_once():
     assert [(message.split(":")[1], message.split(": ")[2][:24]) for message in found] == [
         ("3", "wall, thickness"),
         ("4", "box, length"),
-        ("5", "robot 'r' stands outside"),
+        ("5", "robot 'r' is not complet"),
         ("6", "duplicate id 'r' (first "),
         ("6", "there is no robot defini"),
         ("7", "program 'x.h'"),
-        ("8", "robot 't' stands inside "),
+        ("8", "robot 't' overlaps robot"),
     ]
 
 
@@ -582,7 +582,7 @@ def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
     assert found[0] == f"{path}:3: error: robot definition 'own.xml' cannot be used"
     assert all(message.startswith(f"{own}:") for message in found[1:])
     told = "\n".join(found)
-    for expected in ("duplicate sensor id 2", "body (radius", "no command 'FLY'",
+    for expected in ("duplicate sensor id 2", "body, radius", "no command 'FLY'",
                      "ring, switches: '99' is not an integer from 1 to 24",
                      "order: unknown sonar 3"):  # fmt: skip
         assert expected in told

@@ -91,7 +91,7 @@ def test_robots_of_all_sizes_are_found_in_things_of_all_sizes():
         for pose, radius_m, name in [*things, *before]:
             away_m = math.dist((pose.x_m, pose.y_m), (robot.start.x_m, robot.start.y_m))
             if away_m < radius_m + robot.model.radius_m - 1e-6:
-                expected.add((number, f"robot {robot.id!r} stands inside {name}"))
+                expected.add((number, f"robot {robot.id!r} overlaps {name}"))
     assert set(misplaced(world)) == expected
     assert len(expected) > 50
     assert len(misplaced(world, 7)) == 7

@@ -44,7 +44,7 @@ def test_ramps_and_plateaus_are_read_with_units():
 @pytest.mark.parametrize(
     ("surface", "wrong"),
     [
-        ('<surface><ramp x="1" y="1" length="1" width="1"/></surface>', "lacks the attribute 'to'"),
+        ('<surface><ramp x="1" y="1" length="1" width="1"/></surface>', "missing attribute 'to'"),
         (
             '<surface><plateau x="1" y="1" length="1" width="1" height="-1m"/></surface>',
             "height: '-1m' must not be negative",
