@@ -1,4 +1,4 @@
-"""What the tables of request codes are made of."""
+"""The columns of the request tables."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ Server = Literal["host", "robot", "device"]
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """One argument or result of a request.
+    """An argument or result of a request.
 
     Attributes:
-        place: where in the message it lies, as written in Python: `i[0]`, `f[1]`, `data`, `result`.
-        name: what it is.
+        place: its position in the message, written as in Python: `i[0]`, `f[1]`, `data`, `result`.
+        name: its description.
         unit: its unit; "1" for a number without unit.
     """
 
@@ -25,18 +25,18 @@ class Argument:
 
 @dataclass(frozen=True, slots=True)
 class RequestCode:
-    """One kind of request.
+    """A kind of request.
 
     Attributes:
         name: its name, `CRS_<name>` in C.
         code: its number.
-        server: who answers it: the session as the program's host; the simulated robot, or
+        server: the part that serves it: the session as the program's host; the simulated robot, or
             the simulator that it lives in; or a device of `crs.h`, which needs no connection.
         prototype: the C function that posts it.
-        meaning: what it does.
-        arguments: what the message holds when it is posted.
-        results: what the message holds when the program goes on.
-        tells_state: whether that is all of `State`.
+        meaning: its effect.
+        arguments: contents of the message when it is posted.
+        results: contents of the message when the program resumes.
+        tells_state: whether the reply is all of `State`.
     """
 
     name: str
@@ -50,5 +50,5 @@ class RequestCode:
 
 
 def arguments(*rows: tuple[str, str, str]) -> tuple[Argument, ...]:
-    """Return arguments or results: each place, name and unit."""
+    """Return arguments or results from rows of place, name and unit."""
     return tuple(Argument(*row) for row in rows)

@@ -1,4 +1,4 @@
-"""The requests to devices that the vendor's robots did not have: those of `crs.h`.
+"""Requests to devices that the vendor's robots did not have: those of `crs.h`.
 
 They need no connection, and take the time of a short message on a network.
 """
@@ -19,7 +19,7 @@ def device_request(
     name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
     *, results: tuple[Argument, ...] = (),
 ) -> RequestCode:  # fmt: skip
-    """Return the request of a device: its reply begins with whether it was done."""
+    """Return a device's request, whose reply has a success flag first."""
     results = (*_DONE, *results)
     return RequestCode(name, code, "device", prototype, meaning, arguments, results)
 

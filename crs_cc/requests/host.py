@@ -1,4 +1,4 @@
-"""The requests that a program's host computer answers: streams, time, arguments, files."""
+"""The requests that a program's host computer serves: streams, time, arguments, files."""
 
 from __future__ import annotations
 
@@ -115,4 +115,4 @@ HOST_REQUESTS: Final = (
         (), arguments(("result", "0", "1")),
     ),
 )  # fmt: skip
-"""Every request that the host answers."""
+"""All requests that the host serves."""

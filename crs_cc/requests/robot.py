@@ -1,7 +1,7 @@
-"""The requests that go through the link to the robot, or to the simulator it lives in.
+"""The requests that go through the link to the robot, or to the simulator that it lives in.
 
-Most are answered as the vendor's robot answers: with a packet that holds all of `State`, the time
-of the sensor board, the batteries' voltages, and how many laser readings lie ready.
+Most have the reply of the vendor's robot: a packet with all of `State`, the time of the sensor
+board, the batteries' voltages, and the number of laser readings that are ready.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _ORDER: Final = arguments(
 
 
 def _axes(unit: str) -> tuple[Argument, ...]:
-    """Return the three axes of a motion command; units are those of a Nomad 200's."""
+    """Return the three axes of a motion command; units are those of a Nomad 200."""
     turning = unit.replace("in", "deg")
     return arguments(
         ("i[0]", "translation; a Scout's right wheel", unit),
@@ -53,7 +53,7 @@ def _robot(
     name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
     *, results: tuple[Argument, ...] | None = None,
 ) -> RequestCode:  # fmt: skip
-    """Return a request of the robot's; without results of its own it is answered with `State`."""
+    """Return a request to the robot; without results of its own its reply is `State`."""
     tells_state = results is None
     return RequestCode(
         name, code, "robot", prototype, meaning, arguments,
@@ -279,7 +279,7 @@ ROBOT_REQUESTS: Final = (
     _robot("TAG", 162, "int tagTarget(void)", "removes the heat of all objects in range",
            results=(*_DONE, *arguments(("i[0]", "number of objects that lost heat", "1")))),
 )  # fmt: skip
-"""Every request that a robot, or the simulator it lives in, answers."""
+"""All requests that a robot, or the simulator that it lives in, serves."""
 
 STATE_REPLIES: Final = frozenset(request.code for request in ROBOT_REQUESTS if request.tells_state)
-"""The codes of those that are answered with all of `State`."""
+"""Codes of the requests whose reply is all of `State`."""

@@ -1,7 +1,7 @@
 """Height and gradient of the ground.
 
-        height(p)   = max(0, from + (to - from) (u + length / 2) / length)  of all patches at p
-        gradient(p) = ((to - from) / length) (cos heading, sin heading)  of the highest patch
+    height(p)   = max(0, from + (to - from) (u + length / 2) / length)  of all patches at p
+    gradient(p) = ((to - from) / length) (cos heading, sin heading)  of the highest patch
 
 where u is the distance of p ahead of the patch's centre, and 0 is replaced with the height of the
 height map, if there is one (`heightmap`). The gradient is in the world frame and points uphill; on

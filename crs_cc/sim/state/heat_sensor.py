@@ -1,4 +1,4 @@
-"""What heat sensors told last."""
+"""Heat sensor readings."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class HeatSensorState:
-    """The heat sensors; arrays have a row for each robot that has one, n of them.
+    """The heat sensors; arrays have a row for each robot with a heat sensor, n of them.
 
     Attributes:
-        reading: the heat around, before it is rounded, (n,).
-        at_s: when that was measured; below 0 for never, (n,).
+        reading: the measured heat, before rounding, (n,).
+        at_s: time of the measurement; negative for none, (n,).
     """
 
     reading: FloatArray

@@ -142,11 +142,11 @@ def test_parts_of_an_object_may_overlap_each_other_but_nothing_else():
     [
         (
             f'{FENCE}<object ref="a" x="5" y="5" mass="1"/>',
-            "object, mass: an object with walls cannot be pushed",
+            "object, mass: an object that contains walls cannot be movable",
         ),
         (
             f'{BELL}<define name="a"><object ref="bell" x="0" y="0" mass="1"/></define>',
-            "object, mass: an object within a definition has none of its own",
+            "object, mass: not allowed on an object inside a definition",
         ),
         (f'{BELL}<object ref="bell" x="5" y="5" mass="0"/>', "object, mass: '0' must be greater"),
     ],
