@@ -34,7 +34,7 @@ def bomb(width: int, height: int, content: bytes) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 
 
-def test_the_first_row_is_the_uppermost() -> None:
+def test_first_row_is_the_top_row() -> None:
     picture = Image.new("L", (3, 2), 255)
     picture.putpixel((2, 0), 0)
     assert grey_values(png(picture)).tolist() == [[1, 1, 0], [1, 1, 1]]
@@ -54,19 +54,19 @@ def test_the_first_row_is_the_uppermost() -> None:
         ("RGBA", (51, 51, 51, 255), 0.2),
     ],
 )
-def test_all_kinds_of_pixels_become_grey(mode: str, paint: object, grey: float) -> None:
+def test_pixel_formats_convert_to_grey(mode: str, paint: object, grey: float) -> None:
     values = grey_values(png(Image.new(mode, (2, 1), paint)))
     assert values == pytest.approx(np.full((1, 2), grey))
 
 
-def test_a_palette_is_looked_up() -> None:
+def test_palette_image_uses_its_colours() -> None:
     picture = Image.new("P", (1, 1), 1)
     picture.putpalette([0, 0, 0, 51, 51, 51])
     assert grey_values(png(picture)) == pytest.approx(0.2)
     assert grey_values(png(picture, transparency=1)) == pytest.approx(1.0)
 
 
-def test_sixteen_bits_keep_their_steps() -> None:
+def test_sixteen_bit_image_keeps_its_depth() -> None:
     values = grey_values(png(Image.new("I;16", (1, 1), 1)))
     assert values == pytest.approx(1 / 65535)
 
@@ -83,12 +83,12 @@ def test_sixteen_bits_keep_their_steps() -> None:
         (bomb(100, 100, b"0"), "invalid PNG file: "),
     ],
 )
-def test_what_is_no_picture_is_refused(data: bytes, expected: str) -> None:
+def test_invalid_image_is_rejected(data: bytes, expected: str) -> None:
     with pytest.raises(ValueError, match=expected):
         grey_values(data)
 
 
-def test_damaged_pictures_are_read_or_refused() -> None:
+def test_damaged_image_never_crashes_the_decoder() -> None:
     dice = random.Random(5)
     whole = png(Image.radial_gradient("L").resize((40, 30)))
     for _ in range(300):
@@ -116,12 +116,12 @@ def test_files_in_the_folder_and_below_are_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "name", ["/etc/a.png", "../a.png", "maps/../../a.png", "a.txt", "", "a\0.png", "a/" * 9999]
 )
-def test_names_that_lead_elsewhere_are_refused(tmp_path: Path, name: str) -> None:
+def test_path_outside_of_the_folder_is_rejected(tmp_path: Path, name: str) -> None:
     with pytest.raises(ValueError, match="must be a relative path to a file"):
         read_below(tmp_path, name, ".png", 9)
 
 
-def test_links_and_devices_are_refused(tmp_path: Path) -> None:
+def test_links_and_devices_are_rejected(tmp_path: Path) -> None:
     world, secret = tmp_path / "world", tmp_path / "secret"
     world.mkdir()
     secret.mkdir()

@@ -48,7 +48,7 @@ def messages_of(text: bytes) -> list[str]:
 
 
 @pytest.mark.parametrize("path", WORLDS, ids=lambda path: path.stem)
-def test_the_worlds_that_come_with_crs_are_right(path):
+def test_bundled_worlds_are_valid(path):
     world = load_world(path)
     assert world.name == path.stem
     for robot in world.robots:
@@ -58,7 +58,7 @@ def test_the_worlds_that_come_with_crs_are_right(path):
     assert hash(load_world(path)) == hash(world)
 
 
-def test_all_parts_of_a_world_are_read_with_their_units():
+def test_all_elements_are_read_with_their_units():
     world = parse_world(
         lines(
             '<area length="10ft" width="200cm" origin="centre" edge="50mm"/>',
@@ -90,20 +90,20 @@ def test_all_parts_of_a_world_are_read_with_their_units():
     assert robot.arguments == ("one two", "")
 
 
-def test_a_program_is_found_beside_the_world(tmp_path):
+def test_program_path_is_relative_to_the_world(tmp_path):
     (tmp_path / "wander.c").write_text("main() {}")
     path = tmp_path / "w.xml"
     path.write_bytes(lines(AREA, '<robot x="1" y="1" program="wander.c"/>'))
     assert load_world(path).robots[0].program == str(tmp_path / "wander.c")
 
 
-def test_the_built_in_world_has_one_scout_at_the_origin():
+def test_built_in_world_has_one_scout_at_the_origin():
     world = empty_world()
     assert [robot.start for robot in world.robots] == [Pose()]
     assert world.solids() == ()
 
 
-def test_the_scout_is_as_the_vendor_describes_it():
+def test_scout_matches_the_vendor_manual():
     scout = empty_world().robots[0].model
     assert [sonar.id for sonar in scout.sonars] == list(range(16))
     for sonar in scout.sonars:
@@ -116,7 +116,7 @@ def test_the_scout_is_as_the_vendor_describes_it():
     assert pytest.approx(math.pi * scout.drive.wheel_base_m, rel=1e-4) == 0.118597 * 0.0254 * 360
 
 
-def test_a_robot_definition_beside_the_world_is_found(tmp_path):
+def test_definition_path_is_relative_to_the_world(tmp_path):
     text = (
         (SIM / "files" / "robots" / "scout.xml").read_text().replace('name="scout"', 'name="own"')
     )
@@ -126,7 +126,7 @@ def test_a_robot_definition_beside_the_world_is_found(tmp_path):
     assert load_world(path).robots[0].model.name == "own"
 
 
-def test_a_sensor_in_the_words_of_the_report_is_read(tmp_path):
+def test_sensor_element_of_the_report_is_read(tmp_path):
     """The report's example: directions are in radians when they have no unit."""
     sensor = """<sensor><id>2</id><type>sonar</type><position>
       <x-relative>3.2</x-relative><y-relative>0</y-relative><z-relative>0</z-relative>
@@ -143,7 +143,7 @@ def test_a_sensor_in_the_words_of_the_report_is_read(tmp_path):
     assert math.degrees(sonar.direction_rad) == pytest.approx(270)
 
 
-def test_every_name_of_a_robot_can_be_loaded():
+def test_every_built_in_definition_can_be_loaded():
     assert "scout" in known_robots()
     for name in known_robots():
         assert load_robot(SIM / "files" / "robots" / f"{name}.xml").name == name
@@ -377,12 +377,12 @@ BROKEN |= {
 
 
 @pytest.mark.parametrize("name", BROKEN)
-def test_a_broken_world_is_refused_with_its_line(name):
+def test_invalid_world_is_rejected_with_the_line(name):
     rows, expected = BROKEN[name]
     assert expected in messages_of(lines(*rows))
 
 
-def test_a_broken_world_shows_the_line_and_a_hint():
+def test_invalid_world_shows_the_line_and_a_hint():
     with pytest.raises(WorldError) as caught:
         parse_world(lines(AREA, '  <robt x="1"/>'), "w.xml")
     assert str(caught.value).splitlines()[1:] == [
@@ -391,7 +391,7 @@ def test_a_broken_world_shows_the_line_and_a_hint():
     ]
 
 
-def test_all_mistakes_are_told_at_once():
+def test_all_errors_are_reported_at_once():
     found = messages_of(
         lines(
             AREA,
@@ -414,7 +414,7 @@ def test_all_mistakes_are_told_at_once():
     ]
 
 
-def test_things_that_only_touch_are_let_be():
+def test_touching_objects_are_allowed():
     """Two crates and a barrel side by side at a wall, and another crate in the dent of an L."""
     world = parse_world(
         lines(
@@ -431,7 +431,7 @@ def test_things_that_only_touch_are_let_be():
     assert len(world.boxes) == 3
 
 
-def test_a_sensor_outside_of_the_body_is_told(tmp_path):
+def test_sensor_outside_of_the_body_is_rejected(tmp_path):
     scout = (SIM / "files" / "robots" / "scout.xml").read_text()
     (tmp_path / "r.xml").write_text(scout.replace('radius="', 'radius="0.0', 1))
     with pytest.raises(WorldError) as caught:
@@ -439,7 +439,7 @@ def test_a_sensor_outside_of_the_body_is_told(tmp_path):
     assert "sensor 0 is outside of the body" in str(caught.value)
 
 
-def test_robots_that_only_touch_are_let_be():
+def test_touching_robots_are_allowed():
     scout_m = 0.2032
     world = parse_world(
         lines(AREA, f'<robot x="{scout_m}" y="1"/>', f'<robot x="{3 * scout_m}" y="1"/>'), "w"
@@ -447,14 +447,14 @@ def test_robots_that_only_touch_are_let_be():
     assert len(world.robots) == 2
 
 
-def test_thousands_of_mistakes_are_cut_short():
+def test_number_of_reported_errors_is_limited():
     found = messages_of(lines(AREA, *['<robot x="far" y="1"/>'] * 5000))
     assert len(found) == 101
     assert found[-1] == "w.xml: error: too many errors; the rest is not shown"
 
 
 @pytest.mark.slow
-def test_thousands_of_robots_on_one_spot_are_cut_short():
+def test_number_of_reported_overlaps_is_limited():
     found = messages_of(lines(AREA, *['<robot x="1" y="1"/>'] * 5000))
     assert len(found) == 101
     assert found[-1] == "w.xml: error: too many errors; the rest is not shown"
@@ -506,7 +506,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_a_hostile_file_is_refused_in_one_clear_message(name):
+def test_hostile_file_is_rejected_with_one_message(name):
     text, expected = HOSTILE[name]
     (message,) = messages_of(text)
     assert expected in message
@@ -524,11 +524,11 @@ def test_a_hostile_file_is_refused_in_one_clear_message(name):
         ("<wall y='1' y='2'/>", "w.xml:3:18: error: not well-formed XML: Attribute y redefined"),
     ],
 )
-def test_a_syntax_message_says_its_position_once(row, expected):
+def test_syntax_error_has_its_position_once(row, expected):
     assert messages_of(lines(AREA, row)) == [expected]
 
 
-def test_a_syntax_message_keeps_the_position_of_another_line():
+def test_syntax_error_keeps_the_position_of_another_line():
     (message,) = messages_of(lines(AREA, "<wall>", "</box>"))
     assert message.endswith(
         "w.xml:4:7: error: not well-formed XML: Opening and ending tag mismatch: "
@@ -536,7 +536,7 @@ def test_a_syntax_message_keeps_the_position_of_another_line():
     )
 
 
-def test_what_is_no_readable_file_is_refused(tmp_path):
+def test_unreadable_file_is_rejected(tmp_path):
     large = tmp_path / "large.xml"
     with large.open("wb") as file:
         file.truncate(MAX_BYTES + 1)
@@ -552,14 +552,14 @@ def test_what_is_no_readable_file_is_refused(tmp_path):
             load_world(path)
 
 
-def test_a_missing_program_is_told(tmp_path):
+def test_missing_program_is_rejected(tmp_path):
     path = tmp_path / "w.xml"
     path.write_bytes(lines(AREA, f'<robot x="1" y="1" program="{"x" * 5000}.c"/>'))
     with pytest.raises(WorldError, match="no such file"):
         load_world(path)
 
 
-def test_a_robot_definition_behind_a_link_is_refused(tmp_path):
+def test_linked_robot_definition_is_rejected(tmp_path):
     (tmp_path / "own.xml").symlink_to(SIM / "files" / "robots" / "scout.xml")
     path = tmp_path / "w.xml"
     path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
@@ -567,7 +567,7 @@ def test_a_robot_definition_behind_a_link_is_refused(tmp_path):
         load_world(path)
 
 
-def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
+def test_errors_in_a_robot_definition_name_its_file(tmp_path):
     text = (SIM / "files" / "robots" / "scout.xml").read_text()
     bad = text.replace('radius="8in"', 'radius="8"').replace('radius="8"', 'radius="-8in"')
     bad = bad.replace("<id>3</id>", "<id>2</id>").replace('name="VM"', 'name="FLY"')
@@ -589,7 +589,7 @@ def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["length", "angle", "mass", "time"])
-def test_the_schema_and_the_reader_know_the_same_units(kind):
+def test_schema_and_reader_have_the_same_units(kind):
     from crs_cc.core import quantity
 
     table = {"length": quantity.LENGTH, "angle": quantity.ANGLE, "mass": quantity.MASS,
@@ -603,7 +603,7 @@ def test_the_schema_and_the_reader_know_the_same_units(kind):
     assert units == [name for name, _ in table[kind].units]
 
 
-def test_a_program_outside_the_worlds_folder_is_refused(tmp_path: Path) -> None:
+def test_program_outside_the_world_folder_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "outside.c").write_text("int main(void) { return 0; }")
     folder = tmp_path / "worlds"
     folder.mkdir()
@@ -620,7 +620,7 @@ def test_a_program_outside_the_worlds_folder_is_refused(tmp_path: Path) -> None:
 # -- setups ------------------------------------------------------------------------------------
 
 
-def test_a_setup_changes_what_its_elements_name_and_nothing_else():
+def test_setup_changes_only_its_own_attributes():
     ideal, noisy = empty_world().robots[0].model, empty_world("noisy").robots[0].model
     assert ideal.sonar_board.noise_m == 0
     assert noisy.sonar_board.noise_m > 0
@@ -628,7 +628,7 @@ def test_a_setup_changes_what_its_elements_name_and_nothing_else():
     assert empty_world("ideal") == empty_world()
 
 
-def test_each_robot_of_a_world_can_have_its_setup():
+def test_each_robot_can_have_its_own_setup():
     text = b"""<world version="1"><area length="9" width="9"/>
       <robot x="1" y="1"/><robot x="3" y="3" setup="noisy"/></world>"""
     quiet, noisy = (robot.model.sonar_board.noise_m for robot in parse_world(text, "w").robots)
@@ -640,7 +640,7 @@ def test_each_robot_of_a_world_can_have_its_setup():
 
 
 @pytest.mark.parametrize("robot", known_robots())
-def test_every_setup_that_comes_with_crs_can_be_used(robot):
+def test_every_built_in_setup_can_be_loaded(robot):
     path = SIM / "files" / "robots" / f"{robot}.xml"
     for setup in re.findall(r'<setup name="([^"]*)"', path.read_text()):
         assert load_robot(path, setup).name == robot
@@ -661,7 +661,7 @@ def test_every_setup_that_comes_with_crs_can_be_used(robot):
         ('blind="much"', "not a length"),
     ],
 )
-def test_a_sonar_board_that_makes_no_sense_is_refused(tmp_path, attribute, complaint):
+def test_invalid_sonar_board_is_rejected(tmp_path, attribute, complaint):
     setup = f'<setup name="odd"><sonars {attribute}/></setup>'
     with pytest.raises(WorldError, match=complaint):
         load_robot(definition(tmp_path, setup), "odd")
@@ -674,7 +674,7 @@ def definition(tmp_path, setup):
     return path
 
 
-def test_every_misspelt_name_is_told_with_the_one_that_was_meant():
+def test_every_misspelt_name_has_a_suggestion():
     rows = [
         AREA,
         '<robot x="1" y="1" haeding="90"/>',
@@ -715,7 +715,7 @@ STEERING = TURRET.replace("turret", "steering")
         ('wheel-base="1ft" ws-timeout-zero="later">', "later"),
     ],
 )
-def test_a_drive_that_makes_no_sense_is_refused(tmp_path, drive, complaint):
+def test_invalid_drive_is_rejected(tmp_path, drive, complaint):
     limits = 'speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s" acceleration="1m/s2" '
     (tmp_path / "own.xml").write_text(
         '<robot-definition version="1" name="own"><body radius="8in" mass="1kg"/>'
@@ -735,6 +735,6 @@ def test_a_drive_that_makes_no_sense_is_refused(tmp_path, drive, complaint):
         ('<setup name="odd"><setup name="noisy"/></setup>', "odd", "changes <setup>"),
     ],
 )
-def test_a_setup_that_makes_no_sense_is_refused(tmp_path, setup, name, complaint):
+def test_invalid_setup_is_rejected(tmp_path, setup, name, complaint):
     with pytest.raises(WorldError, match=complaint):
         load_robot(definition(tmp_path, setup), name)

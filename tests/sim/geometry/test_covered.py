@@ -57,16 +57,16 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
 @pytest.mark.parametrize("deep_m", [0.0, 1e-12, HAIR_M, 0.005])
 @pytest.mark.parametrize("heading", [0, 90])
 @pytest.mark.parametrize("name", THINGS)
-def test_a_transducer_a_hair_inside_does_not_read_the_far_side(name, heading, deep_m):
+def test_transducer_slightly_inside_does_not_read_the_far_side(name, heading, deep_m):
     assert sonars_at(deep_m, THINGS[name], heading)[0] == 0
 
 
 @pytest.mark.parametrize("name", THINGS)
-def test_a_transducer_just_outside_measures_as_before(name):
+def test_transducer_just_outside_is_not_masked(name):
     assert sonars_at(-0.0254, THINGS[name])[0] == 1
 
 
-def test_only_the_transducers_that_lie_inside_read_0():
+def test_only_transducers_inside_read_0():
     readings = sonars_at(HAIR_M, THINGS["wall"])
     # Sonar 1 sits 0.61 in behind the front of the shell; its cone begins at 12.5 degrees.
     gap_in = 8 * (1 - math.cos(math.radians(22.5))) - HAIR_M / 0.0254
@@ -102,7 +102,7 @@ def drive_into(things: str, time_s: float, heading: int = 0) -> list[tuple[int, 
 
 
 @pytest.mark.parametrize("name", OBSTACLES)
-def test_a_robot_driven_into_a_thing_reads_less_and_less_and_then_keeps_0(name):
+def test_readings_fall_to_0_in_a_collision_and_stay_there(name):
     turned = "turned" in name
     heading = round(math.degrees(math.atan2(0.8, 3))) if turned else 0
     told = drive_into(OBSTACLES[name], 16 if name == "edge wall" else 6, heading)
@@ -115,7 +115,7 @@ def test_a_robot_driven_into_a_thing_reads_less_and_less_and_then_keeps_0(name):
 
 
 @pytest.mark.slow
-def test_a_robot_that_pushes_a_box_reads_0_all_the_way():
+def test_robot_pushing_a_box_reads_0():
     box = '<box x="2m" y="1.5m" length="30cm" width="60cm" mass="3kg"/>'
     told = drive_into(box, 14)
     first = next(number for number, (_, bumper) in enumerate(told) if bumper)
@@ -164,7 +164,7 @@ def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("few", [0, 10**9])
-def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkeypatch):
+def test_vectorised_contact_mask_matches_pairwise_computation(few, monkeypatch):
     monkeypatch.setattr("crs_cc.sim.geometry.cell_list._FEW_PAIRS", few)
     world, poses = crowd()
     scene = Scene(world)

@@ -150,7 +150,7 @@ class Watcher:
 
 
 @pytest.mark.parametrize("first", range(0, 60, 10))
-def test_a_robot_in_a_world_of_round_numbers_reads_what_it_reads_a_hair_aside(first):
+def test_readings_at_round_numbers_match_those_slightly_aside(first):
     aside = [HAIR * np.exp(1j * (0.1 + math.pi / 4 * part)) for part in range(8)]
     for world in filter(None, map(round_world, range(first, first + 10))):
         watcher, start = Watcher(world), world.robots[0].start

@@ -27,7 +27,7 @@ def looked(world, fan):
     return distance_m, thing, scene
 
 
-def test_beams_name_the_nearest_thing_of_each_kind():
+def test_beams_name_the_nearest_object():
     """The robot is R, which looks ahead, to the left, back, to the right, and past the pole.
 
                  crate
@@ -51,7 +51,7 @@ def test_beams_name_the_nearest_thing_of_each_kind():
     assert distance_m[0, :3] == pytest.approx([1.9, 1.75, 3 - 8 * 0.0254])
 
 
-def test_a_beam_that_starts_in_a_thing_hits_that():
+def test_beam_that_starts_inside_an_object_hits_it():
     """The sensor is 21 cm ahead of the robot's middle, and half a cm deep in the box."""
     world = open_world(
         '<robot x="0" y="0"/><cylinder x="-1m" y="0" radius="0.1m"/>'
@@ -62,7 +62,7 @@ def test_a_beam_that_starts_in_a_thing_hits_that():
 
 
 @pytest.mark.parametrize("robots", [3, 150])
-def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
+def test_hit_point_is_on_the_named_object(robots):
     """A few robots, of which all shapes are tried; and many, for which they are chosen first."""
     world = crowd(robots, seed=robots)
     beams = [(0.1, 0.0, math.tau / 40 * number, 0.0, 4.0) for number in range(40)]
@@ -83,7 +83,7 @@ def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
     assert np.abs(off_m).max() < 1e-7
 
 
-def test_beams_see_where_things_are_however_long_they_stood_there():
+def test_beams_see_objects_at_their_current_poses():
     """A robot looks at a crate, which is there for two cycles, then farther off, back, turned."""
     world = open_world(
         '<robot x="0" y="0"/><box x="2m" y="0" length="1m" width="1m" mass="5kg"/>'

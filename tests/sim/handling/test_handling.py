@@ -53,7 +53,7 @@ def churn(driver, seed, cycles) -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_requests_at_random_do_no_harm_and_happen_again_to_the_bit(tmp_path, seed):
+def test_random_requests_are_safe_and_replay_to_the_same_bits(tmp_path, seed):
     driver = gripping(tmp_path, THINGS, AREA, *DEVICES)
     for robot in range(3):
         driver.post("GRIPPER", 1, robot=robot)

@@ -23,7 +23,7 @@ def lost(channel: str) -> np.ndarray:
     return flags
 
 
-def test_the_share_that_is_lost_is_that_of_the_channel_and_losses_are_independent():
+def test_loss_rate_matches_the_channel_and_losses_are_independent():
     """4,000 messages, loss 0.2: standard error of the share 0.0063; of a correlation 0.016."""
     flags = lost('loss="0.2"')
     assert flags.mean() == pytest.approx(0.2, abs=0.02)
@@ -31,7 +31,7 @@ def test_the_share_that_is_lost_is_that_of_the_channel_and_losses_are_independen
     assert abs(np.corrcoef(flags[1:].ravel(), flags[:-1].ravel())[0, 1]) < 0.05
 
 
-def test_bursts_have_the_length_and_the_share_of_gilbert_and_elliott():
+def test_bursts_follow_the_gilbert_elliott_model():
     """With p = 0.05 and r = 0.25: bursts of 4 messages, a share of 1/6; about 167 bursts."""
     flags = lost('burst-begin="0.05" burst-end="0.25"')
     begins = flags[:, 1:] & ~flags[:, :-1]
@@ -40,14 +40,14 @@ def test_bursts_have_the_length_and_the_share_of_gilbert_and_elliott():
     assert flags.mean() == pytest.approx(1 / 6, abs=0.04)
 
 
-def test_in_a_burst_and_outside_of_it_shares_are_lost():
+def test_loss_rates_inside_and_outside_of_bursts_combine():
     """Share 1/2 in bursts that lose 0.6, else 0.1 is lost: 0.35 in all."""
     flags = lost('loss="0.1" burst-begin="0.2" burst-end="0.2" burst-loss="0.6"')
     assert flags.mean() == pytest.approx(0.35, abs=0.04)
 
 
 @pytest.mark.parametrize(("begin", "end"), [(0.1, 0.2), (0.7, 0.8), (1.0, 1.0), (0.0, 0.5)])
-def test_all_steps_at_once_lead_where_one_after_the_other_leads(begin, end):
+def test_burst_chain_in_one_step_matches_single_steps(begin, end):
     rng = np.random.default_rng(3)
     chain, chance = np.sort(rng.integers(0, 7, 300)), rng.random(300)
     bad = rng.random(7) < 0.5
@@ -60,7 +60,7 @@ def test_all_steps_at_once_lead_where_one_after_the_other_leads(begin, end):
     assert bad.tolist() == state.tolist()
 
 
-def test_each_receiver_has_bursts_of_its_own():
+def test_bursts_are_independent_per_receiver():
     """Share 1/2, bursts of 5 messages: what receivers lose together is what chance lets them."""
     flags = lost('burst-begin="0.2" burst-end="0.2"')
     assert flags.mean() == pytest.approx(0.5, abs=0.05)
@@ -68,7 +68,7 @@ def test_each_receiver_has_bursts_of_its_own():
     assert abs(together.mean()) < 0.05
 
 
-def test_the_share_of_bytes_that_arrive_as_others_is_that_of_the_channel():
+def test_corruption_rate_matches_the_channel():
     """50 messages of 200 bytes, corruption 0.02: 200 bytes of 10,000, deviation 14."""
     talk = talking(channel='corruption="0.02"')
     changed, wholes = [], 0
@@ -86,7 +86,7 @@ def test_the_share_of_bytes_that_arrive_as_others_is_that_of_the_channel():
     assert len(talk.fates(Fate.CORRUPTED)) == 50 - wholes
 
 
-def test_what_one_receiver_gets_corrupted_another_gets_whole():
+def test_corruption_is_independent_per_receiver():
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
     talk = talking(things, 'corruption="0.01"')
     for _ in range(100):
@@ -100,7 +100,7 @@ def test_what_one_receiver_gets_corrupted_another_gets_whole():
     assert numbers[0] != numbers[1]
 
 
-def test_what_becomes_of_a_message_depends_on_no_other():
+def test_fate_of_a_message_depends_on_no_other_message():
     """Robot b hears the same of a, whether c talks or not, and on which seed."""
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
 
@@ -118,7 +118,7 @@ def test_what_becomes_of_a_message_depends_on_no_other():
     assert heard(False, 1) != heard(False, 2)
 
 
-def test_chances_are_uniform_and_follow_from_their_names():
+def test_keyed_random_numbers_are_uniform_and_reproducible():
     """10,000 numbers: the mean has a standard error of 0.003."""
     chances = Chances(5, 1)
     numbers = chances.draw(np.repeat(np.arange(100), 100), np.tile(np.arange(100), 100))
