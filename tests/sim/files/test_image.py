@@ -1,4 +1,4 @@
-"""Pictures as grey values, and files that are no pictures."""
+"""Images as grey levels, and invalid image files."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def chunk(kind: bytes, data: bytes) -> bytes:
 
 
 def bomb(width: int, height: int, content: bytes) -> bytes:
-    """Gives a PNG whose head tells of any size."""
+    """Return a PNG file with any size in its header."""
     head = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
     parts = chunk(b"IHDR", head), chunk(b"IDAT", zlib.compress(content)), chunk(b"IEND", b"")
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)

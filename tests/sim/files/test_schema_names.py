@@ -1,4 +1,4 @@
-"""Names are compared with what the schemas declare, however they declare it."""
+"""Unknown names in documents, for all forms of declarations in the schemas."""
 
 from __future__ import annotations
 

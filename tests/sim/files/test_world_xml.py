@@ -1,4 +1,4 @@
-"""World files: what is read, and what is refused with which words and where."""
+"""World files: models that are read, and errors with their messages and locations."""
 
 import math
 import pickle
@@ -34,7 +34,7 @@ THINGS = SCHEMA.xpath(
 
 
 def lines(*rows: str, version: str = 'version="1"') -> bytes:
-    """Gives a world whose rows stand in lines 2, 3, ..."""
+    """Return a world with the rows in lines 2, 3, ..."""
     return "\n".join([f"<world {version}>", *rows, "</world>"]).encode()
 
 
@@ -127,7 +127,7 @@ def test_definition_path_is_relative_to_the_world(tmp_path):
 
 
 def test_sensor_element_of_the_report_is_read(tmp_path):
-    """The report's example: directions are in radians when they have no unit."""
+    """The report's example: directions without a unit are in radians."""
     sensor = """<sensor><id>2</id><type>sonar</type><position>
       <x-relative>3.2</x-relative><y-relative>0</y-relative><z-relative>0</z-relative>
       <range>6</range><radius>0.1</radius><dir-relative>4.712388980</dir-relative>
@@ -415,7 +415,7 @@ def test_all_errors_are_reported_at_once():
 
 
 def test_touching_objects_are_allowed():
-    """Two crates and a barrel side by side at a wall, and another crate in the dent of an L."""
+    """Two crates and a barrel side by side at a wall, and another crate in the corner of an L."""
     world = parse_world(
         lines(
             AREA,

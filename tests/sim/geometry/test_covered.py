@@ -1,4 +1,4 @@
-"""A sonar that touches or overlaps a thing reads 0, not how far away the thing's far side is."""
+"""A sonar that touches or overlaps an object reads 0, not the distance of the far side."""
 
 import math
 
@@ -39,9 +39,9 @@ THINGS = {  # all have their near side at x = 2 m
 
 
 def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) -> list[int]:
-    """Gives the readings of a Scout whose shell reaches x = 2 m and `deep_m` more.
+    """Return the readings of a Scout whose shell reaches x = 2 m and `deep_m` more.
 
-    The readings are as if it headed along x: the first is of the sonar that points there.
+    The first reading is that of the sonar that points along x.
     """
     world = open_world(f'<robot x="0" y="0"/>{things}')
     state = Environment(world, 1).state
@@ -89,7 +89,7 @@ OBSTACLES = {
 
 
 def drive_into(things: str, time_s: float, heading: int = 0) -> list[tuple[int, int]]:
-    """Gives the front sonar and the bumpers at each cycle of a drive straight ahead."""
+    """Return the front sonar and the bumpers in each cycle of a drive straight ahead."""
     driver = Driver.of(world_of(f'{things}<robot x="1m" y="1.5m" heading="{heading}"/>', ROOM))
     driver.ask("CONF_SN", 0, data=bytes([0]))
     driver.ask("VM", 100, 100)
@@ -124,7 +124,7 @@ def test_robot_pushing_a_box_reads_0():
 
 
 def crowd() -> tuple[WorldModel, np.ndarray]:
-    """Gives many things, half of them pushable, and places of robots among them."""
+    """Return many objects, half of them movable, and positions of robots among them."""
     rng = np.random.default_rng(5)
     boxes = tuple(
         Box(f"b{n}", Pose(*rng.uniform(0, 20, 2), rng.uniform(0, 7)), *rng.uniform(0.02, 2, 2),
@@ -141,13 +141,13 @@ def crowd() -> tuple[WorldModel, np.ndarray]:
 
 
 def star(rng: np.random.Generator) -> np.ndarray:
-    """Gives the corners of a polygon with dents around the origin."""
+    """Return the corners of a concave polygon around the origin."""
     angles = np.arange(9) * math.tau / 9
     return rng.uniform(0.3, 1.5, (9, 1)) * np.column_stack([np.cos(angles), np.sin(angles)])
 
 
 def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
-    """Tells whether a place is in a thing, or in a wall without its round ends."""
+    """Return whether a point is in an object, or in a wall without its round ends."""
     if isinstance(solid, Polygon):
         return bool(distance_from_m(solid, np.array(x), np.array(y)) <= 0)
     if isinstance(solid, Box):

@@ -1,4 +1,4 @@
-"""What a single ping comes back from: by hand, and the same as beams of a whole ring measure."""
+"""Echoes of single pings, worked out by hand and compared with those of a whole ring."""
 
 import math
 import tracemalloc
@@ -36,13 +36,13 @@ def obstacles_of(*things) -> Obstacles:
 
 
 def hear(*things, half=TEN_DEG, lobe=0.0, critical=ANY_ANGLE, toward=0.0, voices=None) -> float:
-    """Gives the distance that a transducer at the origin measures among things."""
+    """Return the distance that a transducer at the origin measures."""
     ping = Pings.of([(0j, 0j, toward)], half, RANGE_M, lobe, critical)
     return float(first_echo(ping, obstacles_of(*things), voices)[0])
 
 
 def wall_at(distance, turned_deg, length=60.0):
-    """Gives a thin wall whose foot is at a distance, its normal turned off the axis."""
+    """Return a thin wall with its foot at a distance and its normal turned off the axis."""
     turn = math.radians(turned_deg)
     x, y = distance * math.cos(turn), distance * math.sin(turn)
     along_x, along_y = -math.sin(turn) * length / 2, math.cos(turn) * length / 2
@@ -234,7 +234,7 @@ def test_single_pings_match_whole_rings(robots):
 
 
 def pings_of(poses, lobe=0.0, critical=ANY_ANGLE) -> Pings:
-    """Gives a ring of pings of each robot."""
+    """Return a ring of pings for each robot."""
     turn = np.repeat(np.exp(1j * poses[:, 2]), len(RING))
     place = np.repeat(poses[:, 0] + 1j * poses[:, 1], len(RING))
     offset = np.tile([x + 1j * y for x, y, _, _, _ in RING], len(poses))

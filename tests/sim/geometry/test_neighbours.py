@@ -1,4 +1,4 @@
-"""Finding what is near: nothing may be missed, wherever the points lie."""
+"""Neighbour search: no near point may be missed, for any distribution of points."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The grid of what does not move."""
+"""The grid of fixed outlines."""
 
 import tracemalloc
 

@@ -1,4 +1,4 @@
-"""Polygons: what is one, and its triangles."""
+"""Polygons: validity and triangulation."""
 
 import math
 
@@ -17,7 +17,7 @@ SQUARE = np.array([(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0)])
 
 @st.composite
 def stars(draw):
-    """Corners of a polygon around the origin, with dents and with corners on straight sides."""
+    """Draw a concave polygon around the origin, in some cases with collinear corners."""
     radii = draw(st.lists(st.floats(0.2, 5), min_size=3, max_size=30))
     angles = np.arange(len(radii)) * math.tau / len(radii)
     star = np.array(radii)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])

@@ -17,7 +17,7 @@ TEN_DEG = math.radians(10)
 
 
 def measure(*things, beams=((0.0, 0.0, 0.0, TEN_DEG, 8.0),), pose=(0.0, 0.0, 0.0)):
-    """Gives what beams measure from a pose among things."""
+    """Return the distances that beams measure from a pose."""
     world = WorldModel(
         "w",
         Area(-50, -50, 100, 100, 0),
@@ -134,7 +134,7 @@ RING = [
 
 
 def crowd(robots: int, seed: int) -> WorldModel:
-    """Gives a crowded world in which no robot stands in anything."""
+    """Return a crowded world without initial overlaps."""
     rng = np.random.default_rng(seed)
     size_m = 2.5 * math.sqrt(robots)
     model = RobotModel("m", 0.2, Drive(0.3))

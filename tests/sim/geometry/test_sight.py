@@ -1,4 +1,4 @@
-"""How many things lie between two places, against every pair tried by hand."""
+"""Objects between two points, compared with testing every pair."""
 
 import numpy as np
 import pytest
@@ -53,7 +53,7 @@ def test_long_line_counts_each_object_once():
 
 
 def test_vectorised_lines_match_single_lines():
-    """Random lines among random things, fixed and to be pushed, against sampled points."""
+    """Random lines among random fixed and movable objects, compared with sampled points."""
     rng = np.random.default_rng(2)
     things = []
     for n in range(40):
@@ -81,7 +81,7 @@ def test_vectorised_lines_match_single_lines():
 
 
 def _inside(solid, points):
-    """Tells which points lie in a thing."""
+    """Return which points are in an object."""
     if isinstance(solid, Cylinder):
         return np.abs(points - complex(solid.pose.x_m, solid.pose.y_m)) < solid.radius_m
     if isinstance(solid, Wall):

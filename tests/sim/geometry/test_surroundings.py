@@ -1,4 +1,4 @@
-"""Which thing a beam hits: by hand, and by where the place that it hits lies."""
+"""The object that a beam hits: by hand, and by the position of the hit point."""
 
 import math
 
@@ -16,7 +16,7 @@ from tests.sim.geometry.test_rays import crowd
 
 
 def looked(world, fan):
-    """Gives the distances that all robots see along their beams, and the names of what they see."""
+    """Return the distances along all robots' beams, and the names of the objects hit."""
     scene, state = Scene(world), EnvState.at_start(world)
     count = len(world.robots)
     around = Surroundings(scene, [fan])
@@ -28,7 +28,7 @@ def looked(world, fan):
 
 
 def test_beams_name_the_nearest_object():
-    """The robot is R, which looks ahead, to the left, back, to the right, and past the pole.
+    """The robot R has beams ahead, to the left, back, to the right, and past the pole.
 
                  crate
                    |
@@ -52,7 +52,7 @@ def test_beams_name_the_nearest_object():
 
 
 def test_beam_that_starts_inside_an_object_hits_it():
-    """The sensor is 21 cm ahead of the robot's middle, and half a cm deep in the box."""
+    """The sensor is 21 cm ahead of the robot's centre, and half a cm deep in the box."""
     world = open_world(
         '<robot x="0" y="0"/><cylinder x="-1m" y="0" radius="0.1m"/>'
         '<box id="box" x="0.705m" y="0" length="1m" width="1m"/>'
@@ -63,7 +63,7 @@ def test_beam_that_starts_inside_an_object_hits_it():
 
 @pytest.mark.parametrize("robots", [3, 150])
 def test_hit_point_is_on_the_named_object(robots):
-    """A few robots, of which all shapes are tried; and many, for which they are chosen first."""
+    """A few robots, for which all shapes are tested; and many, for which they are filtered."""
     world = crowd(robots, seed=robots)
     beams = [(0.1, 0.0, math.tau / 40 * number, 0.0, 4.0) for number in range(40)]
     distance_m, thing, scene = looked(world, Fan.of(beams))
@@ -84,7 +84,7 @@ def test_hit_point_is_on_the_named_object(robots):
 
 
 def test_beams_see_objects_at_their_current_poses():
-    """A robot looks at a crate, which is there for two cycles, then farther off, back, turned."""
+    """A robot measures a crate, which stays for two cycles, then moves away, back, and turns."""
     world = open_world(
         '<robot x="0" y="0"/><box x="2m" y="0" length="1m" width="1m" mass="5kg"/>'
         '<cylinder x="0" y="9m" radius="0.1m" mass="5kg"/>'

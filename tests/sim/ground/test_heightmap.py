@@ -1,4 +1,4 @@
-"""Ground from a picture: heights and slopes between its pixels, cliffs, and what beams meet.
+"""Ground from an image: heights and slopes between its pixels, cliffs, and beams.
 
 row of pixels, 1 m each:    0  .25  .5  .75  1   1   1   0      rises by 0.25 from 0.5 to 4.5 m,
 and drops between 6.5 and 7.5 m
@@ -27,7 +27,7 @@ RISE = 0.25
 def write(
     folder, picture: np.ndarray, rest: str = "", height: str = "1m", robot: str = 'x="2" y="2"'
 ):
-    """Writes a world of 8 by 4 m with a picture of 1 m pixels, and gives its path."""
+    """Write a world of 8 by 4 m with an image of 1 m pixels, and return its path."""
     Image.fromarray(picture.astype(np.uint8)).save(folder / "ground.png")
     path = folder / "w.xml"
     path.write_text(
@@ -95,7 +95,7 @@ def test_cliff_blocks_only_from_below(tmp_path):
 
 
 def test_beam_hits_the_first_pixel_above_it(tmp_path):
-    """0.4 m: the pixel of 0.5 m begins at 2 m; from above nothing is met but the edge."""
+    """0.4 m: the pixel of 0.5 m begins at 2 m; a beam from above hits only the edge."""
     world = hill(tmp_path)
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 9.0)], 0.4)
     around, state = Surroundings(Scene(world), [fan]), Driver.of(world).state

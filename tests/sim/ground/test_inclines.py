@@ -1,4 +1,4 @@
-"""Slopes: what they do to robots and to things, against mechanics worked by hand.
+"""Slopes: motion of robots and objects, compared with mechanics worked out by hand.
 
 Most worlds here are one wide ramp that rises along x by `slope` with each metre:
 
@@ -26,7 +26,7 @@ def ramp(slope: float, things: str = '<robot x="0" y="0"/>', timestep: str = "10
 
 
 def slide(driver: Driver, time_s: float) -> list[float]:
-    """Gives how far all bodies get down the slope, as seen from above [m]."""
+    """Return the horizontal displacements of all bodies down the slope [m]."""
     before = driver.state.bodies.position_m.copy()
     driver.run_s(time_s)
     moved = before - driver.state.bodies.position_m
@@ -36,7 +36,7 @@ def slide(driver: Driver, time_s: float) -> list[float]:
 
 @pytest.mark.parametrize("heading", [0, 180])
 def test_limp_robot_accelerates_downhill_by_gravity(heading):
-    """It is g sin a - r cos a along the ground, where r is its rolling friction over its mass."""
+    """The acceleration along the ground is g sin a - r cos a, with r = rolling friction / mass."""
     driver, a = ramp(0.2, f'<robot x="0" y="0" heading="{heading}"/>'), math.atan(0.2)
     driver.ask("LP")
     went_m = slide(driver, 2.0)[0] / math.cos(a)
@@ -47,7 +47,7 @@ def test_limp_robot_accelerates_downhill_by_gravity(heading):
 
 
 def test_rolling_friction_holds_a_limp_robot_on_a_gentle_slope():
-    """That of rolling friction over weight, r / g = 0.0306."""
+    """The limit is rolling friction over weight, r / g = 0.0306."""
     for slope, rolls in [(0.030, False), (0.032, True)]:
         driver = ramp(slope)
         driver.ask("LP")
@@ -55,7 +55,7 @@ def test_rolling_friction_holds_a_limp_robot_on_a_gentle_slope():
 
 
 def test_limp_robot_rolling_uphill_stops_and_returns():
-    """It comes as far as v^2 / 2 (g sin a + r cos a) along the ground."""
+    """It reaches v^2 / 2 (g sin a + r cos a) along the ground."""
     driver, a = ramp(0.1), math.atan(0.1)
     driver.ask("VM", 197, 197)  # 0.5 m/s
     driver.run_s(2.0)
@@ -107,7 +107,7 @@ def test_motor_force_limits_the_slope_that_a_robot_climbs():
 
 @pytest.mark.parametrize("heading", [0, 37, 90])
 def test_traction_limits_the_slope_on_which_brakes_hold(heading):
-    """Up to tan a = grip / (m g) = 0.399, whichever way it stands."""
+    """Up to tan a = grip / (m g) = 0.399, for any heading."""
     steepest = GRIP_N / (MASS_KG * GRAVITY_MPS2)
     for slope, slips in [(steepest * 0.98, False), (steepest * 1.02, True)]:
         driver = ramp(slope, f'<robot x="0" y="0" heading="{heading}"/>')
@@ -130,7 +130,7 @@ def test_distance_on_a_slope_is_projected():
 
 
 def test_robot_driving_across_a_slope_does_not_slip():
-    """What it needs across, 77 N, is more than its motors have, but less than its grip."""
+    """The force across, 77 N, is more than that of its motors, but less than its traction."""
     driver = ramp(
         math.tan(math.asin(77 / (MASS_KG * GRAVITY_MPS2))), '<robot x="0" y="0" heading="90"/>'
     )
@@ -141,7 +141,7 @@ def test_robot_driving_across_a_slope_does_not_slip():
 
 
 def test_robots_far_from_slopes_move_as_in_a_flat_world():
-    """To the bit, whether others are on a slope or not."""
+    """Equal to the bit, whether others are on a slope or not."""
     robots = '<robot x="0" y="0"/><robot x="60m" y="0" heading="20"/>'
     surface = '<surface><ramp x="0" y="0" length="9m" width="9m" to="2m"/></surface>'
     done = []

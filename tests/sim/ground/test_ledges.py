@@ -1,4 +1,4 @@
-"""Ledges: plateaus and ramps that block what comes from below, and drop what comes from above.
+"""Ledges: plateaus and ramps that block bodies from below, and from which bodies fall.
 
 .................          A plateau of 0.3 m, x 2 to 4 m, y 2 to 4 m;
 .      ____      .         most robots come along y = 3 m.
@@ -98,7 +98,7 @@ def test_plateau_blocks_a_box_only_from_below():
 
 
 def test_box_slides_down_a_steep_ramp_and_stops_on_the_floor():
-    """From the height h of its middle it slides on for (h - mu x) / mu, x being the ramp's rest."""
+    """From the height h of its centre it slides on for (h - mu x) / mu, x being the ramp's rest."""
     surface = '<surface><ramp x="3" y="3" length="2" width="2" from="1.4m" to="0"/></surface>'
     box = '<box x="3" y="3" length="20cm" width="20cm" mass="2kg"/><robot x="9" y="9"/>'
     driver = Driver.of(world_of(surface + box))

@@ -1,7 +1,7 @@
-"""What sensors see at their heights: things that are low, plateaus, ramps, and the floor below.
+"""Height occlusion: low objects, plateaus, ramps, and the floor below.
 
-A Scout's sonars sit 11 in, 0.279 m, above the ground, and their cones open by 10 degrees to each
-side. Its laser here sits 0.30 m above the ground. Readings go from the shell, 8 in from the middle.
+A Scout's sonars are 11 in, 0.279 m, above the ground, and their cones open by 10 degrees to each
+side. Its laser here is 0.30 m above the ground. Readings are from the shell, 8 in from the centre.
 
     side view:      o->  .  .  .  .  .  .  .  .  .  .
                    ( )        ___        |
@@ -25,7 +25,7 @@ BIG = 'length="30m" width="10m"'
 
 
 def sees(things: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> float:
-    """Gives what a thin beam measures from y = 5 m."""
+    """Return the distance that a thin beam measures from y = 5 m."""
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 25.0)], z_m)
     world = world_of(things + '<robot x="29m" y="1m"/>', BIG)
     around = Surroundings(Scene(world), [fan])
@@ -35,7 +35,7 @@ def sees(things: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> f
 
 
 def sonar_m(things: str, number: int = 0) -> float:
-    """Gives what a sonar of a robot that stands in a world measures [m], infinite for no echo."""
+    """Return the distance that a sonar of a world's robot measures [m], infinite for no echo."""
     return float(Driver.of(world_of(things, BIG)).state.sonar.echo_m[0, number])
 
 
@@ -85,14 +85,14 @@ def test_beam_hits_a_ramp_where_their_heights_are_equal():
 
 
 def test_beam_tilts_with_the_robot_on_a_ramp():
-    """Up the ramp it stays over it; down the ramp it meets the floor, 0.8 / 0.25 m away."""
+    """Up the ramp it stays above it; down the ramp it hits the floor, 0.8 / 0.25 m away."""
     assert sees(RAMP.format("0") + WALL, 0.3, x_m=6.0) == pytest.approx(2.9)
     assert sees(RAMP.format("0"), 0.3, x_m=6.0, direction=180) == pytest.approx(0.8 / 0.25)
     assert sees(RAMP.format("0"), 0.3, x_m=6.0, direction=90) == pytest.approx(5.0)
 
 
 def test_sonar_cone_reaches_lower_objects_at_a_distance():
-    """The lower side of its cone is z - d tan 10 deg high, d from the robot's middle."""
+    """The lower side of its cone is z - d tan 10 deg high at a distance d from the centre."""
     box = '<robot x="1m" y="5m"/><box x="{}m" y="5m" length="20cm" width="2m" height="10cm"/>'
     # So tops at 10 cm are met from d = (z - 0.1) / tan 10 deg = 1.017 m on.
     assert sonar_m(box.format(1 + 1.0 + 0.1)) > 5.0

@@ -1,4 +1,4 @@
-"""The ground: what a world file says of it, and how high and how steep it is."""
+"""The ground: its elements in world files, its height and its gradient."""
 
 import math
 
@@ -65,7 +65,7 @@ def test_invalid_surface_is_rejected(surface, wrong):
 
 
 def test_ramp_rises_along_its_heading_and_ends_at_its_sides():
-    """A ramp that goes up along y, 2 m long, 1 m wide, to 0.5 m: x 3.5 to 4.5, y 1 to 3."""
+    """A ramp that rises along y, 2 m long, 1 m wide, to 0.5 m: x 3.5 to 4.5, y 1 to 3."""
     terrain = Terrain(Ground((Patch(4.0, 2.0, math.pi / 2, 2.0, 1.0, 0.0, 0.5),)))
     assert at(terrain, 4.0, 1.0)[0] == pytest.approx(0.0)
     assert at(terrain, 4.4, 2.5)[0] == pytest.approx(0.375)
@@ -76,7 +76,7 @@ def test_ramp_rises_along_its_heading_and_ends_at_its_sides():
 
 
 def test_highest_of_overlapping_patches_counts():
-    """A ramp from 0 to 1 m, x 0 to 4, and a plateau of 0.5 m over its middle, x 1 to 3."""
+    """A ramp from 0 to 1 m, x 0 to 4, and a plateau of 0.5 m over its centre, x 1 to 3."""
     terrain = Terrain(
         Ground((Patch(2, 0, 0, 4, 1, 0.0, 1.0), Patch(2.0, 0.0, 0.0, 2.0, 1.0, 0.5, 0.5)))
     )

@@ -1,4 +1,4 @@
-"""What is carried moves with its robot, gets into nothing, and replays to the bit."""
+"""Loads move with their robots, do not penetrate objects, and replay to the bit."""
 
 import math
 
@@ -16,7 +16,7 @@ FACING = '<robot x="-53cm" y="0"/><robot x="53cm" y="0" heading="180"/>'
 
 
 def holding(tmp_path, things, area=WIDE):
-    """Gives a world in which all robots have closed their grippers."""
+    """Return a world in which all robots have closed their grippers."""
     driver = gripping(tmp_path, things, area)
     for robot in range(len(driver.state.heading_rad)):
         driver.post("GRIPPER", CLOSE, robot=robot)
@@ -45,7 +45,7 @@ def test_load_does_not_change_the_robots_motion(tmp_path):
 
 
 def test_wall_that_stops_the_load_stops_the_robot(tmp_path):
-    """The can's front is 30 cm ahead of the robot's middle, the wall's face at 1 m."""
+    """The can's front is 30 cm ahead of the robot's centre, the wall's face at 1 m."""
     wall = '<wall x1="1.05m" y1="-1m" x2="1.05m" y2="1m" thickness="10cm"/>'
     driver = holding(tmp_path, '<robot x="0" y="0"/>' + CAN + wall)
     driver.post("VM", 150, 150)
@@ -147,7 +147,7 @@ def test_remaining_gripper_keeps_a_shared_load(tmp_path):
 
 
 def test_excessive_force_tears_a_shared_load_off(tmp_path):
-    """Both back away from each other, with more force than fingers of 5 N hold against."""
+    """Both move away from each other, with more force than the grippers' 5 N."""
     driver = gripping(tmp_path, FACING + BAR, WIDE, GRIPPER.replace("/>", ' force="5N"/>'))
     for robot in (0, 1):
         driver.post("GRIPPER", CLOSE, robot=robot)
@@ -195,13 +195,13 @@ def test_snapshot_while_carrying_replays_to_the_same_bits(tmp_path, things):
 
 
 def _turn(degrees: float) -> tuple[int, int]:
-    """Gives the arguments of PR that turn a Scout on the spot, to the left."""
+    """Return the arguments of PR that turn a Scout on the spot, to the left."""
     tenths = round(math.radians(degrees) * 0.345186 / 2 / 0.00254)
     return tenths, -tenths
 
 
 def _tip_y_m(driver, half_length_m, half_width_m):
-    """Gives how far up the corners of a rod reach."""
+    """Return the largest y of a rod's corners."""
     angle_rad = driver.state.bodies.angle_rad[-1]
     up_m = abs(math.sin(angle_rad)) * half_length_m + abs(math.cos(angle_rad)) * half_width_m
     return place(driver)[1] + up_m

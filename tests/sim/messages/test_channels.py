@@ -1,4 +1,4 @@
-"""Range, walls, delay, jitter, bandwidth and queues against values worked out by hand."""
+"""Range, walls, delay, jitter, bandwidth and queues, compared with values worked out by hand."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ AWAY = '<wall x1="1m" y1="0.1m" x2="1m" y2="2m"/>'
     [(WALL, Fate.BLOCKED), (BOX, Fate.BLOCKED), (ROUND, Fate.BLOCKED), (AWAY, Fate.DELIVERED)],
 )
 def test_channel_that_needs_line_of_sight_is_blocked_by_one_object(things, fate):
-    """The wall that is away ends 5 cm from the line, as it has a thickness of 10 cm.
+    """The wall that does not block ends 5 cm from the line, as it has a thickness of 10 cm.
 
     a . | . b
     """
@@ -42,7 +42,7 @@ def test_channel_that_needs_line_of_sight_is_blocked_by_one_object(things, fate)
 
 @pytest.mark.parametrize(("walls", "hears"), [(0, True), (1, True), (2, True), (3, False)])
 def test_each_object_between_reduces_the_range(walls, hears):
-    """Range 10 m, share 0.5, distance 2 m: two walls leave 2.5 m, three 1.25 m."""
+    """Range 10 m, factor 0.5, distance 2 m: two walls leave 2.5 m, three 1.25 m."""
     things = "".join(
         f'<wall x1="{x}cm" y1="-1m" x2="{x}cm" y2="1m" thickness="2cm"/>'
         for x in range(50, 50 + 30 * walls, 30)
@@ -81,7 +81,7 @@ def test_box_that_was_pushed_away_no_longer_blocks():
 
 
 def test_message_arrives_after_transmission_and_delay():
-    """28 bytes and a head of 12 at 400 B/s take 0.1 s, the delay 0.23 s: sent at 0.01, 0.34."""
+    """28 bytes and a header of 12 at 400 B/s take 0.1 s, the delay 0.23 s: sent at 0.01, 0.34."""
     talk = talking(channel='bandwidth="400B/s" delay="230ms"')
     talk.send(0, 1, at_s=0.01, size=28)
     talk.run(6)
@@ -160,9 +160,9 @@ def test_jitter_is_uniform_and_independent_per_receiver():
 
 
 def test_messages_of_one_sender_are_transmitted_in_sequence():
-    """40 bytes each, head and all, at 1000 B/s: 0.04 s each, so they arrive 0.04 s apart.
+    """40 bytes each with the header, at 1000 B/s: 0.04 s each, so they arrive 0.04 s apart.
 
-    The third begins at 0.10, with a cycle: it cannot arrive before that is over, at 0.15.
+    The third begins at 0.10, with a cycle: it cannot arrive before its end, at 0.15.
     """
     talk = talking(channel='bandwidth="1kB/s"')
     for kind in range(5):
@@ -185,7 +185,7 @@ def test_bandwidth_is_per_sender_and_channel():
 
 @pytest.mark.parametrize(("drop", "left"), [("newest", [0, 1, 2]), ("oldest", [0, 3, 4])])
 def test_full_queue_drops_the_oldest_or_the_newest(drop, left):
-    """Number 0 is being sent, two more wait, and two are too many."""
+    """Message 0 is in transmission, two more wait, and two exceed the queue."""
     talk = talking(channel=f'bandwidth="100B/s" queue="2" drop="{drop}"')
     taken = [talk.send(0, 1, kind=kind, at_s=0.01 * kind) for kind in range(5)]
     assert taken == ([True] * 3 + [False] * 2 if drop == "newest" else [True] * 5)
@@ -235,10 +235,10 @@ def test_robot_has_at_most_256_pending_messages():
 
 
 def test_broadcast_to_full_inboxes_is_recorded_once():
-    """12 robots flood each other: it was a record, and a line of sight, for every pair of them.
+    """12 robots flood each other, which once made a record and a line of sight for every pair.
 
     The first 256 of the 600 messages fill the inboxes of those that sent none of these; after that
-    one record tells for all who have no room. There were 600 * 11 - 12 * 256 = 3,528 records.
+    one record stands for all full inboxes. There were 600 * 11 - 12 * 256 = 3,528 records.
     """
     talk = talking("".join(f'<robot x="{2 * x}m" y="0"/>' for x in range(12)), 'delay="10s"')
     for _ in range(50):
@@ -253,7 +253,7 @@ def test_broadcast_to_full_inboxes_is_recorded_once():
 
 
 def test_full_inboxes_do_not_hide_a_receiver_out_of_range():
-    """Number 3 is 1 km away from the others, whose inboxes are full."""
+    """Robot 3 is 1 km away from the others, whose inboxes are full."""
     things = "".join(f'<robot x="{x}m" y="0"/>' for x in (0, 2, 4, 900))
     talk = talking(things, 'delay="10s" range="10m"')
     for _ in range(6):

@@ -1,4 +1,4 @@
-"""Loss, bursts and corruption against their distributions."""
+"""Loss, bursts and corruption, compared with their distributions."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ CROWD = "".join(f'<robot x="{n % 5}m" y="{n // 5}m"/>' for n in range(21))
 
 
 def lost(channel: str) -> np.ndarray:
-    """Tells which of 200 messages to all were lost at whom, shape (receivers, messages)."""
+    """Return which of 200 broadcasts each receiver lost, shape (receivers, messages)."""
     talk = talking(CROWD, channel)
     talk.many(COUNT, to=-1)
     losses = talk.fates(Fate.LOSS)
@@ -24,7 +24,7 @@ def lost(channel: str) -> np.ndarray:
 
 
 def test_loss_rate_matches_the_channel_and_losses_are_independent():
-    """4,000 messages, loss 0.2: standard error of the share 0.0063; of a correlation 0.016."""
+    """4,000 messages, loss 0.2: standard error of the rate 0.0063; of a correlation 0.016."""
     flags = lost('loss="0.2"')
     assert flags.mean() == pytest.approx(0.2, abs=0.02)
     assert abs(np.corrcoef(flags[:, 1:].ravel(), flags[:, :-1].ravel())[0, 1]) < 0.05
@@ -32,7 +32,7 @@ def test_loss_rate_matches_the_channel_and_losses_are_independent():
 
 
 def test_bursts_follow_the_gilbert_elliott_model():
-    """With p = 0.05 and r = 0.25: bursts of 4 messages, a share of 1/6; about 167 bursts."""
+    """With p = 0.05 and r = 0.25: bursts of 4 messages, a rate of 1/6; about 167 bursts."""
     flags = lost('burst-begin="0.05" burst-end="0.25"')
     begins = flags[:, 1:] & ~flags[:, :-1]
     bursts = begins.sum() + flags[:, 0].sum()
@@ -41,7 +41,7 @@ def test_bursts_follow_the_gilbert_elliott_model():
 
 
 def test_loss_rates_inside_and_outside_of_bursts_combine():
-    """Share 1/2 in bursts that lose 0.6, else 0.1 is lost: 0.35 in all."""
+    """1/2 of the messages in bursts with loss 0.6, else loss 0.1: 0.35 in all."""
     flags = lost('loss="0.1" burst-begin="0.2" burst-end="0.2" burst-loss="0.6"')
     assert flags.mean() == pytest.approx(0.35, abs=0.04)
 
@@ -61,7 +61,7 @@ def test_burst_chain_in_one_step_matches_single_steps(begin, end):
 
 
 def test_bursts_are_independent_per_receiver():
-    """Share 1/2, bursts of 5 messages: what receivers lose together is what chance lets them."""
+    """Rate 1/2, bursts of 5 messages: joint losses of receivers are those of independence."""
     flags = lost('burst-begin="0.2" burst-end="0.2"')
     assert flags.mean() == pytest.approx(0.5, abs=0.05)
     together = np.corrcoef(flags)[np.triu_indices(20, 1)]
@@ -101,7 +101,7 @@ def test_corruption_is_independent_per_receiver():
 
 
 def test_fate_of_a_message_depends_on_no_other_message():
-    """Robot b hears the same of a, whether c talks or not, and on which seed."""
+    """Robot b receives the same from a whether c sends or not, for several seeds."""
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
 
     def heard(others: bool, seed: int) -> list[int]:

@@ -1,4 +1,4 @@
-"""What `docs/communication.md` shows works and is that of the code."""
+"""The examples in `docs/communication.md` work and match the code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Channels, senders and pairs that are shut: from the world file, and by hand."""
+"""Outages of channels, senders and pairs: from the world file, and set at run time."""
 
 from dataclasses import replace
 
@@ -50,7 +50,7 @@ def test_outage_has_a_start_and_an_end():
 
 
 def test_start_of_transmission_decides_about_an_outage():
-    """The first takes until 0.12 s; the second waits so long, and is then shut out."""
+    """The first takes until 0.12 s; the second waits that long, and then falls into the outage."""
     talk = talking(channel='bandwidth="100B/s"', shuts='<shut at="0.1s"/>')
     talk.send(0, 1, kind=1)
     talk.send(0, 1, kind=2)

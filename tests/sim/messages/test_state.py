@@ -1,4 +1,4 @@
-"""A snapshot holds all messages, wherever they are."""
+"""A snapshot contains all messages, in every stage."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ BAD = (
 
 
 def play(talk, cycles: range) -> list:
-    """Lets robots talk and listen by chance; gives all that they hear and what happens."""
+    """Let robots send and receive at random; return all that they receive and all events."""
     seen = []
     for cycle in cycles:
         rng = np.random.default_rng(cycle)
@@ -57,7 +57,7 @@ def test_snapshot_during_transmissions_replays(cycles):
 
 
 def test_every_message_has_exactly_one_fate():
-    """Each that was sent to one robot is delivered, or lost for one reason."""
+    """Each message to one robot is delivered, or lost for one reason."""
     talk = talking(SIX, BAD)
     play(talk, range(20))
     talk.run(200)
@@ -134,7 +134,7 @@ def test_added_robot_can_send_immediately():
 
 
 def test_result_is_independent_of_the_order_of_programs():
-    """Robots post at instants of their own, but are served in one order or the other."""
+    """Robots post at different times, but are served in one order or the other."""
 
     def heard(order: list[int]) -> list:
         talk = talking(SIX, BAD)

@@ -1,4 +1,4 @@
-"""Objects that can be pushed move as one body."""
+"""Composite objects that can be pushed move as one body."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def bell(x_m: float, mass: str = "6kg", y_m: float = 5.0, heading: float = 0.0) 
 
 
 def shape(driver: Driver) -> np.ndarray:
-    """Gives the distances of all parts from each other, and their turns against the first."""
+    """Return the distances between all parts, and their rotations relative to the first."""
     bodies, first = driver.state.bodies, len(driver.state.heading_rad)
     place, angle = bodies.position_m[first:], bodies.angle_rad[first:]
     apart = np.hypot(*(place[:, None] - place).T)
@@ -47,7 +47,7 @@ def test_mass_is_distributed_to_parts_by_area():
 
 
 def test_composite_has_the_moment_and_friction_of_its_parts():
-    """Drums turn about the middle half a metre away, the bar about itself."""
+    """Drums turn about the centre half a metre away, the bar about itself."""
     rigid = Rigid(Scene(open_world('<robot x="0" y="0"/>' + bell(3.0))))
     whole = rigid.wholes[0]
     drum_kg = 6 * math.pi * 0.04 / (2 * math.pi * 0.04 + 0.08)
@@ -88,7 +88,7 @@ def test_push_at_one_end_turns_the_composite():
 
 
 def test_composite_with_a_heading_is_pushed_likewise():
-    """The bell along the way, pushed at its end: it goes straight on."""
+    """The bell along the path, pushed at its end: it moves straight on."""
     driver = Driver.of(world_of('<robot x="1m" y="5m"/>' + bell(2.5, heading=90)))
     driver.ask("VM", 100, 100)
     driver.run_s(8)
@@ -106,7 +106,7 @@ def test_heavy_composite_does_not_move():
 
 
 def test_untouched_composite_keeps_its_exact_pose():
-    """The robot pushes the box, which is the first thing, and the bell stands far away."""
+    """The robot pushes the box, which is the first object, and the bell is far away."""
     things = '<robot x="1m" y="1m"/><box x="3m" y="1m" length="40cm" width="40cm" mass="2kg"/>'
     driver = Driver.of(world_of(things + bell(7.0, y_m=7.0, heading=33)))
     before = driver.state.bodies.position_m[2:].copy()

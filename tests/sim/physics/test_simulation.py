@@ -1,4 +1,4 @@
-"""Contacts: nothing gets into anything, pushing is bounded, and runs repeat to the bit."""
+"""Contacts: bounded penetration, bounded pushing, and runs that repeat to the bit."""
 
 import math
 import pickle
@@ -34,13 +34,13 @@ class Bench:
         return self.pull(np.array(ways_m, dtype=np.float64), limp)
 
     def pull(self, ways_m, limp=False):
-        """Moves robots along ways; all face ahead, along x."""
+        """Move robots by displacements; all face ahead, along x."""
         count = len(ways_m)
         pull = Pull(ways_m, np.zeros(count), np.full(count, limp))
         return self.physics.step(self.bodies, pull)
 
     def depth_m(self) -> float:
-        """Gives how deep the deepest robot is in a fixed thing."""
+        """Return the largest penetration of a robot into a fixed solid."""
         places = self.bodies.position_m[: self.scene.robots]
         rooms = [
             distance_from_m(solid, places[:, 0], places[:, 1]).min()
@@ -221,7 +221,7 @@ SCRUM = "".join(
 
 
 def scrum(count: int, seed: int):
-    """Gives ways for a crowd that keeps running into itself and its things."""
+    """Return displacements for a crowd that keeps colliding with itself and its objects."""
     rng = np.random.default_rng(seed)
     angle = rng.uniform(0, math.tau, 16)
     for number in range(count):
@@ -287,7 +287,7 @@ def test_taking_snapshots_changes_nothing():
 
 
 def test_distant_robot_changes_no_bit_of_a_collision():
-    """What one robot does must not reach another one, not even by rounding."""
+    """A robot must not affect a distant one, not even by rounding."""
     things = (
         '<box x="3m" y="5m" length="40cm" width="40cm" mass="2kg"/>'
         '<box x="4m" y="5.1m" length="40cm" width="40cm" mass="2kg"/><robot x="2m" y="5m"/>'
