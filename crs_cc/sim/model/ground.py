@@ -78,7 +78,7 @@ class Ground:
 
     @property
     def is_flat(self) -> bool:
-        """Whether the ground is a flat floor."""
+        """True if the ground is a flat floor."""
         return not self.patches and self.heightmap is None
 
 
