@@ -1,4 +1,4 @@
-"""The requests to devices that the vendor's robots did not have: those of `crs.h`.
+"""Requests to devices that the vendor's robots did not have: those of `crs.h`.
 
 They need no connection, and take the time of a short message on a network.
 """

@@ -1,4 +1,4 @@
-"""The requests that a program's host computer answers: streams, time, arguments, files."""
+"""The requests that a program's host computer serves: streams, time, arguments, files."""
 
 from __future__ import annotations
 
@@ -127,4 +127,4 @@ HOST_REQUESTS: Final = (
         (), fields(("zero", "result", "1", "0")),
     ),
 )  # fmt: skip
-"""Every request that the host answers."""
+"""All requests that the host serves."""

@@ -1,7 +1,7 @@
-"""The requests that go through the link to the robot, or to the simulator it lives in.
+"""The requests that go through the link to the robot, or to the simulator that it lives in.
 
-Most are answered as the vendor's robot answers: with a packet that holds all of `State`, the time
-of the sensor board, the batteries' voltages, and how many laser readings lie ready.
+Most have the reply of the vendor's robot: a packet with all of `State`, the time of the sensor
+board, the batteries' voltages, and the number of laser readings that are ready.
 """
 
 from __future__ import annotations

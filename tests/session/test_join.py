@@ -239,8 +239,8 @@ def test_a_robot_of_another_model_joins(roam: Executable, tmp_path: Path):
     ("changes", "reason"),
     [
         ({"id": "home"}, "there is a thing with this id"),
-        ({"id": "edge-east"}, "names that begin with edge-"),
-        ({"id": "obstacle-1"}, "names that begin with obstacle-"),
+        ({"id": "edge-east"}, "the prefix edge- is reserved"),
+        ({"id": "obstacle-1"}, "the prefix obstacle- is reserved"),
         ({"id": ""}, "letters, digits"),
         ({"id": "a b"}, "letters, digits"),
         ({"start": Pose(1.2, 2.0)}, "'home' is in its place"),

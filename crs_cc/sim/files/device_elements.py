@@ -1,4 +1,4 @@
-"""The elements of robot definitions for the devices of `registry.devices()`: schema and reading."""
+"""The elements of robot definitions for the devices of `registry.devices()`: schema and reader."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _BEFORE = "camera"  # the element that follows those of the registry in a defini
 
 
 def models(root: Element, reader: Reader) -> tuple[tuple[str, Any], ...]:
-    """Return the devices of a robot definition, each with its model; mistakes go to the reader."""
+    """Return the devices of a robot definition, each with its model; errors go to the reader."""
     found = []
     for device in devices():
         element = root.maybe(device.element)

@@ -1,4 +1,4 @@
-"""How much room the robots have: the shortest way from any of them to anything else."""
+"""Clearance: the shortest distance between a robot and any other object."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from crs_cc.sim.geometry.scene import Outlines, Scene
 
 
 def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> float:
-    """Gives the shortest distance between a robot and anything else [m], infinite for no robot.
+    """Return the shortest distance between a robot and any other object [m].
 
-    It looks at all pairs, and is meant for few bodies. Inside of something it is 0 or less.
+    All pairs are tried, so it is meant for few bodies. Inside an object it is 0 or less, without a
+    robot infinite.
 
     Args:
         scene: the world's outlines.
-        position_m: where the bodies are, shape (bodies, 2).
-        angle_rad: how they are turned, shape (bodies,).
+        position_m: the bodies' positions, shape (bodies, 2).
+        angle_rad: their headings, shape (bodies,).
     """
     moving = scene.moving(position_m, angle_rad)
     x_m, y_m, radii_m = moving.circles[: np.count_nonzero(scene.present), :, None].transpose(

@@ -1,12 +1,12 @@
-"""A device in one row: everything else about it is derived from this.
+"""Device descriptions: one row for each device, from which everything else is derived.
 
-A row says how the device is called, what its robot definition sets, what it measures, and which C
-function reads it. From the rows come the elements and attributes of robot definitions and their
-schema, the columns of the state, request codes and handlers, timers, noise streams, degradation,
-the declarations of `crs.h`, and the tables of the docs.
+A row has the device's name, the attributes of its element in robot definitions, its measured
+values, and its C function. From the rows are derived the elements and attributes of robot
+definitions and their schema, the columns of the state, request codes and handlers, timers, noise
+streams, degradation, the declarations of `crs.h`, and the tables of the docs.
 
-A new device is a package in `crs_cc/sim/devices` with a `DEVICE`; a device of one's own is the same
-in a package of one's own, named by an entry point of the group `crs_cc.devices`.
+A new device is a package in `crs_cc/sim/devices` with a `DEVICE`; a third-party device is the same
+in another package, named by an entry point of the group `crs_cc.devices`.
 
 >>> @dataclass(frozen=True, slots=True)
 ... class Feeler:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
 
 NAME: Final = re.compile(r"[a-z][a-z0-9_]{0,31}")
-"""What devices and values may be called: they become names in C and Python."""
+"""Valid names of devices and values: they become names in C and Python."""
 
 ELEMENT: Final = re.compile(r"[a-z][a-z0-9-]{0,31}")
 
@@ -40,10 +40,10 @@ class Attribute:
     """An attribute of a device's element in robot definitions.
 
     Attributes:
-        name: what it is called there.
-        kind: what quantity it is.
-        default: its value where it is absent, as it would be written.
-        meaning: what it means: whole sentences, shown in the schema and its docs.
+        name: its name there.
+        kind: its quantity.
+        default: default value, as written in the file.
+        meaning: description in whole sentences, shown in the schema and its docs.
         positive: whether it must be greater than 0.
         signed: whether it may be less than 0.
     """
@@ -65,13 +65,13 @@ def attribute(
     positive: bool = False,
     signed: bool = False,
 ) -> Any:
-    """Return a dataclass field that an attribute of the device's element sets [SI unit].
+    """Return a dataclass field that is set by an attribute of the device's element [SI unit].
 
     Args:
-        name: the attribute.
-        kind: what quantity it is.
-        default: its value where it is absent, as it would be written, such as `"20Hz"`.
-        meaning: what it means, as whole sentences.
+        name: the attribute's name.
+        kind: its quantity.
+        default: default value, as written in the file, such as `"20Hz"`.
+        meaning: description in whole sentences.
         positive: whether it must be greater than 0.
         signed: whether it may be less than 0.
     """
@@ -80,17 +80,17 @@ def attribute(
 
 
 def rate(default: str) -> Any:
-    """Return the field `rate_hz` that every sensor has: how often it measures at most [Hz]."""
+    """Return the field `rate_hz` of every sensor: its maximum measuring rate [Hz]."""
     return attribute("rate", FREQUENCY, default, "Maximum measurement rate.", positive=True)
 
 
 def period() -> Any:
-    """Return the field `period_s` that every sensor has: how often it measures by itself [s]."""
+    """Return the field `period_s` of every sensor: its measuring period by timer [s]."""
     return attribute("period", TIME, "0s", "")
 
 
 def attributes_of(model: type) -> tuple[Attribute, ...]:
-    """Return the attributes of a model's fields, in their order."""
+    """Return the attributes of a model's fields, in order."""
     fields = dataclasses.fields(model)
     return tuple(f.metadata["attribute"] for f in fields if "attribute" in f.metadata)
 
@@ -101,7 +101,7 @@ class Value:
 
     Attributes:
         name: its name in C and as an element of degradations, such as `pitch`.
-        meaning: what it is, and which sign means what, such as `pitch, nose up`.
+        meaning: description, including the sign convention, such as `pitch, nose up`.
     """
 
     name: str
@@ -109,7 +109,7 @@ class Value:
 
 
 Measure = Callable[[Any], "FloatArray"]
-"""Measures with some robots' sensors, given a `devices.sensor.Measurement`.
+"""Measures with the sensors of some robots, given a `devices.sensor.Measurement`.
 
 Returns the true values [SI unit], without noise and degradation, in an array of shape (k, values).
 """
@@ -121,21 +121,21 @@ class Device:
 
     Attributes:
         name: one word: its function is `crs_<name>`, its number `CRS_SENSOR_<NAME>`, its request
-            `<NAME>`; degradations name it so.
-        title: what the docs call it, such as `Inclinometer`.
+            `<NAME>`; also its name in degradations.
+        title: its title in the docs, such as `Inclinometer`.
         element: its element in robot definitions.
-        summary: what it is, for the schema: one sentence, before what reads it.
-        does: what its C function does, for the docs of `crs.h`: `measures ...`.
+        summary: one sentence for the schema, before the C function that reads it.
+        does: description of its C function, for the docs of `crs.h`: `measures ...`.
         model: the dataclass of its constants, whose fields are made by `attribute`, `rate` and
             `period`; it has `rate_hz` and `period_s`, and may have a standard deviation `noise`.
-        values: what it measures.
-        kind: what quantity its values are: `LENGTH` (0.1 inch in C) or `ANGLE` (0.1 degree).
-        measure: how.
-        nothing: what comes of a degradation that leaves no value.
+        values: its measured values.
+        kind: the quantity of its values: `LENGTH` (0.1 inch in C) or `ANGLE` (0.1 degree).
+        measure: the measuring function.
+        nothing: effect of a degradation that leaves no value.
         source: the device's file, whose docstring the docs show; it is `__file__` of the package.
-        number: its number in `crs.h`; by default the next that is free.
-        code: its request's code, given by the registry.
-        stream: the number of its stream of noise; by default derived from its name.
+        number: its number in `crs.h`; by default the next free one.
+        code: its request's code, set by the registry.
+        stream: the number of its noise stream; by default derived from its name.
     """
 
     name: str
@@ -171,27 +171,27 @@ class Device:
 
     @property
     def folder(self) -> Path:
-        """The device's folder, where its own C file may be."""
+        """The device's folder, which may contain a C file of its own."""
         return Path(self.source).parent
 
     def complaint(self) -> str:
-        """Return what is wrong with the row; empty if nothing is."""
+        """Return why the row is invalid; empty if it is valid."""
         if not NAME.fullmatch(self.name) or not ELEMENT.fullmatch(self.element):
-            return "its name or element is not a lower-case word"
+            return "name and element must be lower-case words"
         if not self.values or not all(NAME.fullmatch(value.name) for value in self.values):
-            return "its values need names, lower-case words"
+            return "the names of its values must be lower-case words"
         if len(self.values) > MAX_VALUES:
-            return f"it measures more than {MAX_VALUES} values"
+            return f"more than {MAX_VALUES} values"
         if self.kind.name not in UNITS:
-            return "its kind is neither LENGTH nor ANGLE"
+            return "kind must be LENGTH or ANGLE"
         names = {each.name for each in dataclasses.fields(self.model)}
         if not {"rate_hz", "period_s"} <= names:
-            return "its model lacks rate_hz or period_s"
+            return "the model lacks rate_hz or period_s"
         return ""
 
 
 MAX_VALUES: Final = 8
-"""As many integers as a reply has (`requests.door`)."""
+"""Number of integers in a reply (`requests.door`)."""
 
 UNITS: Final = {LENGTH.name: "0.1 in", ANGLE.name: "0.1 deg"}
-"""The units of values in C, by the name of their kind: the vendor's (`Nclient.h`)."""
+"""Units of values in C, by the name of their kind: the vendor's (`Nclient.h`)."""

@@ -1,4 +1,4 @@
-"""All devices that there are: those in `crs_cc/sim/devices`, and those of installed packages.
+"""Registry of all devices: those in `crs_cc/sim/devices`, and those of installed packages.
 
 Rows are found by name, so nothing here imports a device, and adding one changes no other file.
 """
@@ -24,17 +24,17 @@ GROUP: Final = "crs_cc.devices"
 """The entry point group of devices in other packages; each entry is a `Device`."""
 
 _DEVICES: Final = Path(__file__).parents[1] / "devices"
-_FIRST_NUMBER: Final = 9  # behind those of the vendor's sensors, see `state.timers`
-_FOREIGN: Final = 100  # codes of other packages' devices come behind room for ours
-_STREAMS: Final = 1000  # streams below are those of other devices, see `core.random_streams`
+_FIRST_NUMBER: Final = 9  # after those of the vendor's sensors, see `state.timers`
+_FOREIGN: Final = 100  # first code of other packages' devices; those below are reserved
+_STREAMS: Final = 1000  # streams below are reserved, see `core.random_streams`
 
 
 @cache
 def devices() -> tuple[Device, ...]:
-    """Return all devices, with their numbers, codes and streams: ours first, then by name.
+    """Return all devices with their numbers, codes and streams: built-in ones first, then by name.
 
     Raises:
-        DeviceError: a device's row is wrong, or has the name of another one.
+        DeviceError: a device's row is invalid, or its name is in use.
     """
     found: dict[str, Device] = {}
     ours, others = list(_ours()), list(_of_other_packages())
@@ -51,21 +51,21 @@ def devices() -> tuple[Device, ...]:
 
 
 def device(name: str) -> Device:
-    """Return a device by its name.
+    """Return the device with a name.
 
     Raises:
-        KeyError: there is none of this name.
+        KeyError: there is no such device.
     """
     return {each.name: each for each in devices()}[name]
 
 
 def _complaint(device: Device, found: dict[str, Device]) -> str:
     if device.name in found:
-        return "another device has this name"
+        return "duplicate device name"
     if device.name.upper() in CODES:
-        return "a request has this name"
+        return "the name is that of a request"
     if device.element in {each.element for each in found.values()}:
-        return "another device has this element"
+        return "duplicate device element"
     return device.complaint()
 
 
@@ -89,11 +89,11 @@ def _of_other_packages() -> Iterator[tuple[str, object]]:
 
 
 def _numbered(rows: list[Device], ours: int) -> Iterator[Device]:
-    """Yield rows with what they leave open filled in, in their order.
+    """Yield rows with their missing numbers filled in, in order.
 
     Args:
-        rows: all devices, ours first.
-        ours: how many of them are ours.
+        rows: all devices, built-in ones first.
+        ours: number of built-in devices.
     """
     numbers = {row.number for row in rows}
     free = (number for number in itertools.count(_FIRST_NUMBER) if number not in numbers)

@@ -1,4 +1,4 @@
-"""What cameras saw last, and what of it the program was told."""
+"""Images of cameras, and the image that was last reported."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _PIXEL = 2
 
 @dataclass(slots=True)
 class CameraState:
-    """The cameras; arrays have a row for each robot that has one, n of them.
+    """The cameras; arrays have a row for each robot with a camera, n of them.
 
     Attributes:
-        colour: what each column shows, 0xRRGGBB, from the left to the right, (n, 320).
-        range: how far away that is [0.1 in], -1 where nothing is in range, (n, 320).
-        at_s: when it looked; below 0 for never, (n,).
-        count: how often it looked, (n,).
-        told: what the last reply told of.
+        colour: the colour of each column, 0xRRGGBB, from left to right, (n, 320).
+        range: its range [0.1 in], -1 if no object is in range, (n, 320).
+        at_s: time of the last image; negative for none, (n,).
+        count: number of images, (n,).
+        told: contents of the last reply.
     """
 
     colour: Int32Array
@@ -35,7 +35,7 @@ class CameraState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives cameras that have seen nothing yet."""
+        """Return cameras without an image."""
         count = sum(robot.model.camera is not None for robot in world.robots)
         return cls(
             np.zeros((count, MAX_COLUMNS), dtype=np.int32),

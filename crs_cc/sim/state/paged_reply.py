@@ -1,4 +1,4 @@
-"""Readings that are too long for a message: what the last reply told of, for the pages after it.
+"""Readings that are too long for one message: the last reply, kept for its further pages.
 
 >>> from crs_cc.requests import MESSAGE
 >>> told = PagedReply.nothing(1, room=6)
@@ -25,11 +25,11 @@ _PAGE: Final = DATA_SIZE // 4  # numbers
 
 @dataclass(slots=True)
 class PagedReply:
-    """Readings for the pages that programs ask for; a row for each robot with the device.
+    """Readings for the pages that programs request; a row for each robot with the device.
 
     Attributes:
-        count: how many there are, (n,).
-        width: numbers of each, (n,).
+        count: number of readings, (n,).
+        width: numbers in each, (n,).
         numbers: the numbers, one reading after the other, (n, room).
     """
 
@@ -39,7 +39,7 @@ class PagedReply:
 
     @classmethod
     def nothing(cls, count: int, room: int) -> Self:
-        """Gives no readings, with room for some numbers."""
+        """Return no readings, with space for `room` numbers."""
         return cls(
             np.zeros(count, dtype=np.int32),
             np.full(count, 1, dtype=np.int32),
@@ -47,17 +47,17 @@ class PagedReply:
         )
 
     def keep(self, row: int, width: int, numbers: npt.NDArray[np.integer]) -> None:
-        """Keeps readings of a device in place of those before: as many as there is room for."""
+        """Replace the readings of a device, as many as there is space for."""
         count = min(numbers.size, self.numbers.shape[1]) // width
         self.width[row], self.count[row] = width, count
         self.numbers[row, : count * width] = numbers.ravel()[: count * width]
 
     def page(self, row: int, first: int, message: np.void) -> None:
-        """Writes a page over a message: how many readings, how many numbers of each, and these.
+        """Write a page to a message: number of readings, numbers in each, and the numbers.
 
         Args:
             row: the device.
-            first: the first reading that is wanted; any number.
+            first: the first reading of the page; any number.
             message: changed in place.
         """
         width = int(self.width[row])

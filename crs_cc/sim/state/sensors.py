@@ -1,4 +1,4 @@
-"""What the sensors of `registry.devices()` measured last.
+"""Readings of the sensors of `registry.devices()`.
 
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> [name for name in sensor_states(empty_world()).__slots__ if name == "tilt"]
@@ -23,12 +23,12 @@ _NAME: Final = "SensorStates"
 
 @dataclass(slots=True)
 class Readings:
-    """The readings of one kind of sensor; arrays have a row for each robot that has one, n of them.
+    """The readings of one kind of sensor; arrays have a row for each robot with it, n of them.
 
     Attributes:
-        value: what was measured last [SI unit], NaN for nothing, (n, values).
-        at_s: when that was; below 0 for never, (n,).
-        count: how many measurements there were, (n,).
+        value: the last measurement [SI unit], NaN for none, (n, values).
+        at_s: its time; negative for none, (n,).
+        count: number of measurements, (n,).
     """
 
     value: FloatArray

@@ -19,7 +19,7 @@ CAMERA, HEAT, LASER, INFRARED, COMPASS, LIGHT, SOUND = 1, 2, 3, 4, 5, 7, 8
 
 @cache
 def sensor_count() -> int:
-    """Return how many sensors can have a timer; their numbers are below this."""
+    """Return the number of sensors that can have a timer; their numbers are less than this."""
     return 1 + max([SOUND, *(device.number for device in devices())])
 
 
@@ -28,11 +28,11 @@ class TimerState:
     """The timers; arrays have a row for each robot, a column for each sensor.
 
     Attributes:
-        period_s: how often each measures; 0 for one that measures on request, (robots, sensors).
-        start_s: when the timer was set, (robots, sensors).
-        turn: how many periods have begun since then, (robots, sensors).
-        next_s: when each measures next, infinite without a timer, (robots, sensors).
-        soonest_s: the least of these, (robots,).
+        period_s: measuring period; 0 for on request, (robots, sensors).
+        start_s: the time at which the timer was set, (robots, sensors).
+        turn: number of periods that have begun since then, (robots, sensors).
+        next_s: time of the next measurement, infinite without a timer, (robots, sensors).
+        soonest_s: the earliest of these, (robots,).
     """
 
     period_s: FloatArray
@@ -43,7 +43,7 @@ class TimerState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives timers as the robots' definitions set them."""
+        """Return timers as set in the robots' definitions."""
         periods = [_periods_s(robot.model) for robot in world.robots]
         period_s = np.array(periods, dtype=np.float64).reshape(-1, sensor_count())
         next_s = np.where(period_s > 0.0, 0.0, np.inf)
@@ -53,17 +53,17 @@ class TimerState:
         )
 
     def on_request(self, rows: IndexArray, sensor: int) -> BoolArray:
-        """Tells which robots have no timer for a sensor."""
+        """Return which robots have no timer for a sensor."""
         return np.asarray(self.period_s[rows, sensor] == 0.0)
 
     def begin(self, rows: IndexArray, now_s: float) -> None:
-        """Lets the timers of robots that come into the world begin."""
+        """Start the timers of robots that join the world."""
         self.start_s[rows] = now_s
         self.next_s[rows] = np.where(self.period_s[rows] > 0.0, now_s, np.inf)
         self.soonest_s[rows] = self.next_s[rows].min(axis=1, initial=np.inf)
 
     def set(self, robot: int, sensor: int, period_s: float, now_s: float) -> None:
-        """Sets a timer, whose first period begins now; or takes it away, with 0."""
+        """Set a timer, whose first period begins now; a period of 0 removes it."""
         self.period_s[robot, sensor] = period_s
         self.start_s[robot, sensor] = now_s
         self.turn[robot, sensor] = 0
@@ -71,7 +71,7 @@ class TimerState:
         self.soonest_s[robot] = self.next_s[robot].min()
 
     def go_on(self, rows: IndexArray, sensor: int, now_s: float) -> None:
-        """Lets timers that have gone off begin their next period, the first that ends after now."""
+        """Start the next period of expired timers, the first one that ends after now."""
         begun = (now_s - self.start_s[rows, sensor]) / self.period_s[rows, sensor]
         turn = np.maximum(self.turn[rows, sensor] + 1, np.ceil(begun - _ROUNDING))
         self.turn[rows, sensor] = turn

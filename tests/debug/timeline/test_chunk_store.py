@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from crs_cc.runtime.pages import CHUNK
 
 from crs_cc.debug.timeline.chunk_store import ChunkStore
 from crs_cc.runtime.resident_pages import CHUNK

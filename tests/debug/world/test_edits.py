@@ -107,7 +107,7 @@ def test_energy_heat_and_ways_of_messages() -> None:
         ("degrade a sonar.3", "expected: degrade ROBOT DEVICE[.ELEMENT] FAULT..."),
         ("degrade c sonar dead", "unknown robot 'c' (known: a, b)"),
         ("degrade a sonra dead", "device: unknown device 'sonra' (known: sonar, bumper"),
-        ("degrade a sonar.16 dead", "element: sonar has no '16'; it has 0 to 15"),
+        ("degrade a sonar.16 dead", "element: unknown '16' of sonar (known: 0 to 15)"),
         ("degrade a compass dead", "the robot has no compass"),
         ("degrade a sonar loud", "unknown fault 'loud' (known: bias, gain"),
         ("degrade a sonar noise", "'noise' needs a value"),

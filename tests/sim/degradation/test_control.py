@@ -147,7 +147,7 @@ def memory(state, name: str) -> np.ndarray:
         (Degradation("robot9", "sonar", dead=True), "unknown robot 'robot9'"),
         (Degradation("robot0", "radar", dead=True), "unknown device 'radar'"),
         (Degradation("robot0", "compass", dead=True), "the robot has no compass"),
-        (Degradation("robot0", "sonar", -1, dead=True), "no element -1"),
+        (Degradation("robot0", "sonar", -1, dead=True), "unknown element -1"),
         (Degradation("robot0", "sonar", gain=math.nan), "gain must be a number"),
         (Degradation("robot0", "sonar", bias=math.inf), "bias must be a number"),
         (Degradation("robot0", "sonar", stuck=math.nan), "or it must be a number"),
@@ -156,17 +156,17 @@ def memory(state, name: str) -> np.ndarray:
             "'hold', or it must be a number",
         ),
         (Degradation("robot0", "sonar", gain="2"), "gain must be a number"),
-        (Degradation("robot0", "sonar", True, dead=True), "no element True"),
-        (Degradation("robot0", "sonar", 0.5, dead=True), "no element 0.5"),
+        (Degradation("robot0", "sonar", True, dead=True), "unknown element True"),
+        (Degradation("robot0", "sonar", 0.5, dead=True), "unknown element 0.5"),
         (Degradation("robot0", "sonar", dead=True, duration_s=math.inf), "duration must be"),
         (Degradation("robot0", "sonar", delay_s=1e9), "delay must be"),
         (Degradation("robot0", "sonar", gain=10**400), "gain must be a number"),
         (Degradation("robot0", "sonar", gain=True), "gain must be a number"),
         (Degradation("robot0", "sonar", dead=1), "dead must be True or False"),
-        (Degradation("robot0", ["sonar"], dead=True), "must be texts"),
+        (Degradation("robot0", ["sonar"], dead=True), "must be strings"),
         (Degradation("robot0", "sonar", dead=True, id=[1]), "must be a text"),
         (Degradation("robot0", "sonar", dead=True, id=5), "must be a text"),
-        (Degradation("robot0", "sonar"), "nothing is wrong"),
+        (Degradation("robot0", "sonar"), "no fault given"),
         (Degradation("robot0", "sonar", dead=True, id="x" * 65), "at most 64"),
         (Degradation("robot0", "sonar", dead=True, id="degradation0"), "a second degradation"),
     ],
@@ -186,7 +186,7 @@ def test_changes_of_what_cannot_change_are_refused():
         control.change("degradation0", robot="robot1", device="laser")
     with pytest.raises(ValueError, match="has no colour"):
         control.change("degradation0", colour="red")
-    with pytest.raises(ValueError, match="nothing is wrong"):
+    with pytest.raises(ValueError, match="no fault given"):
         control.change("degradation0", stuck=None)
     for missing in (control.remove, control.change, control.phase):
         with pytest.raises(ValueError, match=r"unknown degradation 'x' \(known: degradation0"):

@@ -1,4 +1,4 @@
-"""The grid of what does not move."""
+"""The grid of fixed outlines."""
 
 import tracemalloc
 
@@ -7,7 +7,7 @@ import numpy as np
 from crs_cc.sim.geometry.obstacles import Grid
 
 
-def test_very_many_shapes_in_one_place_take_bounded_memory():
+def test_many_shapes_in_one_place_take_bounded_memory():
     sides = np.tile([(3.0, 2.0, 4.0, 2.0)], (150_000, 1))
     tracemalloc.start()
     grid = Grid(sides, np.zeros(len(sides)), reach_m=6.5)

@@ -1,7 +1,7 @@
 """Sensors in worlds on whole decimetres, where beams run along sides and through corners.
 
-There rounding decides what geometry does not. So a robot must read what it reads a hair aside or
-turned by a hair: one of the readings there, where these differ.
+There the result is decided by rounding. So a robot must read what it reads when it is moved or
+turned very slightly: one of the readings there, if these differ.
 """
 
 import math
@@ -60,7 +60,7 @@ SONARS = {  # half angle, lobe, critical angle
 
 
 def round_world(seed: int) -> WorldModel | None:
-    """Return a world of round numbers, None where its robot would stand in something."""
+    """Return a world of round numbers, None if its robot would overlap an object."""
     chance = random.Random(seed)
     finest = chance.choice([1, 2, 10])
 
@@ -97,7 +97,7 @@ def round_world(seed: int) -> WorldModel | None:
 
 
 class Watcher:
-    """All that a robot measures in a world, from any pose."""
+    """All measurements of a robot in a world, from any pose."""
 
     def __init__(self, world: WorldModel) -> None:
         scene = Scene(world)
@@ -112,7 +112,7 @@ class Watcher:
         )
 
     def room_m(self, x_m: float, y_m: float) -> np.ndarray:
-        """Return how far each thing is from a place, as the heat sensor has it."""
+        """Return the distances of all objects from a point, as for the heat sensor."""
         count = len(self.poses)
         places = np.full(count, x_m), np.full(count, y_m)
         return self.things.distance_m(self.poses, np.arange(count), *places)
@@ -150,7 +150,7 @@ class Watcher:
 
 
 @pytest.mark.parametrize("first", range(0, 60, 10))
-def test_a_robot_in_a_world_of_round_numbers_reads_what_it_reads_a_hair_aside(first):
+def test_readings_at_round_numbers_match_those_slightly_aside(first):
     aside = [HAIR * np.exp(1j * (0.1 + math.pi / 4 * part)) for part in range(8)]
     for world in filter(None, map(round_world, range(first, first + 10))):
         watcher, start = Watcher(world), world.robots[0].start

@@ -1,4 +1,4 @@
-"""Which thing a beam hits: by hand, and by where the place that it hits lies."""
+"""The object that a beam hits: by hand, and by the position of the hit point."""
 
 import math
 
@@ -16,7 +16,7 @@ from tests.sim.geometry.test_rays import crowd
 
 
 def looked(world, fan):
-    """Gives the distances that all robots see along their beams, and the names of what they see."""
+    """Return the distances along all robots' beams, and the names of the objects hit."""
     scene, state = Scene(world), EnvState.at_start(world)
     count = len(world.robots)
     rays = RayCaster(scene, [fan])
@@ -27,8 +27,8 @@ def looked(world, fan):
     return distance_m, thing, scene
 
 
-def test_beams_name_the_nearest_thing_of_each_kind():
-    """The robot is R, which looks ahead, to the left, back, to the right, and past the pole.
+def test_beams_name_the_nearest_object():
+    """The robot R has beams ahead, to the left, back, to the right, and past the pole.
 
                  crate
                    |
@@ -51,8 +51,8 @@ def test_beams_name_the_nearest_thing_of_each_kind():
     assert distance_m[0, :3] == pytest.approx([1.9, 1.75, 3 - 8 * 0.0254])
 
 
-def test_a_beam_that_starts_in_a_thing_hits_that():
-    """The sensor is 21 cm ahead of the robot's middle, and half a cm deep in the box."""
+def test_beam_that_starts_inside_an_object_hits_it():
+    """The sensor is 21 cm ahead of the robot's centre, and half a cm deep in the box."""
     world = open_world(
         '<robot x="0" y="0"/><cylinder x="-1m" y="0" radius="0.1m"/>'
         '<box id="box" x="0.705m" y="0" length="1m" width="1m"/>'
@@ -62,8 +62,8 @@ def test_a_beam_that_starts_in_a_thing_hits_that():
 
 
 @pytest.mark.parametrize("robots", [3, 150])
-def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
-    """A few robots, of which all shapes are tried; and many, for which they are chosen first."""
+def test_hit_point_is_on_the_named_object(robots):
+    """A few robots, for which all shapes are tested; and many, for which they are filtered."""
     world = crowd(robots, seed=robots)
     beams = [(0.1, 0.0, math.tau / 40 * number, 0.0, 4.0) for number in range(40)]
     distance_m, thing, scene = looked(world, Fan.of(beams))
@@ -83,8 +83,8 @@ def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
     assert np.abs(off_m).max() < 1e-7
 
 
-def test_beams_see_where_things_are_however_long_they_stood_there():
-    """A robot looks at a crate, which is there for two cycles, then farther off, back, turned."""
+def test_beams_see_objects_at_their_current_poses():
+    """A robot measures a crate, which stays for two cycles, then moves away, back, and turns."""
     world = open_world(
         '<robot x="0" y="0"/><box x="2m" y="0" length="1m" width="1m" mass="5kg"/>'
         '<cylinder x="0" y="9m" radius="0.1m" mass="5kg"/>'
