@@ -54,7 +54,7 @@ SLOT: Final = np.dtype(
 
 
 def slot_offset(field: str) -> int:
-    """Gives where a field lies in a robot's slot [bytes]."""
+    """Return the offset of a field in a robot's slot [bytes]."""
     return int(SLOT.fields[field][1])  # type: ignore[index]
 
 
