@@ -95,7 +95,7 @@ class Messenger:
         from_s: float,
         to_s: float,
     ) -> None:
-        """Ends a cycle: what was sent in it goes on its way, what arrived in it is let in.
+        """End a cycle: transmit what was sent in it, deliver what arrived in it.
 
         Args:
             state: changed in place; the bodies are where they got to.
@@ -130,7 +130,7 @@ def wait(context: RequestContext) -> None:
 
 
 def heard_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    """Gives when the waits for a message end, as far as is known, shape (k,)."""
+    """Return when the waits for a message end, as far as is known, shape (k,)."""
     first_s = np.minimum(inbox.first_s(state.messages, rows), state.waits.until_s[rows])
     return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
 

@@ -61,12 +61,12 @@ class SensorBoard:
 
     @property
     def fans(self) -> list[Fan]:
-        """Gives the beams of those that measure distances."""
+        """The beams of those that measure distances."""
         return [*self.infrared.fans, *self.lasers.fans]
 
     @property
     def timed(self) -> dict[int, Timed]:
-        """Gives those that can have a timer, by their numbers in `crs.h`."""
+        """The sensors that can have a timer, by their numbers in `crs.h`."""
         return {
             timers.LASER: Timed(
                 self.lasers.read,
@@ -135,7 +135,7 @@ class SensorBoard:
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[Int32Array, Int32Array]:
-        """Lets the instruments measure without any error from somewhere else.
+        """Return what the instruments would measure without any error from somewhere else.
 
         Args:
             state: tells where all things are; keeps what lasers see for the pages.

@@ -53,7 +53,7 @@ class SerialLine:
     def time_s(
         self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
     ) -> FloatArray:
-        """Gives how long requests and their replies are on the line, or on the network [s].
+        """Return how long requests and their replies are on the line, or on the network [s].
 
         Args:
             state: the speeds.
@@ -76,7 +76,7 @@ class SerialLine:
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:
-    """Sets the speed of lines; a speed that no line has changes nothing."""
+    """Set the speed of lines; a speed that no line has changes nothing."""
     known = np.isin(baud, _SPEEDS_BAUD)
     state.link.baud[rows[known]] = baud[known]
 

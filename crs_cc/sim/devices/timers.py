@@ -72,7 +72,7 @@ class Timers:
     def fire(
         self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> None:
-        """Lets those sensors of robots measure whose timers go off first.
+        """Measure with those sensors of robots whose timers fire first.
 
         Args:
             state: changed in place; axes were turned to the timers' instants.

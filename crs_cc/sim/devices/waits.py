@@ -43,7 +43,7 @@ def settle(
     rows: IndexArray,
     limit_s: float,
 ) -> FloatArray:
-    """Ends the waits of robots that end before a limit.
+    """End the waits of robots that end before a limit.
 
     Args:
         waits: how robots wait for each kind of request.
@@ -69,7 +69,7 @@ def settle(
 
 
 def when(waits: Mapping[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
-    """Gives when the waits of robots will end, as far as is known now, shape (k,)."""
+    """Return when the waits of robots will end, as far as is known now, shape (k,)."""
     ends_s, codes = np.full(len(rows), np.inf), state.waits.code[rows]
     for code in np.unique(codes).tolist():
         mine = codes == code

@@ -54,7 +54,7 @@ class DeviceBoard:
     """
 
     def __init__(self, world: WorldModel, seed: int, log: EventLog) -> None:
-        """Makes the devices.
+        """Set up the devices.
 
         Args:
             world: the world.
@@ -108,7 +108,7 @@ class DeviceBoard:
 
     @property
     def fans(self) -> list[Fan]:
-        """Gives the beams of those that measure distances."""
+        """The beams of all devices that measure distances."""
         own = [*self.cameras.fans, *self.handling.grippers.fans]
         own += [*self.lights.fans, *self.microphones.fans]
         return [*self.sonars.fans, *self.sensor_board.fans, *own]
@@ -121,7 +121,7 @@ class DeviceBoard:
         rows: IndexArray,
         now_s: float,
     ) -> None:
-        """Lets those of some robots begin, between two cycles: timers start now.
+        """Start the devices of some robots, between two cycles: timers start now.
 
         Args:
             state: changed in place.
@@ -141,7 +141,7 @@ class DeviceBoard:
         rows: IndexArray,
         to_s: FloatArray,
     ) -> None:
-        """Lets those with timers work until an instant of the current cycle.
+        """Advance timers and sonars of robots to instants of the current cycle.
 
         Args:
             state: changed in place.
@@ -166,7 +166,7 @@ class DeviceBoard:
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, from_s: float, to_s: float
     ) -> None:
-        """Lets those work that do so once in a cycle, at its end.
+        """Run the devices that work once in a cycle, at its end.
 
         Args:
             state: changed in place; the bodies are where they got to.

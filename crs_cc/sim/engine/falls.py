@@ -24,7 +24,7 @@ def tell_falls(
     before_m: FloatArray,
     went_m: FloatArray,
 ) -> None:
-    """Tells which robots fell in a cycle, and how far.
+    """Log which robots fell in a cycle, and how far.
 
     Args:
         constants: the robots' constants.

@@ -47,16 +47,16 @@ class Timetable:
         self._leave_s = np.array([robot.leave_s for robot in world.robots])
 
     def due_s(self, presence: PresenceState) -> float:
-        """Gives when anybody joins or leaves next, infinite for never."""
+        """Return when the next robot joins or leaves, infinite for never."""
         join_s = self._join_s[_expected(presence)].min(initial=np.inf)
         return float(self._leave_s[np.isinf(presence.left_s)].min(initial=join_s))
 
     def is_anybody_due(self, presence: PresenceState, after_s: float) -> bool:
-        """Tells whether anybody's time to join comes after an instant."""
+        """Return whether any robot is to join after an instant."""
         return bool((self._join_s[_expected(presence)] > after_s + ROUNDING_S).any())
 
     def leave(self, state: EnvState, now_s: float, log: EventLog) -> IndexArray:
-        """Lets those leave whose time it is; gives which."""
+        """Remove the robots whose time it is to leave; return which."""
         over = (self._leave_s <= now_s + ROUNDING_S) & np.isinf(state.presence.left_s)
         rows = np.flatnonzero(over)
         leave(state, rows, now_s, log)
@@ -65,7 +65,7 @@ class Timetable:
     def join(
         self, state: EnvState, constants: RobotConstants, now_s: float, log: EventLog
     ) -> IndexArray:
-        """Lets those join whose time it is and whose place is free; gives which."""
+        """Add the robots whose time it is to join and whose place is free; return which."""
         due = (self._join_s <= now_s + ROUNDING_S) & _expected(state.presence)
         joined = []
         for robot in np.flatnonzero(due).tolist():
@@ -82,7 +82,7 @@ class Timetable:
 def join(
     state: EnvState, constants: RobotConstants, robot: int, now_s: float, log: EventLog
 ) -> None:
-    """Puts a robot into the world; its devices begin when the world has been furnished with it."""
+    """Add a robot to the world; its devices start when the world has been furnished with it."""
     presence, here = state.presence, np.arange(len(state.presence.present)) == robot
     presence.present = presence.present | here
     presence.joined_s = np.where(here, now_s, presence.joined_s)
@@ -92,7 +92,7 @@ def join(
 
 
 def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> None:
-    """Takes robots out of the world: what was in motion stops, what was awaited never comes."""
+    """Remove robots from the world: what was in motion stops, what was awaited never comes."""
     presence, gone = state.presence, np.zeros(len(state.presence.present), dtype=np.bool_)
     gone[rows] = True
     presence.present = presence.present & ~gone
@@ -113,7 +113,7 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
 def in_the_way(
     state: EnvState, constants: RobotConstants, place: Pose, radius_m: float, robot: int = -1
 ) -> str:
-    """Gives what keeps a robot from standing somewhere, in words; empty for nothing.
+    """Return what occupies a robot's place, in words; empty for nothing.
 
     Args:
         state: tells where everything is.
@@ -140,7 +140,7 @@ def in_the_way(
 
 
 def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
-    """Gives why a robot cannot be added to a world, wherever things stand; empty if it can.
+    """Return why a robot cannot be added to a world, wherever things are; empty if it can.
 
     Args:
         robot: the robot.
@@ -164,5 +164,5 @@ def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
 
 
 def _expected(presence: PresenceState) -> BoolArray:
-    """Tells who has not joined yet and still may."""
+    """Return which robots have not joined yet and still may."""
     return np.asarray(np.isinf(presence.joined_s) & np.isinf(presence.left_s))

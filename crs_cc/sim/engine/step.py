@@ -211,7 +211,7 @@ class RobotSlice:
 
 
 def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
-    """Gives the slices of a cycle, whole when the axes have been turned to its end."""
+    """Return the slices of a cycle, whole when the axes have been turned to its end."""
     end_s = state.drive.axes.end_s()
     end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
     endless = end_s > _MOST_CYCLES * timestep_s
@@ -233,12 +233,12 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
 
 
 def describe_slice(step: Step, robot: int) -> RobotSlice:
-    """Gives one robot's part of a cycle as plain values."""
+    """Return one robot's part of a cycle as plain values."""
     return slice_of(step.slices, robot, _answers(step, robot))
 
 
 def slice_of(slices: Slices, robot: int, answers: tuple[Answer, ...] = ()) -> RobotSlice:
-    """Gives what one robot's axes did as plain values, with the requests that were answered."""
+    """Return what one robot's axes did as plain values, with the requests that were answered."""
     code, count = int(slices.command[robot]), int(slices.count[robot])
     rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
     ways = zip(*(row.tolist() for row in rows), strict=True)

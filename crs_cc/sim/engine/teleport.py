@@ -34,7 +34,7 @@ def put_robot(
     base_rad: float,
     turret_rad: float,
 ) -> None:
-    """Puts a robot down at a place that is free; its odometry does not hear of it.
+    """Move a robot to a place that is free, without its odometry.
 
     Args:
         state: changed in place.
@@ -58,7 +58,7 @@ def put_robot(
 
 
 def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: Pose) -> str:
-    """Carries a robot somewhere, turned as a whole, if the place is free.
+    """Move a robot to a pose, turned as a whole, if the place is free.
 
     Returns:
         what stands in the way, in words; empty when the robot is there now.
@@ -74,7 +74,7 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
 
 
 def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
-    """Carries something that can be pushed somewhere, if the place is free.
+    """Move something that can be pushed to a pose, if the place is free.
 
     Args:
         state: changed in place.
@@ -98,13 +98,13 @@ def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Po
 
 
 def _part(state: EnvState, constants: RobotConstants, body: int) -> None:
-    """Forgets what touched a body where it was."""
+    """Forget what touched a body where it was."""
     robot, thing = np.divmod(state.contacts_before, len(constants.scene.names))
     state.contacts_before = state.contacts_before[(robot != body) & (thing != body)]
 
 
 def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thing) -> str:
-    """Gives what a thing would stand in, in words; empty for nothing."""
+    """Return what occupies a thing's place, in words; empty for nothing."""
     things, area, scene = constants.shapes, constants.world.area, constants.scene
     low, high = _extent_m(wanted)
     if (low < np.array([area.x_min_m, area.y_min_m]) - TOLERANCE_M).any():
@@ -125,7 +125,7 @@ def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thi
 
 
 def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
-    """Gives a thing where it is; a robot as the cylinder that it is."""
+    """Return a thing where it is; a robot as the cylinder that it is."""
     if isinstance(thing, Wall):
         return thing
     place = Pose(*pose.tolist())
@@ -135,7 +135,7 @@ def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
 
 
 def _extent_m(thing: Thing) -> FloatArray:
-    """Gives the lower left and the upper right corner of what a thing covers, (2, 2)."""
+    """Return the lower left and the upper right corner of what a thing covers, (2, 2)."""
     if isinstance(thing, Cylinder):
         middle = np.array([thing.pose.x_m, thing.pose.y_m])
         return np.array([middle - thing.radius_m, middle + thing.radius_m])

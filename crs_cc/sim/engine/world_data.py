@@ -103,12 +103,12 @@ class WorldData:
 
     @property
     def world_now(self) -> WorldModel:
-        """Gives the world with what programs have put into it and taken out of it."""
+        """The world with what programs have put into it and taken out of it."""
         return self.state.obstacles.world_now(self.world)
 
     @property
     def pushables(self) -> tuple[str, ...]:
-        """Gives the names of what can be pushed, in the order of the bodies behind the robots."""
+        """The names of what can be pushed, in the order of the bodies behind the robots."""
         first = len(self.world.robots)
         return self.names[first : len(self.state.bodies.angle_rad)]
 
@@ -118,26 +118,26 @@ class WorldData:
 
     @property
     def timestep_s(self) -> float:
-        """Gives the length of a cycle [s]."""
+        """The length of a cycle [s]."""
         return self.world.timestep_s
 
     @property
     def time_s(self) -> float:
-        """Gives the start of the current cycle [s]."""
+        """The start of the current cycle [s]."""
         return self.state.cycle * self.timestep_s
 
     @property
     def end_s(self) -> float:
-        """Gives the end of the current cycle [s], the start of the next."""
+        """The end of the current cycle [s], the start of the next."""
         return (self.state.cycle + 1) * self.timestep_s
 
     @property
     def awaits(self) -> bool:
-        """Tells whether robots are still to join, at a time that has not come yet."""
+        """Whether robots are still to join, at a time that has not come yet."""
         return self._timetable.is_anybody_due(self.state.presence, self.time_s)
 
     def add_robot(self, robot: Robot) -> int:
-        """Puts another robot into the world, between two cycles; gives its number.
+        """Add a robot to the world, between two cycles; return its number.
 
         Args:
             robot: the robot; it joins now, or at its time if that comes later.
@@ -158,7 +158,7 @@ class WorldData:
         return len(world.robots) - 1
 
     def remove_robot(self, number: int) -> None:
-        """Takes a robot out of the world, or lets it never join, between two cycles.
+        """Remove a robot from the world, or make sure that it never joins, between two cycles.
 
         Raises:
             ValueError: there is no such robot, or it has left before.
@@ -171,7 +171,7 @@ class WorldData:
         self.come_and_go()
 
     def dismiss_robot(self, number: int) -> None:
-        """Lets a robot leave at the end of the current cycle, wherever in the cycle this is said.
+        """Make a robot leave at the end of the current cycle; may be called at any point of it.
 
         Raises:
             ValueError: it has left before.
@@ -183,9 +183,9 @@ class WorldData:
         self._equip(replace(self.world, robots=tuple(robots)))
 
     def carry(self, name: str, place: Pose) -> None:
-        """Puts a robot, or something that can be pushed, down somewhere else.
+        """Move a robot, or something that can be pushed, to another pose.
 
-        A robot is turned as a whole, and its odometry does not hear of it; see `relocation`.
+        A robot is turned as a whole, and its odometry does not notice; see `teleport`.
 
         Raises:
             ValueError: it cannot be there, or is nothing that can be carried.
@@ -203,7 +203,7 @@ class WorldData:
         self.refurnish(moved=True)
 
     def take_away(self, name: str) -> None:
-        """Takes a thing that a robot can run into out of the world.
+        """Remove a thing that a robot can run into.
 
         Raises:
             ValueError: there is no such thing, or it is the edge of the world or a robot.
@@ -212,14 +212,14 @@ class WorldData:
         self.refurnish(moved=False)
 
     def charges(self, number: int) -> tuple[float, float]:
-        """Gives what is left in the batteries of a robot's computers and motors, 0 to 1."""
+        """Return the states of charge of a robot's computer and motor batteries, 0 to 1."""
         rows = np.array([number], dtype=np.intp)
         batteries = self.devices.sensor_board.batteries
         computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
         return computers, motors
 
     def charge(self, number: int, share: float) -> None:
-        """Lets so much be left in the battery of a robot's motors, 0 to 1.
+        """Set the state of charge of a robot's motor battery, 0 to 1.
 
         Raises:
             ValueError: it lasts for ever, or the robot is not in the world.
@@ -229,7 +229,7 @@ class WorldData:
         batteries.charge(self.state, number, self.time_s, share)
 
     def warm(self, name: str, heat: float) -> None:
-        """Lets a robot or a thing be so hot from now on, 0 or more."""
+        """Set the heat of a robot or a thing, 0 or more."""
         self.state.heat.left[self.names.index(name)] = heat
 
     def snapshot(self, served: Sequence[Served]) -> Snapshot:
@@ -243,7 +243,7 @@ class WorldData:
         return Snapshot(self.world, self._packed, physics, tuple(served), events)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Goes back to a snapshot of an environment with the same world and seed.
+        """Restore a snapshot of the same world and seed.
 
         Robots that had been added when it was made are there again, others are not.
         """
@@ -282,7 +282,7 @@ class WorldData:
             raise ValueError(f"robot {self._robot_ids[number]!r} is not in the world")
 
     def _immovable(self, name: str) -> str:
-        """Gives why a thing cannot be carried away; empty if it can."""
+        """Return why a thing cannot be carried away; empty if it can."""
         if name not in self.pushables:
             return unknown("robot or movable thing", name, (*self._robot_ids, *self.pushables))
         number = self.pushables.index(name)
@@ -292,7 +292,7 @@ class WorldData:
         return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
     def _equip(self, world: WorldModel) -> None:
-        """Makes all that follows from which robots there are."""
+        """Rebuild all that follows from which robots there are."""
         self.world = world
         self.constants = RobotConstants.of(world, self._seed)
         self.bumpers = Bumpers(world)
@@ -307,7 +307,7 @@ class WorldData:
         self._furnish(Scene(self.world_now, self.state.presence.present))
 
     def _furnish(self, scene: Scene) -> None:
-        """Makes all that follows from which things stand where."""
+        """Rebuild all that follows from which things are where."""
         self._furnished = self.state.obstacles, self.state.presence.present
         self.names = scene.names
         self.constants = replace(self.constants, scene=scene, shapes=ShapeTable.of(scene))
@@ -315,7 +315,7 @@ class WorldData:
         self.rays = RayCaster(scene, self.devices.fans)
 
     def refurnish(self, moved: bool) -> None:
-        """Does so where things have come or gone, or a program has moved its robot."""
+        """Rebuild what is outdated: things have come or gone, or a robot has been moved."""
         if self._is_furnished():
             if moved:
                 self.physics.start_from(self.state.bodies)
@@ -327,17 +327,17 @@ class WorldData:
         self._furnish(scene)
 
     def _is_furnished(self) -> bool:
-        """Tells whether the same things stand where they stood last."""
+        """Return whether the same things are where they were last."""
         obstacles, present = self._furnished
         same = np.array_equal(self.state.presence.present, present)
         return same and self.state.obstacles.same_as(obstacles)
 
     def is_anybody_due(self) -> bool:
-        """Tells whether it is time for a robot to join or to leave."""
+        """Return whether it is time for a robot to join or to leave."""
         return self.time_s >= self._due_s - ROUNDING_S
 
     def come_and_go(self) -> None:
-        """Lets robots leave and join whose time it is."""
+        """Remove and add the robots whose time it is to leave or to join."""
         now_s = self.time_s
         self._timetable.leave(self.state, now_s, self.log)
         joined = self._timetable.join(self.state, self.constants, now_s, self.log)
@@ -346,6 +346,6 @@ class WorldData:
         self._due_s = self._timetable.due_s(self.state.presence)
 
     def _begin(self, rows: IndexArray) -> None:
-        """Lets the devices of robots begin that are in the world from now on."""
+        """Start the devices of robots that are in the world from now on."""
         if len(rows):
             self.devices.begin(self.state, self.constants, self.rays, rows, self.time_s)

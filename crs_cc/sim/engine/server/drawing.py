@@ -60,7 +60,7 @@ def refresh(context: RequestContext) -> BoolArray:
 
 
 def _put(drawings: DrawingState, robot: int, mark: Int32Array, *, xor: bool) -> None:
-    """Puts a mark on top; the same below goes away, and by exclusive or both do."""
+    """Add a mark on top; the same below disappears, and by exclusive or both do."""
     own = drawings.robots == robot
     keep = ~(own & (drawings.marks == mark).all(axis=1))
     erases = xor and not keep.all()

@@ -84,7 +84,7 @@ class Shapes:
 
     @classmethod
     def of(cls, segments: FloatArray, circles: FloatArray, radius_m: float) -> Shapes:
-        """Takes outlines, see `scene.Outlines`."""
+        """Return the shapes of outlines, see `scene.Outlines`."""
         middle = circles[:, 0] + 1j * circles[:, 1]
         start = np.concatenate([segments[:, 0] + 1j * segments[:, 1], middle])
         end = np.concatenate([segments[:, 2] + 1j * segments[:, 3], middle])
@@ -92,17 +92,17 @@ class Shapes:
         return cls(start, end, radius_m + margin_m)
 
     def room_m(self, place: ComplexArray | complex) -> FloatArray:
-        """Gives how far places are from contact, one for each shape; negative inside."""
+        """Return how far places are from contact, one for each shape; negative inside."""
         return np.asarray(np.abs(self.nearest(place) - place) - self.reach_m)
 
     def nearest(self, place: ComplexArray | complex) -> ComplexArray:
-        """Gives the point on each segment that is nearest to a place."""
+        """Return the point on each segment that is nearest to a place."""
         across, along = place - self.start, self.end - self.start
         share = segment.nearest_share(across.real, across.imag, along.real, along.imag)
         return np.asarray(self.start + share * along)
 
     def take(self, which: IndexArray) -> Shapes:
-        """Gives some of them."""
+        """Return some of them."""
         return Shapes(self.start[which], self.end[which], self.reach_m[which])
 
 
@@ -115,15 +115,15 @@ class Straight:
     length_m: float
 
     def at(self, way_m: FloatArray) -> ComplexArray:
-        """Gives the places after some ways."""
+        """Return the places after some lengths of the path."""
         return np.asarray(self.start + way_m * self.direction)
 
     def around(self) -> tuple[complex, float]:
-        """Gives the middle and the radius of a disc that the path lies in."""
+        """Return the middle and the radius of a disc that the path lies in."""
         return self.start + self.direction * self.length_m / 2, self.length_m / 2
 
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
-        """Gives the ways after which the line is so far from points; NaN where it never is."""
+        """Return the lengths after which the line is so far from points; NaN where it never is."""
         away = self.start - point
         along = (away * self.direction.conjugate()).real
         root = np.sqrt(distance_m**2 - np.abs(away) ** 2 + along**2)
@@ -132,7 +132,7 @@ class Straight:
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
-        """Gives the way after which the line is so far along a normal from points."""
+        """Return the length after which the line is so far along a normal from points."""
         before = ((self.start - point) * normal.conjugate()).real
         return [(distance_m - before) / (self.direction * normal.conjugate()).real]
 
@@ -156,16 +156,16 @@ class Arc:
     length_m: float
 
     def at(self, way_m: FloatArray) -> ComplexArray:
-        """Gives the places after some ways."""
+        """Return the places after some lengths of the path."""
         angle = self.begin_rad + self.sense * way_m / self.radius_m
         return np.asarray(self.centre + self.radius_m * np.exp(1j * angle))
 
     def around(self) -> tuple[complex, float]:
-        """Gives the middle and the radius of a disc that the path lies in."""
+        """Return the middle and the radius of a disc that the path lies in."""
         return self.centre, self.radius_m
 
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
-        """Gives the ways after which the circle is so far from points; NaN where it never is."""
+        """Return after which lengths the circle is so far from points; NaN where never."""
         away = self.centre - point
         apart = np.abs(away)
         cos = (distance_m**2 - apart**2 - self.radius_m**2) / (2 * self.radius_m * apart)
@@ -174,7 +174,7 @@ class Arc:
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
-        """Gives the ways after which the circle is so far along a normal from points."""
+        """Return the lengths after which the circle is so far along a normal from points."""
         before = ((self.centre - point) * normal.conjugate()).real
         return self._ways(np.angle(normal), (distance_m - before) / self.radius_m)
 
@@ -188,7 +188,7 @@ Path: TypeAlias = Straight | Arc
 
 
 def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
-    """Gives where a robot's middle is when it first touches something, and the normal [rad]."""
+    """Return where a robot's middle is when it first touches something, and the normal [rad]."""
     middle, radius_m = path.around()
     shapes = shapes.take(np.flatnonzero(shapes.room_m(middle) <= radius_m + _AHEAD_M))
     ways_m = np.stack([np.zeros(len(shapes.reach_m)), *_candidates(path, shapes)])
@@ -206,7 +206,7 @@ def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
 
 
 def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
-    """Gives ways among which all are that end in a contact."""
+    """Return path lengths, among them all that end in a contact."""
     along = shapes.end - shapes.start
     with np.errstate(divide="ignore", invalid="ignore"):
         normal = 1j * along / np.abs(along)
@@ -219,7 +219,7 @@ def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
 
 
 def _path(kind: int, numbers: FloatArray) -> Path | None:
-    """Gives a path; None where the numbers make none."""
+    """Return a path; None where the numbers make none."""
     if not (np.abs(numbers) <= m_to_tenths_inch(_FURTHEST_M)).all() or kind not in (_SEGMENT, _ARC):
         return None
     lengths_m = tenths_inch_to_m(numbers)

@@ -48,7 +48,7 @@ def predict(context: RequestContext, *, sonars: SonarRing, sensor_board: SensorB
 def _mounts(
     state: EnvState, constants: RobotConstants, rows: IndexArray, wanted: FloatArray
 ) -> FloatArray:
-    """Gives x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
+    """Return x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
     place_m = tenths_inch_to_m(wanted[:, :2])
     heading_rad, turret_rad = tenths_deg_to_rad(wanted[:, 2:]).T
     return np.column_stack([place_m, mount_rad(state, constants, rows, heading_rad, turret_rad)])

@@ -107,7 +107,7 @@ def _polygons(context: RequestContext) -> list[Int64Array | None]:
 def _add(
     state: EnvState, constants: RobotConstants, robot: int, corners: Int64Array | None
 ) -> bool:
-    """Adds a polygon if it can be one and may stand there."""
+    """Add a polygon if it is one and its place is free."""
     obstacles = state.obstacles
     if corners is None or np.abs(corners).max() > _FURTHEST:
         return False
@@ -139,7 +139,7 @@ def _add(
 def _find(
     obstacles: ObstacleState, constants: RobotConstants, corners: Int64Array | None
 ) -> int | None:
-    """Gives the first polygon with some corners; None if there is none.
+    """Return the first polygon with some corners; None if there is none.
 
     Returns:
         the row of one that was added; of a thing of the world file its number, inverted (~).
@@ -158,7 +158,7 @@ def _find(
 
 
 def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
-    """Gives the obstacles without the one that was found at a place."""
+    """Return the obstacles without the one that was found at a place."""
     if place >= 0:
         return obstacles.take(np.delete(np.arange(len(obstacles.sizes)), place))
     standing = obstacles.standing.copy()
@@ -167,14 +167,14 @@ def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
 
 
 def _tenths_inch(solid: Solid) -> Corners:
-    """Gives the corners of a fixed box or polygon [0.1 in], none of what has none."""
+    """Return the corners of a fixed box or polygon [0.1 in], none of what has none."""
     if not isinstance(solid, Box | Polygon) or is_pushable(solid):
         return np.zeros((0, 2), dtype=np.int32)
     return np.rint(m_to_tenths_inch(corners_m(solid))).astype(np.int32)
 
 
 def _in_order(corners: npt.NDArray[np.integer]) -> list[tuple[int, int]]:
-    """Gives corners counter-clockwise, the lowest of the leftmost ones first."""
+    """Return corners counter-clockwise, the lowest of the leftmost ones first."""
     pairs: list[tuple[int, int]] = [(int(x), int(y)) for x, y in corners]
     if not pairs:
         return pairs
