@@ -207,14 +207,14 @@ def _kind(tokens: Sequence[Token], start: int) -> Kind:
     while index < len(tokens) and tokens[index].type == "TIMES":
         index += 1
     is_name = index < len(tokens) and tokens[index].type == "ID"
-    behind = tokens[index + 1].type if index + 1 < len(tokens) else ""
-    declares = is_name and (index == start + 1 or behind in _AFTER_DECLARATOR)
+    following = tokens[index + 1].type if index + 1 < len(tokens) else ""
+    declares = is_name and (index == start + 1 or following in _AFTER_DECLARATOR)
     return "declaration" if declares else "statement"
 
 
 def _name(tokens: Sequence[Token]) -> str:
     """Return the name of a function, given its declarator."""
-    for name, behind in pairwise(tokens):
-        if name.type == "ID" and behind.type == "LPAREN":
+    for name, following in pairwise(tokens):
+        if name.type == "ID" and following.type == "LPAREN":
             return name.value
     return ""

@@ -81,7 +81,7 @@ class Constant:
 
 Operand: TypeAlias = Register | Constant
 VARARGS: Final = Slot("...", 0, 4)
-"""As the base of an `Address`: the first byte behind the named parameters (for `va_start`)."""
+"""As the base of an `Address`: the first byte after the named parameters (for `va_start`)."""
 Base: TypeAlias = Register | Slot | str
 """Where an address starts: a pointer value, a frame slot, or a global object or function."""
 

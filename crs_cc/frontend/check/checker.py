@@ -29,7 +29,7 @@ Result = TypeVar("Result")
 
 
 class Checked(OwnNode):
-    """A node that stands for an expression that is checked already."""
+    """A node for an expression that is checked already."""
 
     __slots__ = ("expression",)
 

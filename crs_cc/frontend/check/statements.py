@@ -348,12 +348,12 @@ def _case_value(unit: Unit, node: Node, opened: SwitchState) -> int:
 def _enter_case(opened: SwitchState, first: int, last: int, location: Location) -> None:
     """Record a `case`, whose value must be unique (C17 6.8.4.2p3)."""
     number = bisect_left(opened.lows, first)
-    before, behind = opened.cases[max(0, number - 1) : number], opened.cases[number : number + 1]
+    before, following = opened.cases[max(0, number - 1) : number], opened.cases[number : number + 1]
     if before and before[0][0] >= first:
         hint = f"first at {before[0][1]}"
         raise CheckError(location, f"duplicate case value '{first}'", hint)
-    if behind and opened.lows[number] <= last:
-        hint = f"first at {behind[0][1]}"
+    if following and opened.lows[number] <= last:
+        hint = f"first at {following[0][1]}"
         raise CheckError(location, f"duplicate case value '{opened.lows[number]}'", hint)
     opened.lows.insert(number, first)
     opened.cases.insert(number, (last, location))

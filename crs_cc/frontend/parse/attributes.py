@@ -25,7 +25,7 @@ _SHARED: Final = "gnu_attributes"
 
 
 class Attributes:
-    """The attributes of a file, by the token that they stand before."""
+    """The attributes of a file, by the token that they precede."""
 
     def __init__(
         self,

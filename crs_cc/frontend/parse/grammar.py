@@ -55,10 +55,10 @@ _PRECEDENCE: Final = {
 """How tightly each binary operator binds (C17 6.5.5 to 6.5.14)."""
 
 _WITHOUT_TYPE: Final = frozenset({"ID", "TIMES", "LPAREN"})
-"""What starts a declaration whose type is left out."""
+"""The tokens that start a declaration whose type is left out."""
 
 _EXTERNAL: Final = frozenset({"SEMI", "PPHASH", "PPPRAGMA", "_PRAGMA", "_STATIC_ASSERT"})
-"""What else may stand outside of functions."""
+"""Other tokens that may start an external declaration."""
 
 _MAX_DERIVATIONS: Final = 200
 """How many pointers, arrays and functions one declarator may stack up."""

@@ -91,13 +91,13 @@ class KeywordTypos:
             if token.type == "SEMI":
                 return depth == 1
             index += 1
-        behind = buffer[index + 1] if token is not None else None
-        if depth or behind is None:
+        following = buffer[index + 1] if token is not None else None
+        if depth or following is None:
             return False
-        is_far = behind.lineno > token.lineno  # where only a semicolon may be missing
-        if behind.type == "LBRACE":
+        is_far = following.lineno > token.lineno  # where only a semicolon may be missing
+        if following.type == "LBRACE":
             return True
-        return (behind.type in {"ID", "TYPEID"} or _is_keyword(behind)) and not is_far
+        return (following.type in {"ID", "TYPEID"} or _is_keyword(following)) and not is_far
 
     def _fix(self, ahead: int, keywords: Iterable[str]) -> None:
         """Replace an undeclared name by the keyword that resembles it, if there is one."""

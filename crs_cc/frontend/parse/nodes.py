@@ -13,7 +13,7 @@ TYPE_ARGUMENTS: Final = frozenset({"__builtin_types_compatible_p"})
 """Functions whose arguments are types."""
 
 AUTO_TYPE: Final = "__auto_type"
-"""The name that stands for the type of a variable's initial value."""
+"""The type specifier for the type of a variable's initial value."""
 
 PREDECLARED_TYPES: Final = ("__builtin_va_list", AUTO_TYPE)
 """Type names that every file knows."""

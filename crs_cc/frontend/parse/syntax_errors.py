@@ -35,7 +35,7 @@ _PLAIN_TEXT: Final = {
     "Invalid typedef": "a function body cannot follow 'typedef'",
     "At end of input": "unexpected end of file",
 }
-"""What pycparser's messages mean."""
+"""Our wording of pycparser's messages."""
 
 
 class SyntaxErrors:
@@ -52,7 +52,7 @@ class SyntaxErrors:
 
         Args:
             msg: pycparser's message.
-            coord: the token at fault; anything else stands for the next token.
+            coord: the token at fault; anything else means the next token.
 
         Raises:
             ParseError: always.

@@ -199,12 +199,12 @@ def _condition(state: State, line: _Line) -> bool:
 
 def _if(state: State, line: _Line) -> None:
     holds = not state.reader.skipping and _condition(state, line)
-    conditionals.begin(state.reader, f"#{line.name}", line.place, holds=holds)
+    conditionals.open_group(state.reader, f"#{line.name}", line.place, holds=holds)
 
 
 def _ifdef(state: State, line: _Line) -> None:
     holds = not state.reader.skipping and _names_a_macro(state, line)
-    conditionals.begin(state.reader, f"#{line.name}", line.place, holds=holds)
+    conditionals.open_group(state.reader, f"#{line.name}", line.place, holds=holds)
 
 
 def _names_a_macro(state: State, line: _Line) -> bool:
@@ -218,19 +218,19 @@ def _names_a_macro(state: State, line: _Line) -> bool:
 
 def _elif(state: State, line: _Line) -> None:
     judge = _condition if line.name == "elif" else _names_a_macro
-    conditionals.go_on(
+    conditionals.start_elif(
         state.reader, f"#{line.name}", line.place, state.report, lambda: judge(state, line)
     )
 
 
 def _else(state: State, line: _Line) -> None:
     _demand_end(state, line, line.tokens())
-    conditionals.otherwise(state.reader, line.place, state.report)
+    conditionals.start_else(state.reader, line.place, state.report)
 
 
 def _endif(state: State, line: _Line) -> None:
     _demand_end(state, line, line.tokens())
-    conditionals.finish(state.reader, line.place, state.report)
+    conditionals.end_group(state.reader, line.place, state.report)
 
 
 def _error(state: State, line: _Line) -> None:

@@ -1,7 +1,7 @@
-"""Warn about what is C, but hardly what was meant, in functions that were checked without errors.
+"""Warnings about valid code that is probably a mistake, in functions without errors.
 
-Values that nobody uses, and constant indices outside their array; what needs the paths through a
-function is in `warn_flow`.
+These are unused values and constant indices outside their array; those that need control flow are
+in `flow`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _PURE: Final = frozenset({
     "strcspn", "strlen", "strncasecmp", "strncmp", "strpbrk", "strrchr", "strspn", "strstr", "tan",
     "tolower", "toupper", "trunc",
 })  # fmt: skip
-"""Library functions that only give a value."""
+"""Library functions without side effects."""
 
 _EFFECTS: Final = (
     tree.Assign, tree.CompoundAssign, tree.Increment, tree.Call, tree.Intrinsic, tree.VarArg,
@@ -38,7 +38,7 @@ _VALUES: Final = (
 
 
 def warn_unit(unit: Unit) -> None:
-    """Looks at every function of a file."""
+    """Check every function of a file."""
     for function in unit.functions:
         for node in walk(function.body):
             match node:
@@ -75,13 +75,13 @@ def _has_effect(value: tree.Expression) -> bool:
 
 
 def _is_macro(unit: Unit, place: Location) -> bool:
-    """Return whether a name in capitals stands at a place: it may well be a macro for nothing."""
+    """Return whether there is a name in capitals at a location: probably a macro without effect."""
     line = unit.diagnostics.lines.get(place.file, [])[place.line - 1 : place.line]
     return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
 
 
 def _warn_call(unit: Unit, call: tree.Call) -> None:
-    """Warn about a dropped value of a function that only gives one."""
+    """Warn about the unused result of a function without side effects."""
     if isinstance(call.callee, tree.FunctionName) and not isinstance(call.type, VoidType):
         symbol = call.callee.symbol
         if symbol.is_external and symbol.name in _PURE:
