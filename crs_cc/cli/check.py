@@ -14,7 +14,6 @@ from crs_cc.cli.inputs import demand_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
 from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics
-from crs_cc.frontend.check.scope import ENTRIES
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
@@ -61,7 +60,7 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
             found, error_status = _messages(Path(name), compiler, programs, sources, together)
         messages += [each for each in found if each.severity == "error" or not quiet]
         status = status or error_status
-    if not status and sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1:
+    if not status and _has_entry(programs):
         sources.messages += messages
         messages, status = _linked(programs, sources)
     if as_json:
@@ -73,6 +72,13 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
             click.echo(line)
         say(_closing_line(messages, len(files)))
     return status
+
+
+def _has_entry(programs: Sequence[Program]) -> bool:
+    """Return whether exactly one of the files has an entry point, so that they are a program."""
+    from crs_cc.frontend.check.scope import ENTRIES
+
+    return sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1
 
 
 def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnostic], int]:
