@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
-from crs_cc.cli.inputs import demand_readable, is_world
+from crs_cc.cli.inputs import check_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
 from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics
@@ -92,7 +92,7 @@ def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnosti
     from crs_cc.sim.files.world_xml import load_any
 
     try:
-        demand_readable(path)
+        check_readable(path)
         contents += [f"{path}: {line}" for line in describe(load_any(path))]
     except WorldError as error:
         return error.diagnostics, error.exit_status
@@ -117,7 +117,7 @@ def _messages(
     """
     diagnostics = Diagnostics()
     try:
-        demand_readable(path)
+        check_readable(path)
         from crs_cc.cli.compile import compile_source
 
         programs.append(compile_source(path, compiler, diagnostics, together))
