@@ -39,12 +39,12 @@ def cache(context: click.Context) -> int:
     """
     if context.invoked_subcommand is not None:
         return 0
-    from crs_cc.session.cache_size import LIMIT_VARIABLE, bad_limit, limit_bytes
+    from crs_cc.session.cache_size import LIMIT_VARIABLE, invalid_limit, limit_bytes
 
     folder = _folder()
     entries = _entries(folder)
-    if bad_limit():
-        say(f"warning: {LIMIT_VARIABLE}={bad_limit()} is not a size such as 500M or 2G")
+    if invalid_limit():
+        say(f"warning: {LIMIT_VARIABLE}={invalid_limit()} is not a size such as 500M or 2G")
     click.echo(f"folder   {folder}")
     click.echo(f"entries  {len(entries)}")
     click.echo(f"size     {_size(entries)}")

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
-from crs_cc.cli.inputs import demand_readable, is_world
+from crs_cc.cli.inputs import check_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
 from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics
-from crs_cc.frontend.check.scope import ENTRIES
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
@@ -61,7 +60,7 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
             found, error_status = _messages(Path(name), compiler, programs, sources, together)
         messages += [each for each in found if each.severity == "error" or not quiet]
         status = status or error_status
-    if not status and sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1:
+    if not status and _has_entry(programs):
         sources.messages += messages
         messages, status = _linked(programs, sources)
     if as_json:
@@ -75,6 +74,13 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     return status
 
 
+def _has_entry(programs: Sequence[Program]) -> bool:
+    """Return whether exactly one of the files has an entry point, so that they are a program."""
+    from crs_cc.frontend.check.scope import ENTRIES
+
+    return sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1
+
+
 def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnostic], int]:
     """Return the messages about an XML file, and their exit status.
 
@@ -86,7 +92,7 @@ def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnosti
     from crs_cc.sim.files.world_xml import load_any
 
     try:
-        demand_readable(path)
+        check_readable(path)
         contents += [f"{path}: {line}" for line in describe(load_any(path))]
     except WorldError as error:
         return error.diagnostics, error.exit_status
@@ -111,7 +117,7 @@ def _messages(
     """
     diagnostics = Diagnostics()
     try:
-        demand_readable(path)
+        check_readable(path)
         from crs_cc.cli.compile import compile_source
 
         programs.append(compile_source(path, compiler, diagnostics, together))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, gathered
-from crs_cc.cli.inputs import demand_readable
+from crs_cc.cli.inputs import check_readable
 from crs_cc.cli.messages import show
 from crs_cc.core.source import Diagnostics
 
@@ -47,7 +47,7 @@ def compile_(
     diagnostics = Diagnostics()
     with gathered(diagnostics, quiet=quiet):
         for path in paths:
-            demand_readable(path)
+            check_readable(path)
         if emit == "ir":
             text = _ir(paths, compiler, diagnostics)
         else:

@@ -60,7 +60,7 @@ def is_world(name: str) -> bool:
     return name.lower().endswith(".xml")
 
 
-def demand_readable(path: Path, hint: str = "") -> None:
+def check_readable(path: Path, hint: str = "") -> None:
     """Check that a file can be read.
 
     Args:
@@ -86,14 +86,14 @@ def demand_readable(path: Path, hint: str = "") -> None:
         raise blame.at(place, "cannot be read: permission denied")
 
 
-def name_files(options: Sequence[str]) -> dict[str, Path]:
+def parse_named_files(options: Sequence[str]) -> dict[str, Path]:
     """Return the files that programs may read, by name, from `FILE` or `NAME=FILE`.
 
     Raises:
         click.UsageError: a file does not exist, cannot be read or is too large, or its
             name is invalid or a duplicate on a program's disk.
 
-    >>> name_files(["pyproject.toml", "map=README.md"])
+    >>> parse_named_files(["pyproject.toml", "map=README.md"])
     {'pyproject.toml': PosixPath('pyproject.toml'), 'map': PosixPath('README.md')}
     """
     named: dict[str, Path] = {}
@@ -125,13 +125,13 @@ def make_folder(path: Path) -> None:
         raise click.UsageError(f"cannot create folder '{path}': {error.strerror}.") from None
 
 
-def demand_picture(path: Path) -> None:
+def check_plot_path(path: Path) -> None:
     """Check that a picture can be written to a file, and that the file is not a source.
 
     Raises:
         click.UsageError: it cannot.
     """
-    _demand_writable(path)
+    _check_writable(path)
     device = path.exists() and not path.is_file()
     if path.suffix.lower() != ".svg" and not device:
         raise click.UsageError(
@@ -139,7 +139,7 @@ def demand_picture(path: Path) -> None:
         )
 
 
-def _demand_writable(path: Path) -> None:
+def _check_writable(path: Path) -> None:
     """Check, as far as possible without writing, that a file can be written."""
     folder = path.absolute().parent
     try:

@@ -27,7 +27,7 @@ class Interrupt:
 
     def __enter__(self) -> Self:
         if self._listens:
-            self._before = signal.signal(signal.SIGINT, self._hear)
+            self._before = signal.signal(signal.SIGINT, self._handle)
         return self
 
     def __exit__(
@@ -48,7 +48,7 @@ class Interrupt:
         finally:
             self._is_waiting = False
 
-    def _hear(self, _signal: int, _frame: FrameType | None) -> None:
+    def _handle(self, _signal: int, _frame: FrameType | None) -> None:
         if self.requested or self._is_waiting:
             raise KeyboardInterrupt
         self.requested = True

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.compiler_options import gathered, merged
-from crs_cc.cli.inputs import demand_readable
+from crs_cc.cli.inputs import check_readable
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.session.build import build_executable
 from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
@@ -90,7 +90,7 @@ def _world(options: ProgramOptions) -> WorldModel:
     if path is None:
         world = empty_world(options.setup, robot)
     else:
-        demand_readable(path)
+        check_readable(path)
         world = load_world(path, options.setup, robot)
     return world.with_ideal_link() if options.link == "ideal" else world
 
@@ -119,7 +119,7 @@ def _build(
 ) -> Executable:
     for path in sources:
         is_word = path.suffix != ".c" and not options.arguments
-        demand_readable(path, _ARGUMENT_HINT if is_word else "")
+        check_readable(path, _ARGUMENT_HINT if is_word else "")
     own = Diagnostics()
     try:
         return build_executable(

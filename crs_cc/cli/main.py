@@ -68,7 +68,7 @@ class _SystemFailure(Exception):  # noqa: N818 - wraps an error
 
 
 @contextlib.contextmanager
-def _past_click() -> Iterator[None]:
+def _wrap_system_errors() -> Iterator[None]:
     try:
         yield
     except OSError as error:
@@ -77,11 +77,11 @@ def _past_click() -> Iterator[None]:
 
 class _Crs(click.Group):
     def make_context(self, *args: Any, **extra: Any) -> click.Context:
-        with _past_click():  # --help and --version write here already
+        with _wrap_system_errors():  # --help and --version write here already
             return super().make_context(*args, **extra)
 
     def invoke(self, ctx: click.Context) -> object:
-        with _past_click():
+        with _wrap_system_errors():
             result: object = super().invoke(ctx)
             sys.stdout.flush()
         return result

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
-from crs_cc.cli.inputs import Inputs, make_folder, name_files, sort_files
+from crs_cc.cli.inputs import Inputs, make_folder, parse_named_files, sort_files
 
 if TYPE_CHECKING:
     from crs_cc.session.host import Client
@@ -85,7 +85,7 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
-        help="Save the files that the programs write in DIR; with several robots in DIR/ROBOT.",
+        help="Save to DIR the files that the programs write; with several robots, to DIR/ROBOT.",
     ),
     click.option(
         "--robot", default="scout", show_default=True, metavar="NAME|FILE.xml",
@@ -133,7 +133,7 @@ def program_options(command: Callable[..., Any], *, needs_files: bool = True) ->
         outputs: Path | None,
         **others: Any,
     ) -> Any:
-        inputs, inputs_on_disk = sort_files(files), name_files(named_files)
+        inputs, inputs_on_disk = sort_files(files), parse_named_files(named_files)
         if outputs is not None:
             make_folder(outputs)
         return command(

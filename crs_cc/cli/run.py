@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import click
 
-from crs_cc.cli.inputs import demand_picture
+from crs_cc.cli.inputs import check_plot_path
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.run_options import RunOptions
 
@@ -81,13 +81,13 @@ def run(**options: Any) -> int:
     the world file names for it, else the one given here. Without a world file there is one robot
     in an empty world. Arguments after -- are passed to the program's main.
 
-    The programs read our stdin and write to our stdout and stderr; with several robots each line
+    The programs share stdin, stdout and stderr of crs; with several robots each line of output
     starts with the robot's name. The exit status is the program's own with one robot; with
     several it is 0 if all ended with 0, else 1. A program still running at --max-time counts as 0.
     """
     run_options = RunOptions(**options)
     if run_options.plot is not None:
-        demand_picture(run_options.plot)
+        check_plot_path(run_options.plot)
     from crs_cc.cli.simulate import simulate
 
     return simulate(run_options)

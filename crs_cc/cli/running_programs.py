@@ -27,11 +27,11 @@ def running_programs(run: Run) -> Iterator[str]:
     alike: dict[tuple[str, str], list[RobotResult]] = {}
     for robot, call in zip(run.result.robots, run.calls, strict=True):
         if call is not None:
-            silence = _silence(robot)
-            alike.setdefault((_place(call, alone=len(run.calls) == 1), silence), []).append(robot)
-    for (place, silence), robots in list(alike.items())[:MOST_LINES]:
+            last_call = _last_call(robot)
+            alike.setdefault((_place(call, alone=len(run.calls) == 1), last_call), []).append(robot)
+    for (place, last_call), robots in list(alike.items())[:MOST_LINES]:
         verb = "is" if len(robots) == 1 else "are"
-        yield f"{_names(robots)} {verb} {place}{silence}"
+        yield f"{_names(robots)} {verb} {place}{last_call}"
     if len(alike) > MOST_LINES:
         yield f"... and {len(alike) - MOST_LINES} more places"
 
@@ -42,7 +42,7 @@ def _place(call: ActiveCall, *, alone: bool) -> str:
     return f"in {printable(text)} at {printable(str(call.location))}"
 
 
-def _silence(robot: RobotResult) -> str:
+def _last_call(robot: RobotResult) -> str:
     if robot.robot_call_s is None:
         return ", no robot call so far" if robot.time_s > LONG_S else ""
     if robot.time_s - robot.robot_call_s > LONG_S:

@@ -143,9 +143,9 @@ class Runner:
 
     def _step_to_end(self) -> None:
         end_s = self._end_s
-        self._look()
+        self._sample()
         while not self._interrupt.requested and self.session.step():
-            self._look()
+            self._sample()
             self._output.flush()
             if self._progress.is_due():
                 self._progress.draw(self._progress_text())
@@ -160,18 +160,18 @@ class Runner:
         if self._options.plot is not None:
             contacts = step.contacts
             for robot, x_m, y_m in zip(contacts.robot, contacts.x_m, contacts.y_m, strict=True):
-                self.tracks.touch(int(robot), float(x_m), float(y_m))
+                self.tracks.add_contact(int(robot), float(x_m), float(y_m))
             # A contact of two robots is listed for each of them.
             robots = len(self.session.environment.state.heading_rad)
             once = (contacts.other >= robots) | (contacts.robot < contacts.other)
             self.tracks.collisions += int(once.sum())
 
-    def _look(self) -> None:
+    def _sample(self) -> None:
         """Add the current positions to the plot."""
         if self._options.plot is not None:
-            self.tracks.add(*self._places_m())
+            self.tracks.add(*self._positions_m())
 
-    def _places_m(self) -> tuple[FloatArray, FloatArray]:
+    def _positions_m(self) -> tuple[FloatArray, FloatArray]:
         """Return x and y of all robots [m], NaN for those that are not in the world."""
         state = self.session.environment.state
         present = state.presence.present
@@ -208,7 +208,7 @@ class Runner:
         """Return the plot of the finished run."""
         state = self.session.environment.state
         world = self.session.environment.world_now
-        self.tracks.end(*self._places_m())
+        self.tracks.end(*self._positions_m())
         gone = np.isfinite(state.presence.left_s)
         trips = [
             Trip(robot, self.tracks.path(n), float(state.heading_rad[n]), left=bool(gone[n]))

@@ -53,7 +53,7 @@ class Tracks:
                 self._stride *= 2
         self._timesteps += 1
 
-    def touch(self, robot: int, x_m: float, y_m: float) -> None:
+    def add_contact(self, robot: int, x_m: float, y_m: float) -> None:
         """Add a contact."""
         cell = (robot, round(x_m / _CONTACT_CELL_M), round(y_m / _CONTACT_CELL_M))
         if cell not in self._cells and len(self.contacts) < MAX_CONTACTS:

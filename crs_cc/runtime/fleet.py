@@ -101,9 +101,9 @@ class Fleet:
             OSError: there is not enough memory or address space.
         """
         with _memory_demanded(len(executables)):
-            self._make(executables)
+            self._create(executables)
 
-    def _make(self, executables: Sequence[Executable]) -> None:
+    def _create(self, executables: Sequence[Executable]) -> None:
         self._store = wasmtime.Store(engine())
         limits = wasmtime.Limits(_pages(len(executables)), _MOST_PAGES)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
@@ -116,7 +116,7 @@ class Fleet:
         self._start_driver(len(executables))
         for executable in executables:
             self._instantiate(executable)
-        self._open(0, len(executables))
+        self._resize_slots(0, len(executables))
 
     def __len__(self) -> int:
         return len(self.slots)
@@ -130,7 +130,7 @@ class Fleet:
         number = len(self)
         fresh = self._fresh[number] if number < len(self._fresh) else None
         if fresh is not None and self._builds[number][0].executable is executable:
-            self._open(number, number + 1)
+            self._resize_slots(number, number + 1)
             self.exchange(number, executable)
             self.restore(number, fresh)
             return number
@@ -140,15 +140,15 @@ class Fleet:
             if number >= self._table.size(self._store):
                 self._start_driver(2 * number + 1)
             self._instantiate(executable)
-            self._open(number, number + 1)
+            self._resize_slots(number, number + 1)
         self._fresh[number] = self.snapshot(number)
         return number
 
-    def keep(self, count: int) -> None:
+    def truncate(self, count: int) -> None:
         """Remove all programs but the first `count`; the removed may be added again."""
-        self._open(count, count)
+        self._resize_slots(count, count)
 
-    def _open(self, first: int, count: int) -> None:
+    def _resize_slots(self, first: int, count: int) -> None:
         """Set `slots` for `count` programs, initialised from number `first` on."""
         more = _pages(count) - self._mailbox.size(self._store)
         if more > 0:
@@ -161,7 +161,7 @@ class Fleet:
 
     def _start_driver(self, robots: int) -> None:
         """Create a driver with room for a number of programs, and register the existing ones."""
-        self._allow_another()
+        self._raise_instance_limit()
         module = wasmtime.Module(engine(), driver(robots).to_binary())
         exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
         round_, table = exports["round"], exports["robots"]
@@ -179,9 +179,9 @@ class Fleet:
         self._sandboxes.append(sandbox)
         self._builds.append([sandbox])
         self._fresh.append(None)
-        self._seat(len(self._sandboxes) - 1, sandbox)
+        self._assign(len(self._sandboxes) - 1, sandbox)
 
-    def _seat(self, robot: int, sandbox: _Sandbox) -> None:
+    def _assign(self, robot: int, sandbox: _Sandbox) -> None:
         """Assign a sandbox to a robot."""
         self._table.set(self._store, robot, sandbox.resume)
         self._sandboxes[robot] = sandbox
@@ -190,7 +190,7 @@ class Fleet:
             self.watched[robot] = sandbox.marks[: WATCHED.itemsize].view(WATCHED)
 
     def _sandbox(self, executable: Executable) -> _Sandbox:
-        self._allow_another()
+        self._raise_instance_limit()
         instance = wasmtime.Instance(self._store, executable.module(), [self._mailbox])
         own = instance.exports(self._store)
         resume, heap = own["resume"], own["heap"]
@@ -228,11 +228,11 @@ class Fleet:
                 new = self._sandbox(executable)
             builds.append(new)
         state, marks = self.snapshot(robot), self.marks[robot]
-        self._seat(robot, new)
+        self._assign(robot, new)
         self.restore(robot, state)
         self.marks[robot][:] = marks
 
-    def _allow_another(self) -> None:
+    def _raise_instance_limit(self) -> None:
         """Raise the store's limit of instances by one: removed programs stay in it."""
         self._made += 1
         made = self._made

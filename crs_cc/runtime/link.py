@@ -198,7 +198,7 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
 
 def _add_functions(unit: Program, whole: Program, diagnostics: Diagnostics) -> None:
     for name, function in unit.functions.items():
-        if _gives_way(name, unit, whole):
+        if _is_overridden(name, unit, whole):
             continue
         if name in whole.functions or name in whole.data:
             _defined_twice(name, function.location, whole, diagnostics)
@@ -208,12 +208,12 @@ def _add_functions(unit: Program, whole: Program, diagnostics: Diagnostics) -> N
 
 def _add_data(unit: Program, whole: Program, diagnostics: Diagnostics) -> None:
     for name, data in unit.data.items():
-        if _gives_way(name, unit, whole):
+        if _is_overridden(name, unit, whole):
             continue
         if name in whole.functions:
             _defined_twice(name, data.location, whole, diagnostics)
         elif name in whole.data:
-            whole.data[name] = _common(whole.data[name], data, whole, diagnostics)
+            whole.data[name] = _merge(whole.data[name], data, whole, diagnostics)
         else:
             whole.data[name] = data
 
@@ -233,7 +233,7 @@ def _compare(
         diagnostics.warning(location, text, f"defined at {place}")
 
 
-def _gives_way(name: str, unit: Program, whole: Program) -> bool:
+def _is_overridden(name: str, unit: Program, whole: Program) -> bool:
     """Return whether a weak definition is overridden; remove an earlier weak one."""
     if name not in whole.functions and name not in whole.data:
         if name in unit.weak:
@@ -305,11 +305,11 @@ def _find(name: str, user: Program, library: Library) -> Function | Data | None:
         return mine
     theirs = library.find(name)
     if isinstance(mine, Data) and isinstance(theirs, Data):
-        return _larger(mine, theirs)
+        return _merge_tentative(mine, theirs)
     return mine or theirs
 
 
-def _larger(first: Data, second: Data) -> Data:
+def _merge_tentative(first: Data, second: Data) -> Data:
     """Merge two objects of one name, at least one of which is tentative (gcc -fcommon)."""
     chosen = first if second.tentative else second
     other = second if chosen is first else first
@@ -318,13 +318,13 @@ def _larger(first: Data, second: Data) -> Data:
     return replace(chosen, size=size, align=align, content=content)
 
 
-def _common(first: Data, second: Data, whole: Program, diagnostics: Diagnostics) -> Data:
+def _merge(first: Data, second: Data, whole: Program, diagnostics: Diagnostics) -> Data:
     if not first.tentative and not second.tentative:
         _defined_twice(first.name, second.location, whole, diagnostics)
         return first
     if second.variable is not None:
         _compare(first.name, second.variable.ctype, second.location, whole, diagnostics)
-    return _larger(first, second)
+    return _merge_tentative(first, second)
 
 
 def _defined_twice(name: str, location: Location, whole: Program, diagnostics: Diagnostics) -> None:

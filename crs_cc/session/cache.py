@@ -21,7 +21,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeVar
 
-from crs_cc.session.cache_size import TEMPORARY, Room
+from crs_cc.session.cache_size import TEMPORARY, StoreQuota
 
 PACKAGE = Path(__file__).parent.parent
 COMPILER = ("core", "requests", "robot_api", "ir", "frontend", "runtime", "session")
@@ -29,7 +29,7 @@ SUFFIXES = {".py", ".c", ".h", ".txt"}
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")
-_room = Room()
+_quota = StoreQuota()
 
 
 def folder() -> Path | None:
@@ -108,7 +108,7 @@ def store(name: str, entry: object) -> None:
     content = hashlib.sha256(pickled).digest() + pickled
     with contextlib.suppress(OSError):
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        if is_private(place) and _room.make(place, len(content)):
+        if is_private(place) and _quota.make(place, len(content)):
             _write(place / name, content)
 
 

@@ -49,7 +49,7 @@ def limit_bytes() -> int:
     return DEFAULT_LIMIT if chosen is None else chosen
 
 
-def bad_limit() -> str:
+def invalid_limit() -> str:
     """Return the value of `$CRS_CACHE_SIZE` if it is invalid, else ""."""
     text = os.environ.get(LIMIT_VARIABLE, "")
     return text if text and _size(text) is None else ""
@@ -92,7 +92,7 @@ def remove(folder: Path, entry: StoredEntry) -> None:
     (folder / entry.name).unlink(missing_ok=True)
 
 
-class Room:
+class StoreQuota:
     """The amount that may be stored in a folder before it has to be scanned again."""
 
     def __init__(self) -> None:

@@ -85,7 +85,7 @@ class Disk:
         """Store a file of the user's; return 0 or a negative error number."""
         asked = name.encode("utf-8", "surrogateescape")
         path, number = normal(asked), len(self._files)
-        failed = -EEXIST if path in self._names else self._refusal(asked, path)
+        failed = -EEXIST if path in self._names else self._creation_error(asked, path)
         if not failed:
             self._names[path] = number
             self._files[number] = File(content)
@@ -101,7 +101,7 @@ class Disk:
             return _NULL_DEVICE
         number = self._names.get(path)
         if number is None:
-            failed = self._refusal(name, path)
+            failed = self._creation_error(name, path)
             if failed or not flags & CREATE:
                 if not failed and len(self.missed) < _MISSED and path not in self.missed:
                     self.missed.append(path)
@@ -155,7 +155,7 @@ class Disk:
         now = len(file.content)
         if number == _NULL_DEVICE or size in (-1, now):
             return now
-        if size > now and self._written() - (now if file.changed else 0) + size > DISK_BYTES:
+        if size > now and self._written_bytes() - (now if file.changed else 0) + size > DISK_BYTES:
             return -ENOSPC
         mutable = _mutable(file)
         if size < now:
@@ -169,7 +169,7 @@ class Disk:
         path = normal(name)
         number = self._names.pop(path, None)
         if number is None:
-            return self._refusal(name, path) or -ENOENT
+            return self._creation_error(name, path) or -ENOENT
         self._files[number].named = False
         self._forget(number)
         return 0
@@ -178,11 +178,11 @@ class Disk:
         """Rename a file, replacing a file of the new name."""
         number, path = self._names.get(normal(old)), normal(new)
         if number is None:
-            return self._refusal(old, normal(old)) or -ENOENT
+            return self._creation_error(old, normal(old)) or -ENOENT
         if path == normal(old):
             return 0
         del self._names[normal(old)]
-        failed = 0 if path in self._names else self._refusal(new, path)
+        failed = 0 if path in self._names else self._creation_error(new, path)
         if not failed and path in self._names:
             failed = self.remove(new)
         self._names[normal(old) if failed else path] = number
@@ -231,7 +231,7 @@ class Disk:
         if not file.named and file.uses <= 0:
             del self._files[number]
 
-    def _refusal(self, name: bytes, path: bytes) -> int:
+    def _creation_error(self, name: bytes, path: bytes) -> int:
         """Return the error number for creating a file of a name, 0 for none."""
         parts = path.split(b"/")
         if not name:
@@ -246,7 +246,7 @@ class Disk:
             return -EINVAL
         return -EACCES if parts[0] == b"dev" else 0
 
-    def _written(self) -> int:
+    def _written_bytes(self) -> int:
         return sum(len(file.content) for file in self._files.values() if file.changed)
 
 

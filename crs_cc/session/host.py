@@ -114,7 +114,7 @@ class Host:
         self.disks.append(Disk(self._files))
         self._arguments.append([each.encode("utf-8", "surrogateescape") for each in arguments])
 
-    def keep(self, count: int) -> None:
+    def truncate(self, count: int) -> None:
         """Remove all hosts but the first `count`."""
         del self.exit_status[count:], self.disks[count:], self._arguments[count:]
 

@@ -306,10 +306,10 @@ class Session:
         sizes = self.fleet.slots["message"]["size"][robots]
         link_s = self.environment.link_s(codes, robots, sizes)
         if not link_s.all():  # else endless requests would never reach the end of the cycle
-            self._call_system(robots[link_s == 0.0])
+            self._charge_system_call(robots[link_s == 0.0])
         state.due_s[robots] = state.clock_s[robots] + link_s
 
-    def _call_system(self, robots: IndexArray) -> None:
+    def _charge_system_call(self, robots: IndexArray) -> None:
         """Charge programs the processor time of a request to the host."""
         state = self.state
         state.fuel[robots] += SYSTEM_CALL
@@ -317,7 +317,7 @@ class Session:
 
     def _answer_hosts(self, robots: IndexArray, codes: Int32Array) -> None:
         """Answer requests to the host computers, immediately."""
-        self._call_system(robots)
+        self._charge_system_call(robots)
         served = np.zeros(len(robots), dtype=np.bool_)
         for code, serve in TIME_SERVERS.items():
             same = codes == code

@@ -134,7 +134,7 @@ class SessionState:
         try:
             self.environment.add_robot(robot)
         except ValueError:
-            self.fleet.keep(number)
+            self.fleet.truncate(number)
             raise
         self._add_row(executable, arguments or [executable.name])
         self.update_presence()
@@ -296,8 +296,8 @@ class SessionState:
         pairs = zip(self._added, added, strict=False)
         same = sum(1 for _ in takewhile(lambda pair: pair[0] is pair[1], pairs))
         first = len(self.fleet) - len(self._added)
-        self.fleet.keep(first + same)
-        self.host.keep(first + same)
+        self.fleet.truncate(first + same)
+        self.host.truncate(first + same)
         del self.unconnected_calls[first + same :]
         self._added = list(added)
         for each in added[same:]:

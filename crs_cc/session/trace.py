@@ -101,10 +101,10 @@ def line(slice_: RobotSlice) -> str:
     'VM 1/-  turret 90.00 deg'
     """
     parts = [f"{slice_.command or '-'}{_count(slice_)}"]
-    parts += [f"{axis.name} {_way(axis, axis.way)} {_unit(axis)}" for axis in slice_.axes]
+    parts += [f"{axis.name} {_distance(axis, axis.way)} {_unit(axis)}" for axis in slice_.axes]
     if slice_.command and all(axis.total is not None for axis in slice_.axes):
-        done = ",".join(_way(axis, axis.travelled) for axis in slice_.axes)
-        total = ",".join(_way(axis, axis.total or 0.0) for axis in slice_.axes)
+        done = ",".join(_distance(axis, axis.travelled) for axis in slice_.axes)
+        total = ",".join(_distance(axis, axis.total or 0.0) for axis in slice_.axes)
         units = dict.fromkeys(_unit(axis) for axis in slice_.axes)
         parts.append(f"done {done} of {total} {','.join(units)}")
     if slice_.waiting:
@@ -117,8 +117,8 @@ def _unit(axis: AxisSlice) -> str:
     return "deg" if axis.name in _TURNING else "m"
 
 
-def _way(axis: AxisSlice, way: float) -> str:
-    return f"{math.degrees(way):.2f}" if axis.name in _TURNING else f"{way:.4f}"
+def _distance(axis: AxisSlice, distance: float) -> str:
+    return f"{math.degrees(distance):.2f}" if axis.name in _TURNING else f"{distance:.4f}"
 
 
 def _count(slice_: RobotSlice) -> str:

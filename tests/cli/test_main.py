@@ -164,7 +164,7 @@ def test_internal_errors_ask_for_a_report_and_show_no_traceback(
     def fail(*_arguments: object) -> None:
         raise error
 
-    monkeypatch.setattr(check, "demand_readable", fail)
+    monkeypatch.setattr(check, "check_readable", fail)
     monkeypatch.delenv("CRS_DEBUG", raising=False)
     assert main(["check", "a.c"]) == 70
     shown = capsys.readouterr().err
@@ -182,7 +182,7 @@ def test_ctrl_c_while_compiling_exits_with_130(
     def fail(*_arguments: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(check, "demand_readable", fail)
+    monkeypatch.setattr(check, "check_readable", fail)
     assert main(["check", "a.c"]) == 130
     assert capsys.readouterr().err == "\ncrs: interrupted\n"
 

@@ -189,8 +189,8 @@ def test_a_long_run_keeps_a_bounded_number_of_samples() -> None:
 def test_contacts_at_one_place_are_kept_once() -> None:
     tracks = Tracks()
     for x_m in (1.0, 1.01, 1.02, 2.0):
-        tracks.touch(0, x_m, 0.0)
-    tracks.touch(1, 1.0, 0.0)
+        tracks.add_contact(0, x_m, 0.0)
+    tracks.add_contact(1, 1.0, 0.0)
     assert tracks.contacts == [(0, 1.0, 0.0), (0, 2.0, 0.0), (1, 1.0, 0.0)]
 
 

@@ -147,7 +147,7 @@ def test_programs_can_be_added_and_removed_after_an_exchange(builds: list[Execut
     fleet.exchange(0, builds[1])
     fleet.exchange(1, builds[1])
     made = fleet._made
-    fleet.keep(1)
+    fleet.truncate(1)
     assert fleet.add(builds[0]) == 1
     assert fleet.executable(1) is builds[0]
     assert fleet._made == made

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.session import cache, cache_size
-from crs_cc.session.cache_size import DEFAULT_LIMIT, Room, limit_bytes, stored_entries
+from crs_cc.session.cache_size import DEFAULT_LIMIT, StoreQuota, limit_bytes, stored_entries
 
 SIZE = 1000  # of an entry's content [bytes]; pickled and with its digest it is a little more
 STORES = """
@@ -28,7 +28,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of an empty cache with room for ten entries."""
     monkeypatch.setenv("CRS_CACHE", str(tmp_path / "cache"))
     monkeypatch.setenv("CRS_CACHE_SIZE", str(11 * SIZE))
-    monkeypatch.setattr(cache, "_room", Room())
+    monkeypatch.setattr(cache, "_quota", StoreQuota())
     return tmp_path / "cache"
 
 

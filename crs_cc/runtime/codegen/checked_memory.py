@@ -44,7 +44,7 @@ from crs_cc.runtime.codegen.indices import (
     WIDE_STATES,
 )
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.value_numbering import Places, Proved
+from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
 from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
@@ -55,7 +55,7 @@ _At: TypeAlias = tuple[Instr, int]
 
 
 @dataclass(frozen=True, slots=True)
-class _Given:
+class _StoredStates:
     """The states of a stored value, as code.
 
     Attributes:
@@ -69,7 +69,7 @@ class _Given:
     doubt: list[Instr] = field(default_factory=list)
 
     @property
-    def is_sure(self) -> bool:
+    def is_initialised(self) -> bool:
         """Return whether the value is known to be initialised."""
         return len(self.states) == 1 and not self.joined
 
@@ -86,8 +86,8 @@ class CheckedMemory(PlainMemory):
         super().__init__(writer, shadowed=True)
         self.deferred = deferred
         self.assignments = assignments
-        self.places = Places()
-        self.proved = Proved()
+        self.places = ValueNumbers()
+        self.proved = KnownBytes()
         self._taken: set[Register] = set()
 
     def forget(self) -> None:
@@ -186,7 +186,7 @@ class CheckedMemory(PlainMemory):
             found = [self.writer.value(copied)]
         unjudged = it.unjudged or copied is not None or self.deferred.is_unused(it)
         if flag is not None:
-            self._raise(flag, found, site, None if accessible else at)
+            self._set_flag(flag, found, site, None if accessible else at)
         elif not unjudged:
             self._test(found, shadow.not_readable(size), site, at)
         elif not accessible:
@@ -194,7 +194,7 @@ class CheckedMemory(PlainMemory):
         self.proved.add(where, size, valued=flag is None and not unjudged)
         self._load(it, at)
 
-    def _raise(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
+    def _set_flag(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
         """Set a flag if the states loaded include an uninitialised byte.
 
         Args:
@@ -223,17 +223,17 @@ class CheckedMemory(PlainMemory):
         accessible = self._accessible(it.base, it.offset, size)
         valued = self._valued(it.base, it.offset, size)
         at = push, offset = self.place(it.base, it.offset)
-        given = self._given(it, size)
-        if accessible and not (valued and given.is_sure):
+        given = self._stored_states(it, size)
+        if accessible and not (valued and given.is_initialised):
             code += [push, *given.states, shadow.store(size, offset)]
         elif not accessible:
             self._test_store(it, at, given)
-        if not given.is_sure:
+        if not given.is_initialised:
             self.proved.forget_value(where)
-        self.proved.add(where, size, valued=given.is_sure)
+        self.proved.add(where, size, valued=given.is_initialised)
         code += [push, self.writer.value(it.source), (STORES[it.memory], MEMORY, offset)]
 
-    def _given(self, it: Store, size: int) -> _Given:
+    def _stored_states(self, it: Store, size: int) -> _StoredStates:
         """Return the states of the stored value."""
         value = shadow.repeated(ByteState.WITH_VALUE, size)
         none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
@@ -241,15 +241,15 @@ class CheckedMemory(PlainMemory):
         assigned = self.assignments.stored.get(it)
         if copied in self._taken:
             states = self.writer.value(self._last_use(copied, it))
-            return _Given([states], [states, (f"{shadow.kind(size)}.and",)])
+            return _StoredStates([states], [states, (f"{shadow.kind(size)}.and",)])
         if flag in self._taken:
             push = self.writer.value(self._last_use(flag, it))
-            return _Given([none, value, push, ("select",)], [], [push, ("i32.or",)])
+            return _StoredStates([none, value, push, ("select",)], [], [push, ("i32.or",)])
         if assigned is not None:
             push = self.writer.value(assigned)
             doubt = [push, ("i32.eqz",), ("i32.or",)]
-            return _Given([value, none, push, ("select",)], [], doubt)
-        return _Given([value])
+            return _StoredStates([value, none, push, ("select",)], [], doubt)
+        return _StoredStates([value])
 
     def _last_use(self, register: Register | None, it: Store) -> Register:
         """Return a register with states, or a flag, and release it at its last use."""
@@ -259,7 +259,7 @@ class CheckedMemory(PlainMemory):
             self.writer.release(register)
         return register
 
-    def _test_store(self, it: Store, at: _At, given: _Given) -> None:
+    def _test_store(self, it: Store, at: _At, given: _StoredStates) -> None:
         """Check an address and set the states of the value stored there.
 
         In the common case, initialised before and after, there is a single test.

@@ -78,7 +78,7 @@ class _Loops:
     def loop(self, component: list[Node], depth: int) -> Node:
         """Return the header of the loop; create one if it has several entries."""
         inside = set(component)
-        heads = [node for node in component if self._entered(node, inside)] or component[:1]
+        heads = [node for node in component if self._header(node, inside)] or component[:1]
         if depth >= MOST_NESTED_LOOPS:
             heads = component
         landings = [self.landing_of[node] for node in component if node in self.landing_of]
@@ -86,19 +86,19 @@ class _Loops:
             return heads[0]
         dispatcher = _Dispatcher(Node(), heads[0])
         if landings:
-            self._adopt(dispatcher, landings)
+            self._move_landings(dispatcher, landings)
         if len(heads) == 1:
             self._redirect(heads[0], dispatcher.node, self.predecessors[heads[0]])
         else:
             for head in heads:
-                self._detour(head, dispatcher, inside)
+                self._redirect_entries(head, dispatcher, inside)
         self._link(dispatcher.node, heads[0])
         return dispatcher.node
 
-    def _entered(self, node: Node, inside: set[Node]) -> bool:
+    def _header(self, node: Node, inside: set[Node]) -> bool:
         return any(source not in inside for source in self.predecessors[node])
 
-    def _adopt(self, dispatcher: _Dispatcher, landings: list[Landing]) -> None:
+    def _move_landings(self, dispatcher: _Dispatcher, landings: list[Landing]) -> None:
         """Move landings from their owner, the enclosing loop, to `dispatcher`."""
         owner = self.owner[landings[0]]
         moved = set(landings)
@@ -108,7 +108,7 @@ class _Loops:
         dispatcher.children += landings
         self.owner.update(dict.fromkeys(landings, dispatcher))
 
-    def _detour(self, head: Node, dispatcher: _Dispatcher, inside: set[Node]) -> None:
+    def _redirect_entries(self, head: Node, dispatcher: _Dispatcher, inside: set[Node]) -> None:
         """Redirect all jumps to `head` to the dispatcher, setting the label."""
         landing = self.landing_of.get(head)
         if landing is None:

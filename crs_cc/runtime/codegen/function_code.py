@@ -168,7 +168,7 @@ class _FunctionCode:
 
     # -- the whole ----------------------------------------------------------------------------
 
-    def limit_effort(self) -> None:
+    def check_complexity(self) -> None:
         """Reject a function that would take gigabytes to compile.
 
         Each landing is an entry into the middle of the function, and each lasting register has to
@@ -192,14 +192,14 @@ class _FunctionCode:
             self.writer.take_local(register)
         for block in self.function.blocks:
             self.block(block)
-        self.limit_effort()
+        self.check_complexity()
         entry, start = self.entry(), self.start()
         if self.landings:
-            again = self.again(start)
+            resumption = self.resumption(start)
             self.writer.code = entry.code
             self.writer.load_at(FP, RESUME, "i32")
             entry.code.append(("local.tee", LABEL))
-            entry.exit, entry.targets = "branch", [again, start]
+            entry.exit, entry.targets = "branch", [resumption, start]
         else:
             entry.jump(start)
         fault: list[Instr] = [("local.get", SITE), ("local.get", ADDRESS), ("call", FAULT)]
@@ -224,7 +224,7 @@ class _FunctionCode:
         code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), UNLIKELY]
         code += [*self.overflow(), ("end",)]
         code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
-        code += self.watching.find_out() if self.watching else []
+        code += self.watching.test_frame() if self.watching else []
         return node
 
     def overflow(self) -> list[Instr]:
@@ -233,7 +233,7 @@ class _FunctionCode:
         note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
         return [*note, ("local.get", FUEL), ("return",)]
 
-    def again(self, start: Node) -> Node:
+    def resumption(self, start: Node) -> Node:
         """Resume a suspended function: reload its registers and jump to its landing."""
         node, damaged = Node(), Node()
         self.writer.code = damaged.code
@@ -279,14 +279,14 @@ class _FunctionCode:
         if any(isinstance(end, Call | LongJump) for end in ends):
             activations = [end.activation for end in ends if isinstance(end, SetJump)]
             activation = [self.writer.value(each) for each in activations[:1]]
-            left = [*self.returning(), *self.left()]
+            left = [*self.returning(), *self.hide_frame()]
             code += jumps.leave(activation, self.frame.jump_value, left)
         spill_slots.save(self.writer, self.frame, self.saved, self.number)
         return [*code, ("local.get", STATUS), ("local.get", FUEL)]
 
     # -- suspending ---------------------------------------------------------------------------
 
-    def land(self, node: Node, it: Instruction) -> Landing:
+    def add_landing(self, node: Node, it: Instruction) -> Landing:
         landing = Landing(node)
         self.landings.append((landing, it))
         return landing
@@ -305,7 +305,7 @@ class _FunctionCode:
         selector.forget()
         code = writer.code = node.code
         if block in self.registers.headers:
-            landing = self.land(node, all_instructions(block)[0])
+            landing = self.add_landing(node, all_instructions(block)[0])
             code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
             code += [*self.suspend(landing), ("end",)]
         code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
@@ -327,7 +327,7 @@ class _FunctionCode:
     def statement(self, node: Node, statement: Statement) -> Node:
         """Debug builds: stop before a marked statement, when enough others have begun."""
         following = Node()
-        landing = self.land(following, statement)
+        landing = self.add_landing(following, statement)
         number = self.names.statement_number(StatementSite(self.function.name, statement.location))
         watching, suspend = self.watching is not None, self.suspend(landing)
         node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
@@ -361,7 +361,7 @@ class _FunctionCode:
                 self.long_jump(node, jump)
 
     def leave(self, node: Node, value: Operand | None) -> None:
-        node.code += [*self.returning(), *self.left()]
+        node.code += [*self.returning(), *self.hide_frame()]
         if value is not None:
             self.writer.store_at(FP, RESULT, value, value.type)
         elif self.function.name in self.names.without_value:
@@ -372,7 +372,7 @@ class _FunctionCode:
         """Watching builds: report that the frame ends."""
         return [] if self.watching is None else self.watching.returning()
 
-    def left(self) -> list[Instr]:
+    def hide_frame(self) -> list[Instr]:
         """Make the frame inaccessible."""
         return frame_states.leave(self.function, self.frame) if self.shadowed else []
 
@@ -403,7 +403,7 @@ class _FunctionCode:
     def _enter(self, call: Call, after: Node) -> None:
         """Call the callee, fresh or resumed: this is where a suspended caller resumes."""
         selector, writer = self.selector, self.writer
-        landing = self.land(after, call)
+        landing = self.add_landing(after, call)
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
             self._check_pointer(call, call.callee)
@@ -448,7 +448,7 @@ class _FunctionCode:
         """Copy the message to the slot and suspend; copy the reply back when resumed."""
         selector, writer = self.selector, self.writer
         after = Node()
-        landing = self.land(after, request)
+        landing = self.add_landing(after, request)
         self.memory.check_message(request.message, MESSAGE_SIZE, request.location)
         to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
         node.code += to_slot
@@ -474,7 +474,7 @@ class _FunctionCode:
         """Store the landing to return to; `longjmp` passes the value in the frame."""
         selector, writer = self.selector, self.writer
         landed, after = Node(), self.nodes[jump.then]
-        landing = self.land(landed, jump)
+        landing = self.add_landing(landed, jump)
         zero = Constant("i32", 0)
         self.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))
         node.code += [writer.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]

@@ -25,9 +25,9 @@ from crs_cc.runtime.codegen.indices import (
     SHADOW,
     SLOT_GLOBAL,
 )
-from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
+from crs_cc.runtime.codegen.signatures import pointer_tables, valueless_functions
 from crs_cc.runtime.codegen.symbols import Symbols
-from crs_cc.runtime.codegen.watchpoints import watch, watching_begins
+from crs_cc.runtime.codegen.watchpoints import update_bounds, watch
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -83,7 +83,7 @@ def compile_program(
         },
         len(pointers),
         {},
-        asked_for_values(program, pointers) if checked else set(),
+        valueless_functions(program, pointers) if checked else set(),
     )
     tables = pointer_tables(program, pointers) if checked else {}
     heap, end = (addresses[name] for name in HEAP_SYMBOLS)
@@ -114,7 +114,7 @@ def compile_program(
         code, info = generate(function, names, build)
         module.functions.append(code)
         infos.append(info)
-    begin = watching_begins(SHADOW + checked, len(names.statements))
+    begin = update_bounds(SHADOW + checked, len(names.statements))
     module.functions.append(
         _resume(numbers[ROOT], len(names.statements), begin if watching else [])
     )

@@ -27,7 +27,7 @@ def call_shape(call: Call) -> Shape:
     return tuple(_kind(each.memory, each.size) for each in call.arguments)
 
 
-def is_understood(shape: Shape, callee: Function) -> bool:
+def is_compatible(shape: Shape, callee: Function) -> bool:
     """Return whether a function is compatible with the arguments passed."""
     wanted = tuple(_kind(each.memory, each.size) for each in callee.parameters)
     return shape[: len(wanted)] == wanted
@@ -49,7 +49,7 @@ def pointer_tables(program: Program, pointers: list[str]) -> dict[Shape, bytes]:
             call = block.terminator
             if isinstance(call, Call) and isinstance(call.callee, Register):
                 shape = call_shape(call)
-                right = [is_understood(shape, program.functions[name]) for name in pointers]
+                right = [is_compatible(shape, program.functions[name]) for name in pointers]
                 if not all(right):
                     tables[shape] = bytes([0, *right])
     return tables
@@ -63,7 +63,7 @@ def ends_without_value(function: Function) -> bool:
     )
 
 
-def asked_for_values(program: Program, pointers: list[str]) -> set[str]:
+def valueless_functions(program: Program, pointers: list[str]) -> set[str]:
     """Return the functions that may end without a value although it is used."""
     asked = set(pointers)
     for function in program.functions.values():

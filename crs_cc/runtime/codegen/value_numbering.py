@@ -7,7 +7,7 @@ and a second `a[i]` are known to be adjacent.
 >>> from crs_cc.ir.program import Binary, Constant, Register
 >>> from crs_cc.core.source import Location
 >>> a, i, b = (Register(n, "i32") for n in range(3))
->>> places = Places()
+>>> places = ValueNumbers()
 >>> before = places.of(a, 4)
 >>> places.follow(Binary(Location("x.c"), b, "i32.add", a, Constant("i32", 4)))
 >>> places.of(b, 0) == before
@@ -37,7 +37,7 @@ Root: TypeAlias = "int | Slot | str"
 _PURE: Final = frozenset({"i32.add", "i32.sub", "i32.mul", "i32.shl", "i32.and"})
 
 
-class Places:
+class ValueNumbers:
     """The known values of registers at one point of a block."""
 
     def __init__(self) -> None:
@@ -100,7 +100,7 @@ class Places:
         return self._computed[key], shift
 
 
-class Proved:
+class KnownBytes:
     """The bytes known to be accessible, or also initialised."""
 
     def __init__(self) -> None:

@@ -100,7 +100,7 @@ class Watchpoints:
         writer.local_types.append("i32")
         self._concerned = len(writer.local_types) + 1
 
-    def find_out(self) -> list[Instr]:
+    def test_frame(self) -> list[Instr]:
         """Return the code that tests whether the frame or the arguments are watched."""
         zero = ("i32.const", 0)
         return [
@@ -122,15 +122,15 @@ class Watchpoints:
                 access = READ if isinstance(it, Load) else WRITE
                 self._access(it.base, it.offset, MEMORY_SIZE[it.memory], access)
             case Copy():
-                self._tell(it.source, it.size, READ)
-                self._tell(it.target, it.size, WRITE)
+                self._report(it.source, it.size, READ)
+                self._report(it.target, it.size, WRITE)
             case Fill():
-                self._tell(it.target, it.size, WRITE)
+                self._report(it.target, it.size, WRITE)
             case SetJump():
-                self._tell(it.buffer, Constant("i32", _SIZES["i32"]), WRITE)
+                self._report(it.buffer, Constant("i32", _SIZES["i32"]), WRITE)
             case Call():
                 for each in (each for each in it.arguments if each.memory is None):
-                    self._tell(each.value, Constant("i32", each.size), READ)
+                    self._report(each.value, Constant("i32", each.size), READ)
 
     def follow(self, it: Instruction) -> None:
         """Report the variable that an instruction has written."""
@@ -154,7 +154,7 @@ class Watchpoints:
 
     def _in_frame(self, place: list[Instr], size: int, access: int) -> list[Instr]:
         """Return the code that reports an access to the frame."""
-        told = self._told(access)
+        told = self._report_code(access)
         test: list[Instr] = [("local.get", self._concerned), UNLIKELY]
         return [*test, *place, ("i32.const", size), *told, ("end",)]
 
@@ -173,15 +173,15 @@ class Watchpoints:
         writer.code += [
             ("local.tee", ADDRESS), ("global.get", WATCHED_GLOBAL), ("i32.sub",),
             ("global.get", SPAN_GLOBAL), ("i32.lt_u",), UNLIKELY,
-            ("local.get", ADDRESS), ("i32.const", size), *self._told(access), ("end",),
+            ("local.get", ADDRESS), ("i32.const", size), *self._report_code(access), ("end",),
         ]  # fmt: skip
 
-    def _tell(self, address: Operand, size: Operand, access: int) -> None:
+    def _report(self, address: Operand, size: Operand, access: int) -> None:
         self._writer.push(address)
         self._writer.push(size)
-        self._writer.code += self._told(access)
+        self._writer.code += self._report_code(access)
 
-    def _told(self, access: int) -> list[Instr]:
+    def _report_code(self, access: int) -> list[Instr]:
         place = [("i32.const", access), ("i32.const", self._place), ("local.get", FP)]
         return [*place, ("call", self._watch)]
 
@@ -255,7 +255,7 @@ def _callers(marks: int, place: int, fp: int, at: int) -> list[Instr]:
     ]  # fmt: skip
 
 
-def watching_begins(marks: int, statements: int) -> list[Instr]:
+def update_bounds(marks: int, statements: int) -> list[Instr]:
     """Return the code of `resume` that updates the bounds of all ranges."""
     at = ("i32.const", 0)
     return [

@@ -60,7 +60,7 @@ def pointer_in(expression: str, find: Find, read: Read) -> tuple[str, int | None
     known = find(whole[2]) if whole else None
     if whole is None or known is None:
         return None
-    walk = _Walk(whole[2], *known, read)
+    walk = _Evaluator(whole[2], *known, read)
     try:
         for suffix in _SUFFIX.finditer(whole[3]):
             if isinstance(walk.ctype, PointerType) and suffix[1] != ".":
@@ -73,16 +73,16 @@ def pointer_in(expression: str, find: Find, read: Read) -> tuple[str, int | None
         for _ in whole[1]:
             walk.follow(0)
             walk.text = f"*{walk.text}"
-    except _LostError:
+    except _UnknownValueError:
         return None
     return walk.pointer
 
 
-class _LostError(Exception):
+class _UnknownValueError(Exception):
     """The expression cannot be evaluated from its text."""
 
 
-class _Walk:
+class _Evaluator:
     """Evaluates an expression from the left: the object reached, and the last pointer followed."""
 
     def __init__(self, text: str, ctype: CType, content: bytes, read: Read) -> None:
@@ -95,7 +95,7 @@ class _Walk:
     def follow(self, index: int | None) -> None:
         """Follow a pointer to an element of its target."""
         if not isinstance(self.ctype, PointerType):
-            raise _LostError
+            raise _UnknownValueError
         address = None if self.content is None else int.from_bytes(self.content, "little")
         self.pointer = self.text, address
         self.ctype = self.ctype.target
@@ -107,7 +107,7 @@ class _Walk:
     def index(self, index: int | None) -> None:
         """Select an element of an array."""
         if not isinstance(self.ctype, ArrayType):
-            raise _LostError
+            raise _UnknownValueError
         self.ctype = self.ctype.element
         self._cut(None if index is None else index * self.ctype.size)
 
@@ -115,7 +115,7 @@ class _Walk:
         """Select a member of a struct."""
         named = self.ctype.record.named if isinstance(self.ctype, RecordType) else {}
         if name not in named:
-            raise _LostError
+            raise _UnknownValueError
         self.ctype = named[name].type
         self._cut(named[name].offset)
 

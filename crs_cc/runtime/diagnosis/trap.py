@@ -32,14 +32,14 @@ def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> i
         del frames[0]
     if not frames or frames[0][0] >= last:
         return None
-    site = _site_behind(compiled.module.functions[frames[0][0]], frames[0][1])
+    site = _next_site(compiled.module.functions[frames[0][0]], frames[0][1])
     active = [index for index, _ in frames if compiled.first_function <= index < last]
     if site is not None and len(trap.frames) < MOST_FRAMES:
-        _note_places(active[::-1], memory, compiled)
+        _store_landings(active[::-1], memory, compiled)
     return site
 
 
-def _site_behind(code: Code, offset: int) -> int | None:
+def _next_site(code: Code, offset: int) -> int | None:
     at, number = code.start(), None
     for instr in code.body:
         if instr == ("local.set", SITE) and at > offset:
@@ -49,7 +49,7 @@ def _site_behind(code: Code, offset: int) -> int | None:
     return None
 
 
-def _note_places(active: Sequence[int], memory: ByteArray, compiled: Compiled) -> None:
+def _store_landings(active: Sequence[int], memory: ByteArray, compiled: Compiled) -> None:
     """Store in each active function, the outermost first, its current call."""
     fp = STACK_TOP - HEADER_SIZE
     for index in active[:-1]:
