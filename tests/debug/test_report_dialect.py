@@ -26,7 +26,7 @@ def program() -> DebugProgram:
 
 
 @pytest.mark.parametrize("name", ["vm", "sonarSensorCheck"])
-def test_breakpoints_on_the_reports_functions_stop_by_the_reports_names(program, name) -> None:
+def test_breakpoints_on_functions_of_the_report_dialect(program, name) -> None:
     debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
     debugger.start()
     debugger.stop_points.add_breakpoint(name)
@@ -38,7 +38,7 @@ def test_breakpoints_on_the_reports_functions_stop_by_the_reports_names(program,
     assert not any(frame.function.startswith("__report") for frame in debugger.view.frames())
 
 
-def test_state_has_the_reports_units(program) -> None:
+def test_state_has_the_units_of_the_report_dialect(program) -> None:
     debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
     debugger.resume()
     rows = {row.name.split()[1]: row.text for row in vendor_state_rows(debugger.view, 0)}

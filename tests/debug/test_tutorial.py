@@ -113,7 +113,7 @@ def test_the_tutorial_shows_what_its_commands_do(
     check_golden(PAGE, Reader(folder).read(PAGE.read_text()).encode())
 
 
-def test_the_program_collides_until_it_is_mended(folder: Path) -> None:
+def test_the_program_collides_until_fixed(folder: Path) -> None:
     program = folder / "aisle.c"
 
     def collisions() -> int:

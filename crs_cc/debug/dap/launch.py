@@ -45,13 +45,13 @@ ATTRIBUTES: Final = (
     LaunchAttribute(
         "program",
         "array",
-        "The C file, or several that make one program. It can be left out where the world names "
+        "The C file, or several for one program. Optional if the world names "
         "a program for each robot.",
     ),
     LaunchAttribute("world", "string", "The world file; an empty world by default."),
-    LaunchAttribute("args", "array", "What the program's `main` finds behind `argv[0]`."),
+    LaunchAttribute("args", "array", "The program's arguments, after `argv[0]`."),
     LaunchAttribute(
-        "cwd", "string", "The folder in which files are looked for; by default where `crs` runs."
+        "cwd", "string", "The working directory; by default that of `crs`."
     ),
     LaunchAttribute(
         "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
@@ -59,19 +59,19 @@ ATTRIBUTES: Final = (
     LaunchAttribute(
         "stopAtEnd",
         "boolean",
-        "Stop when all programs have ended, so that one can step back; to continue then ends the "
+        "Stop when all programs have ended, to allow stepping back; continuing then ends the "
         "session.",
         default=True,
     ),
     LaunchAttribute(
-        "seed", "integer", "Start of all random numbers; by default the world's.", "--seed"
+        "seed", "integer", "Random seed; by default the world's.", "--seed"
     ),
-    LaunchAttribute("robot", "string", "The kind of robot where the world says none.", "--robot"),
+    LaunchAttribute("robot", "string", "The robot definition if the world specifies none.", "--robot"),
     LaunchAttribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
     LaunchAttribute(
         "link",
         "string",
-        "Let commands take their time on the line to the robot, or next to none.",
+        "Simulate the serial link's delay (serial) or none (ideal).",
         "--link",
         choices=("serial", "ideal"),
     ),
@@ -91,30 +91,30 @@ ATTRIBUTES: Final = (
     LaunchAttribute(
         "input", "string", "The file that the programs read as standard input.", "--input"
     ),
-    LaunchAttribute("include", "array", "Folders in which `#include` looks.", "--include"),
+    LaunchAttribute("include", "array", "Include directories.", "--include"),
     LaunchAttribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
-    LaunchAttribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),
+    LaunchAttribute("undefine", "array", "Macros to undefine.", "--undefine"),
     LaunchAttribute(
-        "standard", "string", "The C that the program is written in, as `gnu17`.", "-std"
+        "standard", "string", "The C standard, such as `gnu17`.", "-std"
     ),
     LaunchAttribute(
         "dialect",
         "string",
-        "Whose functions the program calls.",
+        "The vendor's API, or that of the CRS report.",
         "--dialect",
         choices=("nomad", "report"),
     ),
     LaunchAttribute(
         "unchecked",
         "boolean",
-        "Leave out the checks of memory accesses.",
+        "Omit memory access checks.",
         "--unchecked",
         default=False,
     ),
     LaunchAttribute(
         "trapOverflow",
         "boolean",
-        "Stop a program whose signed arithmetic overflows.",
+        "Stop programs on signed overflow.",
         "--trap-overflow",
         default=False,
     ),
@@ -125,7 +125,7 @@ _OF_EDITORS: Final = (
     *("internalConsoleOptions", "presentation", "serverReadyAction", "console", "consoleMode"),
     *("suppressMultipleSessionWarning", "linux", "osx", "windows"),
 )
-"""What editors leave in a configuration that they pass on."""
+"""Attributes of editors' own in a configuration."""
 
 _KNOWN: Final = frozenset({attribute.name for attribute in ATTRIBUTES} | set(_OF_EDITORS))
 

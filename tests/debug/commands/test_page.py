@@ -19,44 +19,44 @@ INTRODUCTION = """\
 
     crs debug wander.c room.xml
 
-steps through a control program and its world together, forward and backward. Programs and worlds
-are those of `crs run`, and so are the options, but for those that end or show a run (`--max-time`,
-`--plot`, `--trace`, `--json`, `--summary`). The run stands still while you look: nothing in it
-depends on how long you take, or on being watched. An error of a program always stops it.
+steps through a control program and its world together, forward and backward. Programs, worlds
+and options are those of `crs run`, except the options that end or show a run (`--max-time`,
+`--plot`, `--trace`, `--json`, `--summary`). The run is paused while you inspect it: nothing in it
+depends on how long you take, or on being observed. Runtime errors always stop the run.
 
-**Screens.** On a terminal there is the full screen (`--tui`), where F1 tells the keys; `--repl` is
-a plain prompt. Both take the commands below, and so does the debug console of an editor
+**Screens.** On a terminal the default is the full screen (`--tui`), where F1 shows the keys;
+`--repl` is a plain prompt. Both accept the commands below, and so does the debug console of an editor
 ([editors.md](editors.md)).
 
-**Commands** have gdb's names. They can be shortened as long as it is clear which one is meant
-(`reverse-c`), have the short names listed here (`rc`), and are completed by the tabulator key. An
-empty line does the last one again if it moves the run or lists something. A mistake is answered in
-one line, and changes nothing.
+**Commands** have gdb's names. They may be abbreviated as long as they are unambiguous
+(`reverse-c`), have the aliases listed here (`rc`), and are completed by the tab key. An
+empty line repeats the last command if it moves the run or lists something. An invalid command is
+answered with a one-line message and changes nothing.
 
-**Backward.** Programs and world go back together, to the byte; forward again, the same happens,
-and what programs read is what they have read before. A line that is reached backward is reached at
-its beginning. What programs had printed stays on the screen, and comes again; `output` shows what
-has been written up to where the run stands.
+**Backward.** Programs and world go back together, to the byte; forward again, the same events
+occur, and programs read the same input as before. A line that is reached backward is reached at
+its start. Output of programs stays on the screen, and is repeated; `output` shows what
+has been written up to the current position.
 
-**Other runs.** Where you change something (a variable, a place in the world) the run is another one
-from there on: what was ahead is forgotten, what was before stays. `branch` keeps it.
+**Changes.** If you change something (a variable, a position in the world) a new history starts
+there: the recorded future is discarded, the past is kept. `branch` keeps the old one.
 
-**Several robots.** Each has its own program and functions; time is common. A breakpoint stops any
-of them, unless it names one. Lines that they print begin with the robot's name.
+**Several robots.** Each has its own program and stack; time is common. A breakpoint stops any
+of them unless it names one. Lines that they print start with the robot's name.
 
-**Instants.** `goto 12.3` is a time in seconds, `goto tick 120` the beginning of a timestep,
-`goto stmt 40210` the instant before a statement of the robot's program, as `when` tells.
+**Times.** `goto 12.3` is a time in seconds, `goto tick 120` the start of a timestep,
+`goto stmt 40210` the position before a statement of the robot's program, see `when`.
 
-**Interrupting.** Ctrl-C stops what runs. Where a program waits for input, it ends the input. At the
-prompt it drops what was typed, and Ctrl-D ends the debugger.
+**Interrupting.** Ctrl-C interrupts the run. If a program waits for input, it ends the input. At the
+prompt it discards the line, and Ctrl-D exits the debugger.
 
-**Input.** What programs read is typed between the commands, or comes from `--input FILE`; it never
-comes from a script.
+**Input.** Programs read what is typed between the commands, or `--input FILE`; they never
+read from a script.
 
-**Scripts.** `-x FILE` and `-ex COMMAND` do commands first, `--batch` ends behind them: with status
-0 if all of them could be done, else 1. A command that cannot be done does not keep the next ones
-from being done. Lines that begin with `#` are comments. A script cannot start programs, nor write
-to any file but those of `save breakpoints`.
+**Scripts.** `-x FILE` and `-ex COMMAND` execute commands first, `--batch` exits after them: with
+status 0 if all of them succeeded, else 1. Execution continues after a command
+that fails. Lines that start with `#` are comments. A script cannot start programs, nor write
+to any files except those of `save breakpoints`.
 
     crs debug --batch -ex "break turn if speed > 100" -ex continue -ex backtrace wander.c room.xml
 

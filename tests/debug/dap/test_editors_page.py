@@ -38,40 +38,39 @@ CONFIGURATION = {
 }
 
 WHERE = {
-    "thread": "a robot; all stop together, as time is one for all",
+    "thread": "a robot; all stop together, as they share time",
     "step over, into, out": (
-        "the next line of that robot's program past calls, into them, out of the function"
+        "to the next line of that robot's program, over or into calls, or out of the function"
     ),
-    "step back": "the line before, past calls; on the way that the run has come",
-    "reverse continue": "back to the breakpoint before, or to the beginning",
+    "step back": "to the previous line, over calls",
+    "reverse continue": "back to the previous stop, or to the start",
     "breakpoint": (
         "at the next line with code if there is none in this one; with a C expression as "
         "condition, with a hit count (`5` and `>= 5`: from the fifth on; `> 5`), or as a log "
         "point with C expressions in braces"
     ),
     "function breakpoint": (
-        "at a function of the program; one of the robot's (`ws`, `get_sn`) when it asks the robot"
+        "at a function of the program, or at calls of the robot (`ws`, `get_sn`)"
     ),
     "data breakpoint": "when an object is changed, read, or either, also through pointers",
-    "exception breakpoints": "what happens in the world, see below; run-time errors always stop",
+    "exception breakpoints": "events in the world, see below; runtime errors always stop",
     "jump to cursor": (
-        "goes to the next instant at which the program gets to the line, or back to the last "
-        "one: nothing is passed over"
+        "runs to the next visit of the line, or back to the previous one; nothing is skipped"
     ),
     "variables": (
         "*Locals*; *Globals*; *State*, the vendor's `State[]` with names and units; *Robot* "
-        "and *World*, as they are and not as the program believes"
+        "and *World*: their true state, not what the program believes"
     ),
-    "set value": "changes the program: from there on the run is another one",
-    "watch, hover": "C expressions that change nothing",
+    "set value": "changes the program, and starts a new history from there",
+    "watch, hover": "C expressions without side effects",
     "debug console": (
-        "C expressions, which may change the program; and whatever means nothing as an "
+        "C expressions, which may change the program; anything that is not a valid "
         "expression is a [command](debugger.md): `reverse-finish`, `goto t=12.5`, `robot 1`, "
         "`move robot0 to 1 2 90`"
     ),
     "disassembly": "the program as `crs compile` shows it",
     "memory": "the program's bytes",
-    "restart": "compiles the files again, and begins anew with the same breakpoints",
+    "restart": "compiles the files again and restarts with the same breakpoints",
     "restart frame": "refused: step back to the call instead",
 }
 
@@ -81,34 +80,34 @@ TEXT = """\
 
 # The debugger in editors
 
-`crs debug --dap stdio` serves an editor by the [Debug Adapter Protocol][dap]: breakpoints, stepping
-forward and backward, variables, watches and a console in the editor's own windows, with the robots
+`crs debug --dap stdio` serves an editor over the [Debug Adapter Protocol][dap]: breakpoints,
+stepping forward and backward, variables, watches and a console in the editor's own windows, with the robots
 as threads and the world beside the variables. The editor starts it; nothing else is needed.
 
 [dap]: https://microsoft.github.io/debug-adapter-protocol/
 
 ## VS Code
 
-The extension is a manifest and no code: it tells VS Code to run `crs`. Start VS Code where that can
-be found, so with the virtual environment active. To try it:
+The extension is only a manifest, which tells VS Code to run `crs`. Start VS Code where that can
+be found, for example with the virtual environment active. To try it:
 
     code --extensionDevelopmentPath="$PWD/editors/vscode" .
 
-To install it, pack it with VS Code's own tool (it needs Node):
+To install it, package it with VS Code's own tool (requires Node):
 
     cd editors/vscode
     npx @vscode/vsce package --skip-license --allow-missing-repository
     code --install-extension crs-debug-*.vsix
 
-Set breakpoints in a C file, and press F5; or write into `.vscode/launch.json`:
+Set breakpoints in a C file and press F5, or create `.vscode/launch.json`:
 
 ```json
 {launch}
 ```
 
-To start the server oneself, so as to see what it says, add `"debugServer": 4711` to the
-configuration and run `crs debug --dap 4711`. It listens on this computer only, and serves one
-editor after the other.
+To start the server yourself and see its messages, add `"debugServer": 4711` to the
+configuration and run `crs debug --dap 4711`. It listens on the loopback interface only, and serves
+one editor after the other.
 
 ## Neovim
 
@@ -119,29 +118,29 @@ With [nvim-dap](https://codeberg.org/mfussenegger/nvim-dap), `editors/nvim/crs.l
 
 ## Other editors
 
-Tell the editor's DAP client to run `crs debug --dap stdio`, or to connect to a port, and to
+Configure the editor's DAP client to run `crs debug --dap stdio`, or to connect to a port, and to
 `launch` with the attributes below.
 
-## What `launch` takes
+## Attributes of `launch`
 
-Editors replace `${{file}}` and `${{workspaceFolder}}` before we see them. A wrong type is refused
-with the reason.
+Editors replace `${{file}}` and `${{workspaceFolder}}` first. A value of the wrong type is refused
+with a message.
 
 {attributes}
 
-Programs have no terminal to read from: `input` is what they read. What they write is shown in the
-console whenever it is written, so again where a run comes by the same place again.
+Programs have no terminal to read from: they read `input`. Their output is shown in the
+console whenever it is written, so again when a part of the run is repeated.
 
-## What is where
+## Where to find what
 
 {where}
 
-When all programs have ended the run stops once more, so that one can go back; to continue then ends
-the session. While programs run, breakpoints can be set; to look at anything, pause them.
+When all programs have ended the run stops once more, so that you can go back; continuing then ends
+the session. While programs run, breakpoints can be set; pause them to inspect anything.
 
 ## Exception breakpoints
 
-A condition is a C expression, tested in the program of the robot that it happens to.
+A condition is a C expression, evaluated in the program of the robot of the event.
 
 {filters}
 """
@@ -264,7 +263,7 @@ def test_the_configurations_shown_can_be_launched(name: str) -> None:
         client.begin()
 
 
-def test_the_attributes_are_checked_as_the_extension_says() -> None:
+def test_attributes_are_validated_as_in_the_extension() -> None:
     properties = extension()["contributes"]["debuggers"][0]["configurationAttributes"]["launch"]
     for name, schema in properties["properties"].items():
         kinds = {"array": ["x"], "string": "x", "integer": 3, "boolean": True}
@@ -273,6 +272,6 @@ def test_the_attributes_are_checked_as_the_extension_says() -> None:
         assert read_launch(Arguments({"program": "a.c", name: value}))
 
 
-def test_the_commands_named_on_the_page_are_there() -> None:
+def test_the_commands_named_on_the_page_exist() -> None:
     for name in ("reverse-finish", "goto", "robot", "move"):
         assert name in NAMES

@@ -84,7 +84,7 @@ def session(tmp_path: Path) -> Iterator[Session]:
 
 
 @pytest.mark.slow
-def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session: Session) -> None:
+def test_terminal_session_with_completion_input_and_interrupt(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
     session.wait_for("a word? ")
@@ -114,7 +114,7 @@ def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_the_input_of_a_program_that_waits_for_it(session: Session) -> None:
+def test_ctrl_c_ends_the_input_of_a_waiting_program(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
     session.wait_for("a word? ")

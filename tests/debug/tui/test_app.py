@@ -18,7 +18,7 @@ from tests.debug.tui.fake_backend import FakeWork
 from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of, until
 
 
-def test_function_keys_work_while_somebody_types_and_letters_elsewhere() -> None:
+def test_function_keys_work_while_typing_and_letters_elsewhere() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -35,7 +35,7 @@ def test_function_keys_work_while_somebody_types_and_letters_elsewhere() -> None
     assert work.lines == ["step", "step", "reverse-step"]
 
 
-def test_what_is_typed_is_answered_in_the_console_which_comes_to_the_front() -> None:
+def test_typed_commands_are_answered_in_the_console_pane() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -50,7 +50,7 @@ def test_what_is_typed_is_answered_in_the_console_which_comes_to_the_front() -> 
     drive(work, session)
 
 
-def test_earlier_lines_come_back_and_lines_are_completed() -> None:
+def test_history_and_completion_of_the_command_line() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -66,7 +66,7 @@ def test_earlier_lines_come_back_and_lines_are_completed() -> None:
     drive(work, session)
 
 
-def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
+def test_the_screen_is_responsive_while_the_program_runs() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -86,7 +86,7 @@ def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
     assert work.lines == ["continue"]
 
 
-def test_a_click_in_the_gutter_sets_a_breakpoint_and_another_one_removes_it() -> None:
+def test_a_click_in_the_gutter_toggles_a_breakpoint() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -105,7 +105,7 @@ def test_a_click_in_the_gutter_sets_a_breakpoint_and_another_one_removes_it() ->
     assert sorted(work.breakpoints) == [8, 10]
 
 
-def test_values_unfold_and_what_has_changed_is_marked() -> None:
+def test_values_expand_and_changes_are_highlighted() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -129,7 +129,7 @@ def test_values_unfold_and_what_has_changed_is_marked() -> None:
     drive(work, session)
 
 
-def test_frames_and_robots_are_picked() -> None:
+def test_frames_and_robots_are_selected() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -142,7 +142,7 @@ def test_frames_and_robots_are_picked() -> None:
     assert work.lines == ["frame 1", "robot 0"]
 
 
-def test_the_time_line_is_dragged_and_stepped() -> None:
+def test_the_time_line_is_dragged_and_moved_by_keys() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -169,7 +169,7 @@ def test_the_time_line_is_dragged_and_stepped() -> None:
     assert work.lines == goto
 
 
-def test_the_time_line_says_what_happened_under_the_pointer() -> None:
+def test_the_time_line_shows_the_event_under_the_pointer() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         line = app.query_one(TimeLine)
         await pilot.hover(line, offset=(11 + round(0.7 * 57), 0))
@@ -208,7 +208,7 @@ def test_f1_shows_the_keys() -> None:
     assert work.lines == ["step", "delete 1"]
 
 
-def test_a_pane_can_have_the_screen_for_itself() -> None:
+def test_a_pane_can_be_maximised() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         source = app.query_one(SourcePane)
         await pilot.press("escape", "z")
@@ -219,7 +219,7 @@ def test_a_pane_can_have_the_screen_for_itself() -> None:
     drive(FakeWork(), session)
 
 
-def test_in_the_smallest_terminals_answers_take_the_place_of_the_source() -> None:
+def test_in_the_smallest_terminals_answers_replace_the_source() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         assert "sum += i * i" in text_of(app)
         await enter(pilot, "print sum")
@@ -232,7 +232,7 @@ def test_in_the_smallest_terminals_answers_take_the_place_of_the_source() -> Non
     drive(FakeWork(), session, TINY)
 
 
-def test_ctrl_q_leaves_even_while_something_runs() -> None:
+def test_ctrl_q_quits_even_while_the_program_runs() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("f5")
         await pilot.press("ctrl+q")
@@ -240,7 +240,7 @@ def test_ctrl_q_leaves_even_while_something_runs() -> None:
     assert drive(FakeWork(), session).return_value == 0
 
 
-def test_ctrl_d_and_the_command_quit_leave() -> None:
+def test_ctrl_d_and_quit_exit() -> None:
     async def with_key(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("ctrl+d")
 
@@ -252,7 +252,7 @@ def test_ctrl_d_and_the_command_quit_leave() -> None:
     assert drive(FakeWork(), with_command).return_value == 0
 
 
-def test_what_a_program_reads_is_typed_where_commands_are() -> None:
+def test_input_of_programs_is_typed_in_the_command_line() -> None:
     work = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
@@ -269,7 +269,7 @@ def test_what_a_program_reads_is_typed_where_commands_are() -> None:
     assert work.lines == ["until", "until"]
 
 
-def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it(
+def test_an_internal_error_closes_the_screen_and_is_raised(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fail(self: StatusBar) -> None:
@@ -285,7 +285,7 @@ def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
-def test_whatever_is_pressed_does_no_harm(seed: int) -> None:
+def test_random_keys_do_no_harm(seed: int) -> None:
     random = Random(seed)
     keys = [key for each in SHORTCUTS for key in (*each.keys.split(","), each.letter)]
     keys = [key for key in keys if key not in {"", "ctrl+q", "f5", "c"}]

@@ -65,7 +65,7 @@ def texts(row: ValueRow) -> dict[str, str]:
     return {each.name: each.text for each in row.parts}
 
 
-def test_it_begins_before_the_first_statement(desk: Controller) -> None:
+def test_it_starts_before_the_first_statement(desk: Controller) -> None:
     done = desk.do(BackendRequest(unfolded=OPEN))
     assert done.look.source.file.endswith("point.c")
     assert done.look.source.line == 11
@@ -74,7 +74,7 @@ def test_it_begins_before_the_first_statement(desk: Controller) -> None:
     assert texts(group(done, "locals")) == {"sum": "uninitialised"}
 
 
-def test_steps_show_stack_values_and_where_the_caller_stands(desk: Controller) -> None:
+def test_steps_show_stack_values_and_the_callers_line(desk: Controller) -> None:
     done = press(desk, "break square")
     assert done.answer.plain.startswith("Breakpoint 1: square")
     assert done.look.source.breakpoints[7].number == 1
@@ -90,7 +90,7 @@ def test_steps_show_stack_values_and_where_the_caller_stands(desk: Controller) -
     assert (done.look.source.line, done.look.source.innermost) == (12, True)
 
 
-def test_values_are_unfolded_and_long_ones_in_pieces(desk: Controller) -> None:
+def test_values_are_expanded_and_long_ones_in_pieces(desk: Controller) -> None:
     key = ("globals", "0", "many")
     done = press(desk, "next", ("globals",), key, (*key, "100..."), (*key, "200..."))
     many = next(each for each in group(done, "globals").parts if each.name == "many")
@@ -103,7 +103,7 @@ def test_values_are_unfolded_and_long_ones_in_pieces(desk: Controller) -> None:
     assert texts(at) == {"x": "3", "y": "4"}
 
 
-def test_what_is_displayed_state_robot_and_world_are_there(desk: Controller) -> None:
+def test_displays_state_robot_and_world_are_shown(desk: Controller) -> None:
     press(desk, "display at.x * 2")
     done = press(desk, "next", ("state",), ("robot",), ("world",))
     assert texts(group(done, "watched")) == {"at.x * 2": "6"}
@@ -112,7 +112,7 @@ def test_what_is_displayed_state_robot_and_world_are_there(desk: Controller) -> 
     assert group(done, "world").parts
 
 
-def test_what_a_program_reads_is_asked_for_and_its_output_cannot_move_the_cursor(
+def test_input_is_prompted_for_and_output_cannot_move_the_cursor(
     desk: Controller,
 ) -> None:
     asked = threading.Event()
@@ -134,7 +134,7 @@ def test_what_a_program_reads_is_asked_for_and_its_output_cannot_move_the_cursor
     assert done.look.source.line == 16
 
 
-def test_scripts_come_first_and_breakpoints_take_commands(program: DebugProgram) -> None:
+def test_scripts_are_executed_first_and_breakpoints_have_commands(program: DebugProgram) -> None:
     script = ["break square", "commands", "print n", "end", "", "continue", "quit", "next"]
     desk = Controller(Debugger(empty_world(), [program]), ProgramStreams(), script[:2])
     assert desk.do(BackendRequest()).prompt == ">"
@@ -146,7 +146,7 @@ def test_scripts_come_first_and_breakpoints_take_commands(program: DebugProgram)
     assert "$1 = 3" in done.answer.plain
 
 
-def test_an_interrupt_that_comes_too_late_stops_nothing(desk: Controller) -> None:
+def test_a_late_interrupt_stops_nothing(desk: Controller) -> None:
     press(desk, "print 1")
     desk.interrupt()
     done = press(desk, "next")
@@ -154,7 +154,7 @@ def test_an_interrupt_that_comes_too_late_stops_nothing(desk: Controller) -> Non
     assert done.look.state.startswith("main ")
 
 
-def test_what_is_wrong_is_a_line_and_the_run_stays_where_it_is(desk: Controller) -> None:
+def test_an_error_is_a_line_and_the_run_does_not_move(desk: Controller) -> None:
     for line in ("foo", "print nothing", "break 4711", "frame 7", "goto -1", "robot x"):
         done = press(desk, line)
         assert len(done.errors) == 1, line
@@ -186,7 +186,7 @@ def test_several_robots_have_their_own_output_and_places(program: DebugProgram) 
     assert [each.is_current for each in done.look.robots] == [False, True]
 
 
-def test_other_files_of_a_program_are_shown_until_it_moves(tmp_path: Path) -> None:
+def test_another_file_is_shown_until_the_run_moves(tmp_path: Path) -> None:
     main, other = tmp_path / "main.c", tmp_path / "other.c"
     main.write_text("int f(int);\nint main(void)\n{\n    f(1);\n    return f(2);\n}\n")
     other.write_text("int f(int x)\n{\n    return x - 2;\n}\n")
@@ -203,7 +203,7 @@ def test_other_files_of_a_program_are_shown_until_it_moves(tmp_path: Path) -> No
     assert (look.source.file, look.source.line) == (str(main), 5)
 
 
-def test_files_that_are_edited_meanwhile_are_shown_as_they_were(tmp_path: Path) -> None:
+def test_edited_files_are_shown_as_compiled(tmp_path: Path) -> None:
     path = tmp_path / "edited.c"
     path.write_text("int main(void)\n{\n    int x = 5;\n    return x;\n}\n")
     desk = Controller(Debugger(empty_world(), [debug_program(path)]), ProgramStreams())

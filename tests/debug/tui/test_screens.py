@@ -80,7 +80,7 @@ def test_the_screen_shows(case: str, check_golden: CheckGolden) -> None:
     check_golden(SCREENS / f"{case}.txt", together.encode())
 
 
-def test_the_smallest_screens_show_where_the_program_stands(check_golden: CheckGolden) -> None:
+def test_the_smallest_screens_show_the_current_line(check_golden: CheckGolden) -> None:
     texts, _ = show(desk(*WANDER), [TINY], *BREAK)
     check_golden(SCREENS / "tiny.txt", texts[0].encode())
 

@@ -5,7 +5,7 @@ from crs_cc.debug.world.world_rows import world_rows
 from tests.sim.driver import Driver, world_of
 
 
-def test_a_world_tells_time_robots_things_and_messages() -> None:
+def test_world_rows_have_time_robots_objects_and_messages() -> None:
     driver = Driver.of(
         world_of(
             '<robot id="a" x="2m" y="2m"/><robot id="b" x="4m" y="2m"/>'
