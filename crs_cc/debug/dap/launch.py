@@ -50,23 +50,21 @@ ATTRIBUTES: Final = (
     ),
     LaunchAttribute("world", "string", "The world file; an empty world by default."),
     LaunchAttribute("args", "array", "The program's arguments, after `argv[0]`."),
-    LaunchAttribute(
-        "cwd", "string", "The working directory; by default that of `crs`."
-    ),
+    LaunchAttribute("cwd", "string", "The working directory; by default that of `crs`."),
     LaunchAttribute(
         "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
     ),
     LaunchAttribute(
         "stopAtEnd",
         "boolean",
-        "Stop when all programs have ended, to allow stepping back; continuing then ends the "
-        "session.",
+        "Stop when all programs have ended, to allow stepping back; continuing then ends "
+        "the session.",
         default=True,
     ),
+    LaunchAttribute("seed", "integer", "Random seed; by default the world's.", "--seed"),
     LaunchAttribute(
-        "seed", "integer", "Random seed; by default the world's.", "--seed"
+        "robot", "string", "The robot definition if the world specifies none.", "--robot"
     ),
-    LaunchAttribute("robot", "string", "The robot definition if the world specifies none.", "--robot"),
     LaunchAttribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
     LaunchAttribute(
         "link",
@@ -94,9 +92,7 @@ ATTRIBUTES: Final = (
     LaunchAttribute("include", "array", "Include directories.", "--include"),
     LaunchAttribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
     LaunchAttribute("undefine", "array", "Macros to undefine.", "--undefine"),
-    LaunchAttribute(
-        "standard", "string", "The C standard, such as `gnu17`.", "-std"
-    ),
+    LaunchAttribute("standard", "string", "The C standard, such as `gnu17`.", "-std"),
     LaunchAttribute(
         "dialect",
         "string",

@@ -138,7 +138,7 @@ def _order(storage: Storage) -> tuple[Location, Location, Location]:
 
 
 def frame_storage(info: FunctionInfo) -> Iterator[Storage]:
-    """Return the variables in the frames of a function; one stored twice counts at the last place."""
+    """Return the variables in the frames of a function; the last place of one stored twice."""
     passed: dict[tuple[str, Location], int] = {}
     for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
         variable = parameter.variable or parameter.place.variable

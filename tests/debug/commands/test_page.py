@@ -25,8 +25,8 @@ and options are those of `crs run`, except the options that end or show a run (`
 depends on how long you take, or on being observed. Runtime errors always stop the run.
 
 **Screens.** On a terminal the default is the full screen (`--tui`), where F1 shows the keys;
-`--repl` is a plain prompt. Both accept the commands below, and so does the debug console of an editor
-([editors.md](editors.md)).
+`--repl` is a plain prompt. Both accept the commands below, and so does the debug console of an
+editor ([editors.md](editors.md)).
 
 **Commands** have gdb's names. They may be abbreviated as long as they are unambiguous
 (`reverse-c`), have the aliases listed here (`rc`), and are completed by the tab key. An
