@@ -111,7 +111,7 @@ def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryI
 
 def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value:
     there, states = content
-    known = states if states.strip(GONE) else b""  # of a register nobody keeps the states
+    known = states if states.strip(GONE) else b""  # registers have no states
     return Value(inspector, watchpoint.type, there, known, watchpoint.watched.address)
 
 

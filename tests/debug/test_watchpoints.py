@@ -88,7 +88,7 @@ def test_both_directions_find_the_same(loop: Debugger) -> None:
     ]
     assert forward[-2:] == [
         "flag: 0 -> 12, written at a.c:18",
-        "flag: 12 -> 7, written at a.c:22; i is gone: 'main' has returned at a.c:11",
+        "flag: 12 -> 7, written at a.c:22; i went out of scope: 'main' has returned at a.c:11",
     ]
     assert texts(loop, backward=True) == forward[::-1]
     assert texts(loop) == forward
@@ -118,7 +118,7 @@ def test_a_local_watchpoint_lasts_as_long_as_its_function(loop: Debugger) -> Non
     assert point.watch.note == "lasts until 'twice' returns"
     forward = [
         "result: 1 -> 2, written at a.c:8",
-        "result is gone: 'twice' has returned at a.c:9",
+        "result went out of scope: 'twice' has returned at a.c:9",
     ]
     assert texts(loop) == forward
     first = loop.resume(backward=True), loop.resume(backward=True), loop.resume(backward=True)

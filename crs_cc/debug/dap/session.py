@@ -186,7 +186,7 @@ class EditorSession:
 
         with self._inbox.watched(interrupt):
             yield
-        debugger.forget_interrupt()  # by what came when it had stopped
+        debugger.forget_interrupt()  # an interrupt that arrived after the stop
 
     def report_invalidated(self) -> None:
         """Report that the client's view of the programs is outdated."""

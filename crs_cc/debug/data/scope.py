@@ -178,7 +178,7 @@ class FrameAddresses:
         landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
-        if not stopped.saved and active is stopped.stack[0]:  # nobody knows what they held
+        if not stopped.saved and active is stopped.stack[0]:  # their values are unknown
             unset = frozenset(info.function.registers)
         return cls(active.fp - info.frame.size, active.location, unset)
 

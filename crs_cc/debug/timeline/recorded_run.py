@@ -89,7 +89,7 @@ class RecordedRun:
         self.interrupted = False
         self._step: Step | None = None
         self._marks = StopRequest()
-        self._stopped: dict[int, Stopped] = {}  # by robot, as long as nothing moves
+        self._stopped: dict[int, Stopped] = {}  # by robot, until the run moves
         self.is_off_timeline = False
         self.session = Session(
             world,
@@ -103,7 +103,7 @@ class RecordedRun:
         fleet = self.session.fleet
         self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
         self._watching_builds: dict[int, Executable] = {}
-        self._note_begun()  # by robot, when the round began
+        self._note_begun()  # by robot, at the start of the round
         self.history.keep(BEGINNING, self._kept())
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:

@@ -33,7 +33,7 @@ from crs_cc.debug.tui.status_bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
 
-_WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
+_WAIT_S: Final = 0.15  # between updates of the running command
 
 
 @dataclass
@@ -88,8 +88,8 @@ class DebugApp(App[int]):
         self._slow: Timer | None = None
         self._unfolded = set(OPEN)
         self._map_size = (0, 0)
-        self._file = ""  # to be shown instead of the one where the run stands
-        self._goto_s: float | None = None  # where the time line was dragged to
+        self._file = ""  # to show instead of the current one
+        self._goto_s: float | None = None  # the target of the time line
         self._snapshot = ScreenData()
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input

@@ -96,9 +96,9 @@ class Controller:
     def do(self, request: BackendRequest) -> BackendReply:
         """Execute a request; errors become lines of the reply."""
         self._works = True
-        self._streams.take()  # the look before has shown it
+        self._streams.take()  # the previous snapshot has shown it
         debugger = self.shell.debugger
-        # An interrupt that came too late for the order before is none of this one.
+        # An interrupt that arrived too late for the previous request does not concern this one.
         self._is_interrupted = False
         debugger.forget_interrupt()
         before, looked_at = debugger.position, (debugger.view.robot, debugger.view.frame)
@@ -111,7 +111,7 @@ class Controller:
             ):
                 request = replace(request, file="")
             self._snapshot = build_snapshot(self.shell, request)
-        except DebugError as error:  # of the look: the files are not any more what they were
+        except DebugError as error:  # the source files have changed
             errors.append(str(error))
         except Exception as error:
             errors.append(f"internal error: {type(error).__name__}: {error}; please report it")

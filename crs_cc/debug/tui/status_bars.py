@@ -17,7 +17,7 @@ from textual.widget import Widget
 from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.screen_data import ScreenData
 
-_WIDE: Final = 110  # columns; in less there is no room for counts of timesteps
+_WIDE: Final = 110  # columns; below that counts of timesteps are omitted
 _KEY: Final = Style(bold=True, color="yellow")
 _CHOSEN: Final = Style(reverse=True)
 _RUNNING: Final = Style(bold=True, color="black", bgcolor="green")

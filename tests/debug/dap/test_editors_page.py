@@ -82,7 +82,8 @@ TEXT = """\
 
 `crs debug --dap stdio` serves an editor over the [Debug Adapter Protocol][dap]: breakpoints,
 stepping forward and backward, variables, watches and a console in the editor's own windows, with
-the robots as threads and the world beside the variables. The editor starts it; nothing else is needed.
+the robots as threads and the world beside the variables. The editor starts it; nothing else is
+needed.
 
 [dap]: https://microsoft.github.io/debug-adapter-protocol/
 

@@ -27,10 +27,10 @@ def test_robots_and_objects_are_moved_in_various_units(driver) -> None:
     assert edit(environment, "move a to 100cm 50in -90") == "a is at 1.000, 1.270 m, 270.0 deg now"
     assert state.heading_rad[0] == -math.pi / 2
     assert edit(environment, "move a to 2 2").endswith("270.0 deg now")  # it keeps its heading
-    assert edit(environment, "turn b to 45deg") == "b points to 45.0 deg now"
+    assert edit(environment, "turn b to 45deg") == "b has heading 45.0 deg now"
     assert (state.x_m[1], state.heading_rad[1]) == (5.0, math.pi / 4)
     assert edit(environment, "move crate to 8 8 90") == "crate is at 8.000, 8.000 m, 90.0 deg now"
-    assert edit(environment, "turn crate to 0") == "crate points to 0.0 deg now"
+    assert edit(environment, "turn crate to 0") == "crate has heading 0.0 deg now"
     assert state.bodies.position_m[2].tolist() == [8.0, 8.0]
     assert state.bodies.angle_rad[2] == 0.0
 
@@ -48,10 +48,10 @@ def test_devices_are_degraded_with_the_attributes_of_world_files(driver) -> None
         Degradation("b", "sonar", None, stuck="hold", id="degradation2"),
         Degradation("b", "sonar", 0, stuck=1.5, dropouts=0.25, id="degradation3"),
     )  # fmt: skip
-    assert edit(environment, "heal b sonar.0") == "b has lost degradation3"
-    assert edit(environment, "heal a drive") == "a has lost degradation1"
-    assert edit(environment, "heal degradation2") == "b has lost degradation2"
-    assert edit(environment, "heal a") == "a has lost degradation0"
+    assert edit(environment, "heal b sonar.0") == "b no longer has degradation3"
+    assert edit(environment, "heal a drive") == "a no longer has degradation1"
+    assert edit(environment, "heal degradation2") == "b no longer has degradation2"
+    assert edit(environment, "heal a") == "a no longer has degradation0"
     assert environment.degradations.all() == ()
 
 
@@ -67,7 +67,7 @@ def test_degradations_take_effect_immediately(driver) -> None:
 
 
 def test_objects_and_robots_are_removed(driver) -> None:
-    assert edit(driver.environment, "remove screen") == "screen is gone"
+    assert edit(driver.environment, "remove screen") == "screen is removed"
     assert edit(driver.environment, "remove b") == "b leaves the world at 0.050 s"
     driver.environment.step()
     assert driver.state.presence.present.tolist() == [True, False]

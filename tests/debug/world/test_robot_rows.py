@@ -82,7 +82,7 @@ def test_rows_have_contacts_and_degradations(drives) -> None:
     assert rows["touches"] == "screen"
     assert rows["bumpers"] == "bumper 0 (ahead)"
     assert rows["sonar"].startswith("nearest ")
-    assert rows["degradations"] == "1 of 2 act"
+    assert rows["degradations"] == "1 of 2 active"
     shown = list(lines(robot_rows(session, 0)))
     assert "  degradation0  sonar 3, dead (acts)" in shown
     assert "  degradation1  drive left, gain 0.5 (waits)" in shown
