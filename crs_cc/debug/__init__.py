@@ -4,8 +4,8 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 (the selected robot and frame), `stop_points` (breakpoints of all kinds) and a `navigator`.
 `errors` has the error that users see, `program` a program with its debug build.
 
-- `timeline/`: a recorded run, which can be moved to any `Position`. A `RunEvent` is what the run has
-  advanced to; a `Stop` reports it to the user.
+- `timeline/`: a recorded run, which can be moved to any `Position`. A `RunEvent` is what the run
+  has advanced to; a `Stop` reports it to the user.
 - `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
   steps end.
 - `locations`: where breakpoints are, as the user writes it; `call_statements`: statements that call

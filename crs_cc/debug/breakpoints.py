@@ -131,22 +131,22 @@ class Breakpoints:
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         return tuple(each.watched for each in points if each)
 
-    def watchpoint_hits(self, instant: RunEvent) -> list[BreakpointHit]:
+    def watchpoint_hits(self, event: RunEvent) -> list[BreakpointHit]:
         """Return the hits of watchpoints, whatever their conditions."""
         return [
             BreakpointHit(self._all[each.access.watched.number], each.robot, watch_hit=each)
-            for each in instant.accesses
+            for each in event.accesses
         ]
 
-    def breakpoint_hits(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
+    def breakpoint_hits(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
         """Return the hits of the other breakpoints, whatever their conditions."""
-        match instant.kind:
+        match event.kind:
             case "statement":
                 return self._at_statement(run)
             case "round":
-                return self._at_requests(run, instant)
+                return self._at_requests(run, event)
             case "timestep":
-                return self._at_timestep(run, instant)
+                return self._at_timestep(run, event)
         return []
 
     def _at_statement(self, run: RecordedRun) -> list[BreakpointHit]:
@@ -161,12 +161,12 @@ class Breakpoints:
             and number in each.place.statements.get(robot, ())
         ]
 
-    def _at_requests(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
+    def _at_requests(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
         hits = []
         for each in self._all.values():
             if each.place is None or not each.place.codes:
                 continue
-            for robot, code in instant.posted:
+            for robot, code in event.posted:
                 if code in each.place.codes and each.concerns(robot):
                     stack = run.stopped(robot).stack
                     if any(plain_name(frame.function) == each.place.function for frame in stack):
@@ -174,7 +174,7 @@ class Breakpoints:
                         hits.append(
                             BreakpointHit(each, robot, f"{name} called '{each.place.function}'")
                         )
-        return hits + self._at_ends(run, instant.ended)
+        return hits + self._at_ends(run, event.ended)
 
     def _at_ends(self, run: RecordedRun, ended: Sequence[int]) -> list[BreakpointHit]:
         return [
@@ -184,13 +184,13 @@ class Breakpoints:
             if each.kind == "catchpoint" and each.text == "exit" and each.concerns(robot)
         ]
 
-    def _at_timestep(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
-        ends = self._at_ends(run, instant.ended)
+    def _at_timestep(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
+        ends = self._at_ends(run, event.ended)
         wanted = [each for each in self._all.values() if each.kind == "catchpoint" and each.enabled]
         kinds = tuple(dict.fromkeys(each.text for each in wanted if each.text != "exit"))
-        if not kinds or instant.step is None:
+        if not kinds or event.step is None:
             return ends
-        happened = world_events(instant.step, run.session.environment.world, kinds)
+        happened = world_events(event.step, run.session.environment.world, kinds)
         return ends + [
             BreakpointHit(each, one.robot, one.text)
             for each in wanted

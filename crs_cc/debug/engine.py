@@ -323,7 +323,7 @@ class Debugger:
             stop = move()
             if stop.reason != "step":
                 break
-            if left and self.run.interrupted:  # between two moves nothing else would hear of it
+            if left and self.run.interrupted:  # nothing else would notice it between two moves
                 stop = self.navigator.stop("interrupt", self.view.robot)
                 break
         return self._arrive(stop)
@@ -434,7 +434,7 @@ class Debugger:
         try:
             self.branches.switch(name)
             there = self.position
-            self._to_timestep(here.timestep)  # showing nothing: it is taken back again
+            self._to_timestep(here.timestep)  # without output: it is undone
             reached, facts_there = self.position.timestep, facts(self.view)
             self.run.seek(there)
         finally:

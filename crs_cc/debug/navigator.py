@@ -127,28 +127,28 @@ class Navigator:
         sites = self._run.programs[robot].executable.detail().compiled.statements
         return (number for number, site in enumerate(sites) if site.function in functions)
 
-    def _reason(self, instant: RunEvent, aim: StepCondition | None) -> Stop | None:
+    def _reason(self, event: RunEvent, aim: StepCondition | None) -> Stop | None:
         """Return the reason to stop at an event; None if there is none."""
         hits = [
-            *self._breakpoints.breakpoint_hits(self._run, instant),
-            *self._breakpoints.watchpoint_hits(instant),
+            *self._breakpoints.breakpoint_hits(self._run, event),
+            *self._breakpoints.watchpoint_hits(event),
         ]
-        stop = _both(self._failure(instant), self._hit(hits, counts=True))
+        stop = _both(self._failure(event), self._hit(hits, counts=True))
         if stop is not None:
             return stop
-        if instant.kind == "statement" and aim is not None:
+        if event.kind == "statement" and aim is not None:
             program_point = self.program_point(aim.robot)
             if program_point is not None and aim.reached(program_point):
                 return self.stop("step", aim.robot)
-        if instant.over:
+        if event.over:
             return self.stop("end")
-        if aim is not None and aim.robot in instant.ended and self._run.session.running:
+        if aim is not None and aim.robot in event.ended and self._run.session.running:
             return self.stop("exit", aim.robot)
         return None
 
-    def _failure(self, instant: RunEvent) -> Stop | None:
+    def _failure(self, event: RunEvent) -> Stop | None:
         run = self._run
-        failed = [robot for robot in instant.ended if run.has_failed(robot)]
+        failed = [robot for robot in event.ended if run.has_failed(robot)]
         if not failed:
             return None
         texts = [run.session.fleet.report(robot).text for robot in failed]
@@ -228,20 +228,20 @@ class Navigator:
         """
         run, found = self._run, list[_StopCandidate]()
         run.arm(replace(self._marks(None), at_once=True))
-        for instant in run.replay(begin, limit, needs_world=self._breakpoints.need_world()):
-            for each in (self._met(instant), *self._touched(instant)):
+        for event in run.replay(begin, limit, needs_world=self._breakpoints.need_world()):
+            for each in (self._met(event), *self._touched(event)):
                 if each is not None and each.target < start:
                     found = [*(one for one in found if one.may_count_with(each)), each]
         return _together(found) if found else None
 
-    def _met(self, instant: RunEvent) -> _StopCandidate | None:
-        hit = self._hit(self._breakpoints.breakpoint_hits(self._run, instant), counts=False)
-        stop = _both(self._failure(instant), hit)
+    def _met(self, event: RunEvent) -> _StopCandidate | None:
+        hit = self._hit(self._breakpoints.breakpoint_hits(self._run, event), counts=False)
+        stop = _both(self._failure(event), hit)
         return None if stop is None else _StopCandidate(stop, stop.position)
 
-    def _touched(self, instant: RunEvent) -> Iterator[_StopCandidate]:
+    def _touched(self, event: RunEvent) -> Iterator[_StopCandidate]:
         """Return the candidates of watchpoints."""
-        hits = self._breakpoints.watchpoint_hits(instant)
+        hits = self._breakpoints.watchpoint_hits(event)
         for before in sorted({each.watch_hit.before for each in hits if each.watch_hit}):
             own = [each for each in hits if each.watch_hit and each.watch_hit.before == before]
             stop = self._hit(own, counts=False)
@@ -307,10 +307,10 @@ class Navigator:
             run.arm(StopRequest(all=frozenset({robot}), since=since))
         else:
             run.arm(StopRequest({robot: self.inside(robot, functions)}, since=since))
-        for instant in run.replay(self._snapshot(robot, first, limit), limit):
+        for event in run.replay(self._snapshot(robot, first, limit), limit):
             if run.statements_begun(robot) >= end:
                 break
-            program_point = self.program_point(robot) if instant.kind == "statement" else None
+            program_point = self.program_point(robot) if event.kind == "statement" else None
             if program_point is not None:
                 spots.append(program_point)
         return spots

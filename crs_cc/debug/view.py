@@ -229,7 +229,7 @@ class View:
     def evaluator(self, robot: int) -> Evaluator:
         """Return the evaluator of a robot's program."""
         program = self.run.programs[robot]
-        memory = id(self.session.fleet.memory(robot))  # another one in another build
+        memory = id(self.session.fleet.memory(robot))  # differs between builds
         if (robot, memory) not in self._evaluators:
             names = self._names.setdefault(id(program), SourceNames(program))
             stopped = functools.partial(self.run.stopped, robot)

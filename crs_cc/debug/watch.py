@@ -226,7 +226,7 @@ class WatchSet:
         number, frame = watched.number, watched.frame
         old, new = self._before[number], self._content(watched)
         if frame is not None:
-            if self._begun() <= frame.entered:  # no statement of the function has begun yet
+            if self._begun() <= frame.entered:  # no statement of the function has started yet
                 self._before[number] = new
                 return None
             header = self._hits(number, header=True)

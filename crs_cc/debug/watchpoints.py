@@ -99,19 +99,19 @@ def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryI
     by = f" by {access.library}" if access.library else ""
     if access.what == "return":
         function = plain_name(watchpoint.watched.frame.function) if watchpoint.watched.frame else ""
-        return f"{watchpoint.text} is gone: '{function}' has returned{where}"
+        return f"{watchpoint.text} went out of scope: '{function}' has returned{where}"
     old, new = (_value(inspector, watchpoint, each) for each in (access.old, access.new))
     if access.what == "read":
         return f"{watchpoint.text} = {new.text}, read{by}{where}"
     if access.old == access.new:
-        return f"{watchpoint.text} = {new.text} as before, written{by}{where}"
+        return f"{watchpoint.text} = {new.text} (unchanged), written{by}{where}"
     name, old, new = _narrowed(watchpoint.text, old, new)
     return f"{name}: {old.text} -> {new.text}, written{by}{where}"
 
 
 def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value:
     there, states = content
-    known = states if states.strip(GONE) else b""  # of a register nobody keeps the states
+    known = states if states.strip(GONE) else b""  # registers have no states
     return Value(inspector, watchpoint.type, there, known, watchpoint.watched.address)
 
 

@@ -28,6 +28,7 @@ def device_request(
     name: str, code: int, prototype: str, meaning: str, arguments: tuple[Field, ...] = (),
     *, results: tuple[Field, ...] = (), link: Link = "network", waits: bool = False,
 ) -> Request:  # fmt: skip
+    """Return the request of a device; by default its reply begins with whether it was done."""
     if not any(result.place == "result" for result in results):
         results = (*_DONE, *results)
     return Request(

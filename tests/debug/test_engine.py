@@ -52,18 +52,18 @@ def lines(debugger: Debugger, move: object, most: int = 100) -> list[int]:
 ROUND = [13, 5, 6, 7, 14]
 
 
-def test_step_goes_into_calls_and_next_past_them(loop: Debugger) -> None:
+def test_step_enters_calls_and_next_steps_over_them(loop: Debugger) -> None:
     assert line(loop) == 12
     assert lines(loop, loop.step) == [*ROUND, 12, *ROUND, 12, *ROUND, 12, 16]
     assert loop.stop.reason == "end"
 
 
-def test_next_goes_past_calls(loop: Debugger) -> None:
+def test_next_steps_over_calls(loop: Debugger) -> None:
     assert lines(loop, loop.next) == [13, 14, 12, 13, 14, 12, 13, 14, 12, 16]
 
 
 @pytest.mark.parametrize("verb", ["step", "next", "step_statement"])
-def test_backward_comes_by_the_same_places(loop: Debugger, verb: str) -> None:
+def test_backward_steps_visit_the_same_lines(loop: Debugger, verb: str) -> None:
     move = getattr(loop, verb)
     places = [loop.position]
     while move().reason == "step":
@@ -87,7 +87,7 @@ def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
     assert line(loop) == 13
 
 
-def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
+def test_breakpoints_stop_forward_and_backward(loop: Debugger) -> None:
     point = loop.stop_points.add_breakpoint("6")
     places = []
     while loop.resume().reason == "breakpoint":
@@ -101,13 +101,13 @@ def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
     assert point.hits == 3
 
 
-def test_a_line_without_code_is_the_next_one_with_some(loop: Debugger) -> None:
+def test_a_line_without_code_means_the_next_line_with_code(loop: Debugger) -> None:
     point = loop.stop_points.add_breakpoint("8")
     assert point.place
     assert point.place.note == "no code at line 8; moved to line 12"
 
 
-def test_a_breakpoint_that_cannot_be_is_refused(loop: Debugger) -> None:
+def test_invalid_breakpoints_are_refused(loop: Debugger) -> None:
     for place in ("99", "nowhere", "other.c:3", "", "3x", ":", "-1"):
         with pytest.raises(DebugError):
             loop.stop_points.add_breakpoint(place)
@@ -127,9 +127,7 @@ int main(void)
 
 
 @pytest.mark.parametrize("how", ["timestep", "time", "statement"])
-def test_going_to_where_the_run_has_not_been_shows_what_is_written_on_the_way_once(
-    how: str, tmp_path: Path
-) -> None:
+def test_goto_shows_new_output_once(how: str, tmp_path: Path) -> None:
     shown: list[bytes] = []
 
     def show(_robot: int, _stream: int, content: bytes) -> None:
@@ -151,7 +149,7 @@ def test_going_to_where_the_run_has_not_been_shows_what_is_written_on_the_way_on
     assert b"".join(shown) == written
 
 
-def test_comparing_shows_nothing_of_the_other_branch(tmp_path: Path) -> None:
+def test_compare_shows_no_output_of_the_other_branch(tmp_path: Path) -> None:
     shown: list[bytes] = []
     debugger = debugger_of(
         PRINTS, folder=tmp_path, output=lambda _robot, _stream, content: shown.append(content)
@@ -190,7 +188,7 @@ def test_until_leaves_loops(loop: Debugger) -> None:
     assert line(loop) == 16
 
 
-def test_advance_stops_at_its_place_or_in_the_caller(loop: Debugger) -> None:
+def test_advance_stops_at_its_location_or_in_the_caller(loop: Debugger) -> None:
     loop.advance("6")
     assert line(loop) == 6
     assert not list(loop.stop_points.breakpoints)
@@ -198,7 +196,7 @@ def test_advance_stops_at_its_place_or_in_the_caller(loop: Debugger) -> None:
     assert line(loop) == 14
 
 
-def test_a_condition_decides_forward_and_backward(loop: Debugger) -> None:
+def test_conditions_apply_forward_and_backward(loop: Debugger) -> None:
     loop.stop_points.add_breakpoint("6", condition="what == 1 && total < 10")
     assert loop.resume().reason == "breakpoint"
     assert loop.view.look_up("what").number == 1
@@ -208,7 +206,7 @@ def test_a_condition_decides_forward_and_backward(loop: Debugger) -> None:
     assert loop.resume(backward=True).reason == "beginning"
 
 
-def test_a_condition_must_mean_something_at_its_place(loop: Debugger) -> None:
+def test_a_condition_must_be_valid_at_its_location(loop: Debugger) -> None:
     with pytest.raises(DebugError):
         loop.stop_points.add_breakpoint("6", condition="i == 1")
     point = loop.stop_points.add_breakpoint("13", condition="i == 1")
@@ -218,7 +216,7 @@ def test_a_condition_must_mean_something_at_its_place(loop: Debugger) -> None:
     assert loop.view.look_up("i").number == 1
 
 
-def test_hits_are_passed_over_and_log_points_speak(loop: Debugger) -> None:
+def test_ignored_hits_and_log_points(loop: Debugger) -> None:
     said: list[str] = []
     loop.stop_points.say = said.append
     loop.stop_points.add_breakpoint("14", ignore=1)
@@ -228,7 +226,7 @@ def test_hits_are_passed_over_and_log_points_speak(loop: Debugger) -> None:
     assert [text.partition(", ")[0] for text in said] == ["0 twice is 0", "1 twice is 2"]
 
 
-def test_looking_changes_nothing(loop: Debugger) -> None:
+def test_inspection_has_no_side_effects(loop: Debugger) -> None:
     with pytest.raises(DebugError):
         loop.view.look_up("total = 3")
     assert loop.view.look_up("total").number == 0
@@ -236,7 +234,7 @@ def test_looking_changes_nothing(loop: Debugger) -> None:
     assert loop.view.look_up("total").number == 3
 
 
-def test_an_expression_that_is_refused_keeps_no_value(loop: Debugger) -> None:
+def test_a_refused_expression_sets_no_convenience_variable(loop: Debugger) -> None:
     loop.view.look_up("$old = 7")
     for name in ("new", "old"):
         with pytest.raises(DebugError):
@@ -268,7 +266,7 @@ int main(void)
 """
 
 
-def test_an_interrupt_that_came_too_late_can_be_forgotten(tmp_path: Path) -> None:
+def test_a_late_interrupt_can_be_discarded(tmp_path: Path) -> None:
     debugger = debugger_of(PRINTS, folder=tmp_path)
     debugger.start()
     debugger.interrupt()
@@ -285,7 +283,7 @@ def test_an_interrupt_that_came_too_late_can_be_forgotten(tmp_path: Path) -> Non
         lambda debugger: debugger.goto_statement(100_000),
     ],
 )
-def test_whatever_goes_forward_can_be_interrupted(
+def test_all_forward_moves_can_be_interrupted(
     move: Callable[[Debugger], Stop], tmp_path: Path
 ) -> None:
     debugger = debugger_of(ENDLESS, folder=tmp_path)
@@ -307,7 +305,7 @@ def test_whatever_goes_forward_can_be_interrupted(
 
 @pytest.mark.parametrize("verb", ["step", "next", "step_statement"])
 @pytest.mark.parametrize("backward", [False, True])
-def test_an_interrupt_between_two_of_many_steps_is_heard(
+def test_an_interrupt_between_repeated_steps_is_noticed(
     verb: str, backward: bool, loop: Debugger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     loop.goto_statement(8)
@@ -330,13 +328,13 @@ def test_an_interrupt_between_two_of_many_steps_is_heard(
     assert getattr(loop, verb)(backward=backward).reason == "step"
 
 
-def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debugger) -> None:
+def test_backward_from_inside_a_round_with_a_world_event(loop: Debugger) -> None:
     loop.stop_points.add_catchpoint("collision")
     loop.next(3)
     assert loop.resume(backward=True).reason == "beginning"
 
 
-def test_the_condition_on_what_is_of_no_robot_is_not_of_the_last_robots_program(
+def test_default_robot_for_conditions_of_robot_independent_events(
     tmp_path: Path,
 ) -> None:
     source = "#include <unistd.h>\nint mine = {};\nint main(void) {{ sleep(1); return mine; }}\n"
@@ -372,7 +370,7 @@ int main(void)
 """
 
 
-def test_back_from_where_nobody_stands_the_clock_is_that_of_the_instant(tmp_path: Path) -> None:
+def test_the_clock_after_going_back_is_that_of_the_position(tmp_path: Path) -> None:
     debugger = debugger_of(WAITING, folder=tmp_path)
     debugger.start()
     debugger.goto_timestep(5)
@@ -396,7 +394,7 @@ int main(void)
 """
 
 
-def test_a_breakpoint_that_is_met_very_often_is_gone_back_to(tmp_path: Path) -> None:
+def test_backward_to_a_breakpoint_with_very_many_hits(tmp_path: Path) -> None:
     debugger = debugger_of(OFTEN, folder=tmp_path)
     debugger.stop_points.add_breakpoint("6", temporary=True)
     debugger.resume()

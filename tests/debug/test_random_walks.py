@@ -94,7 +94,7 @@ class Walk:
         ("platoon.c", "platoon.xml", 5, 60),
     ],
 )
-def test_the_same_instant_is_the_same_to_the_byte_whatever_way_leads_to_it(
+def test_the_state_at_a_position_is_path_independent(
     program: str, world: str, seed: int, steps: int
 ) -> None:
     debugger = debugger_at([SAMPLES / program], world)

@@ -27,7 +27,7 @@ def program() -> DebugProgram:
 
 
 @pytest.mark.parametrize("name", ["vm", "sonarSensorCheck"])
-def test_breakpoints_on_the_reports_functions_stop_by_the_reports_names(program, name) -> None:
+def test_breakpoints_on_functions_of_the_report_dialect(program, name) -> None:
     debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
     debugger.start()
     debugger.stop_points.add_breakpoint(name)
@@ -46,7 +46,7 @@ def test_a_function_breakpoint_stops_at_its_own_requests_only(tmp_path: Path) ->
     executable = build_executable([source], Diagnostics(), dialect="report", debug=True)
     options = Options((), (HEADERS,), dialect="report")
     debugger = Debugger(empty_world(), [DebugProgram(executable, [source], options)])
-    debugger.add_breakpoint("vm")
+    debugger.stop_points.add_breakpoint("vm")
     posted = []
     while debugger.resume().reason == "breakpoint":
         location = debugger.location()
@@ -56,7 +56,7 @@ def test_a_function_breakpoint_stops_at_its_own_requests_only(tmp_path: Path) ->
     assert posted == [(4, "VM"), (5, "VM")]
 
 
-def test_state_has_the_reports_units(program) -> None:
+def test_state_has_the_units_of_the_report_dialect(program) -> None:
     debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
     debugger.resume()
     rows = {row.name.split()[1]: row.text for row in vendor_state_rows(debugger.view, 0)}

@@ -26,7 +26,7 @@ SCRIPTS = sorted(HERE.glob("*.dbg"))
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=lambda path: path.stem)
-def test_a_script_shows_what_it_showed(
+def test_script_output(
     script: Path,
     check_golden: Callable[[Path, bytes], None],
     tmp_path: Path,
@@ -66,6 +66,6 @@ def test_every_golden_belongs_to_a_script() -> None:
     assert {path.stem for path in HERE.glob("*.out")} == {path.stem for path in SCRIPTS}
 
 
-def test_no_screen_shows_a_traceback() -> None:
+def test_no_golden_has_a_traceback() -> None:
     for path in HERE.glob("*.out"):
         assert not re.search("Traceback|internal error", path.read_text())

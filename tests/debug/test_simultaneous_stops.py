@@ -28,7 +28,7 @@ int main(void)
 """
 
 
-def test_programs_that_fail_in_the_same_round_are_all_told_of(tmp_path: Path) -> None:
+def test_all_failures_of_a_round_are_reported(tmp_path: Path) -> None:
     debugger = debugger_of(NULL, folder=tmp_path, world="pair.xml")
     stop = debugger.resume()
     assert stop.reason == "error"
@@ -37,7 +37,7 @@ def test_programs_that_fail_in_the_same_round_are_all_told_of(tmp_path: Path) ->
     assert debugger.resume().reason == "end"
 
 
-def test_a_robot_that_leaves_ends_its_program_for_who_waits_for_that(tmp_path: Path) -> None:
+def test_leaving_triggers_the_exit_catchpoint(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
     second = debugger.names[1]
     debugger.goto_time(0.5)
@@ -56,7 +56,7 @@ def test_a_robot_that_leaves_ends_its_program_for_who_waits_for_that(tmp_path: P
     assert back.position == stop.position
 
 
-def test_to_go_back_with_a_catchpoint_and_little_memory_finds_what_was(tmp_path: Path) -> None:
+def test_reverse_continue_to_a_catchpoint_with_little_memory(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path)
     run = debugger.run
     run.history, first = History(most_bytes=300_000), run.history.at(run.position)

@@ -59,7 +59,7 @@ def recursion(tmp_path: Path) -> Debugger:
     return debugger
 
 
-def test_next_stays_in_its_call_however_deep_the_function_calls_itself(
+def test_next_stays_in_its_call_of_a_recursive_function(
     recursion: Debugger,
 ) -> None:
     assert recursion.next().reason == "step"
@@ -67,7 +67,7 @@ def test_next_stays_in_its_call_however_deep_the_function_calls_itself(
     assert number(recursion, "i") == 3
 
 
-def test_next_at_the_end_of_a_call_passes_over_its_sibling_in_the_same_line(
+def test_next_at_the_end_of_a_call_steps_over_a_sibling_call_in_the_line(
     recursion: Debugger,
 ) -> None:
     recursion.stop_points.add_breakpoint("4", condition="n == 1", temporary=True)
@@ -77,7 +77,7 @@ def test_next_at_the_end_of_a_call_passes_over_its_sibling_in_the_same_line(
     assert (line(recursion), functions(recursion)) == (10, ["main"])
 
 
-def test_reverse_next_at_the_start_of_a_call_passes_over_its_sibling(recursion: Debugger) -> None:
+def test_reverse_next_at_the_start_of_a_call_steps_over_its_sibling(recursion: Debugger) -> None:
     recursion.stop_points.add_breakpoint("4", condition="n == 0", temporary=True)
     recursion.resume()
     assert walk(recursion, [lambda: recursion.next(backward=True)] * 2) == [3, 5]
@@ -85,7 +85,7 @@ def test_reverse_next_at_the_start_of_a_call_passes_over_its_sibling(recursion: 
     assert functions(recursion) == ["fib"] * 3 + ["main"]
 
 
-def test_finish_tells_what_this_call_returned_and_not_a_later_one(recursion: Debugger) -> None:
+def test_finish_reports_the_value_of_this_call(recursion: Debugger) -> None:
     assert recursion.finish().text == "fib returned 2"
     assert line(recursion) == 10
 
@@ -117,7 +117,7 @@ int main(void)
 """
 
 
-def test_next_over_a_call_that_jumps_out_stops_where_it_comes_out(tmp_path: Path) -> None:
+def test_next_over_a_longjmp_stops_at_its_target(tmp_path: Path) -> None:
     debugger = debugger_of(LONGJMP, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 4) == [13, 14, 13, 17]
@@ -125,7 +125,7 @@ def test_next_over_a_call_that_jumps_out_stops_where_it_comes_out(tmp_path: Path
     assert walk(debugger, [lambda: debugger.next(backward=True)] * 4) == [13, 14, 13, 12]
 
 
-def test_next_and_finish_come_out_of_a_function_that_never_returns(tmp_path: Path) -> None:
+def test_next_and_finish_leave_a_function_that_longjmps(tmp_path: Path) -> None:
     for move in (Debugger.next, Debugger.finish):
         debugger = debugger_of(LONGJMP, folder=tmp_path)
         debugger.stop_points.add_breakpoint("6")
@@ -155,7 +155,7 @@ int main(void)
 """
 
 
-def test_a_callback_of_the_library_is_stepped_into_and_next_goes_past_it(tmp_path: Path) -> None:
+def test_step_enters_a_library_callback_and_next_does_not(tmp_path: Path) -> None:
     debugger = debugger_of(CALLBACK, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 3) == [10, 11, 12]
@@ -194,7 +194,7 @@ int main(void)
 """
 
 
-def test_next_goes_past_a_handler_of_signals_and_step_goes_into_it(tmp_path: Path) -> None:
+def test_step_enters_a_signal_handler_and_next_does_not(tmp_path: Path) -> None:
     debugger = debugger_of(SIGNAL, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 6) == [12, 13, 14, 15, 16, 14]
@@ -206,7 +206,7 @@ def test_next_goes_past_a_handler_of_signals_and_step_goes_into_it(tmp_path: Pat
     assert walk(debugger, back * 3) == [7, 6, 16]
 
 
-def test_finish_leaves_a_handler_for_the_place_that_it_interrupted(tmp_path: Path) -> None:
+def test_finish_returns_from_a_signal_handler(tmp_path: Path) -> None:
     debugger = debugger_of(SIGNAL, folder=tmp_path)
     debugger.stop_points.add_breakpoint("ring")
     assert debugger.resume().time_s == pytest.approx(1.0, abs=0.01)
@@ -239,7 +239,7 @@ int main(void)
 """
 
 
-def test_exit_in_the_middle_ends_the_run_behind_the_functions_of_atexit(tmp_path: Path) -> None:
+def test_exit_runs_atexit_functions_before_the_end(tmp_path: Path) -> None:
     debugger = debugger_of(LEAVES, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.step] * 3) == [14, 9, 5]
@@ -266,7 +266,7 @@ int main(void)
 """
 
 
-def test_an_error_is_gone_back_from_line_by_line_and_met_again(tmp_path: Path) -> None:
+def test_reverse_steps_from_an_error_and_forward_to_it_again(tmp_path: Path) -> None:
     debugger = debugger_of(FAILS, folder=tmp_path)
     error = debugger.resume()
     assert (error.reason, line(debugger)) == ("error", 3)
@@ -294,7 +294,7 @@ int main(void)
 """
 
 
-def test_what_was_read_is_read_again_and_asked_for_once(tmp_path: Path) -> None:
+def test_input_is_replayed_and_requested_once(tmp_path: Path) -> None:
     asked: list[int] = []
     lines = [b"ab\n", b"cd\n", b"ae\n", b""]
 
@@ -363,7 +363,7 @@ def two_robots(folder: Path, more: str = "") -> Debugger:
     return debugger_of(CALLER, HEARER, folder=folder, world=str(folder / "two.xml"))
 
 
-def test_each_robot_is_stepped_on_its_own_while_the_others_go_on(tmp_path: Path) -> None:
+def test_each_robot_is_stepped_while_others_run(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 3) == [7, 8, 9]
@@ -385,7 +385,7 @@ def test_each_robot_is_stepped_on_its_own_while_the_others_go_on(tmp_path: Path)
     assert debugger.next().position == places[1]
 
 
-def test_a_breakpoint_for_all_stops_whoever_comes_there(tmp_path: Path) -> None:
+def test_a_breakpoint_without_a_robot_stops_any_robot(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path)
     debugger.stop_points.add_breakpoint("a.c:main")
     debugger.stop_points.add_breakpoint("b.c:main")
@@ -396,7 +396,7 @@ def test_a_breakpoint_for_all_stops_whoever_comes_there(tmp_path: Path) -> None:
     assert debugger.resume(backward=True).robot == 0
 
 
-def test_a_program_that_has_ended_is_not_stepped_but_gone_back_into(tmp_path: Path) -> None:
+def test_an_ended_program_can_only_be_stepped_backward(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path)
     debugger.stop_points.add_breakpoint("12", robot=1, condition="got == 2")
     debugger.resume()
@@ -411,7 +411,7 @@ def test_a_program_that_has_ended_is_not_stepped_but_gone_back_into(tmp_path: Pa
     assert debugger.next().reason == "exit"
 
 
-def test_a_robot_that_comes_later_is_stepped_from_when_it_comes(tmp_path: Path) -> None:
+def test_a_robot_that_joins_later_is_stepped_from_then_on(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path, 'join="0.12s"')
     debugger.view.select_robot("hearer")
     assert debugger.view.frames() == []

@@ -52,7 +52,7 @@ def state_at(program: Executable, world: str, statements: int, *, first_stop: in
         ("potential.c", "cluttered.xml", 2500),
     ],
 )
-def test_stops_on_the_way_leave_no_trace(program: str, world: str, statements: int) -> None:
+def test_stopping_leaves_no_trace(program: str, world: str, statements: int) -> None:
     built = sample(program)
     at_once = state_at(built, world, statements, first_stop=statements)
     assert state_at(built, world, statements, first_stop=0) == at_once

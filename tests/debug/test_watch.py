@@ -219,7 +219,7 @@ def all_found(program: Executable, kind: AccessKind, name: str) -> list[Found]:
     return list(run.found())
 
 
-def test_a_write_is_told_with_what_was_there_before_and_its_place(program: Executable) -> None:
+def test_a_write_is_reported_with_old_value_and_location(program: Executable) -> None:
     found = all_found(program, "write", "total")
     assert [(*each.by[:2], each.line, each.change) for each in found] == [
         ("main", "total += i;", "for (i = 0; i < 3; i++)", (0, 0)),
@@ -233,12 +233,12 @@ def test_a_write_is_told_with_what_was_there_before_and_its_place(program: Execu
     assert {each.access.what for each in found} == {"write"}
 
 
-def test_a_change_is_told_only_where_it_changes_something(program: Executable) -> None:
+def test_change_watchpoints_ignore_equal_writes(program: Executable) -> None:
     found = all_found(program, "change", "total")
     assert [each.change for each in found] == [(0, 1), (1, 3), (3, 5), (5, 6)]
 
 
-def test_reads_are_told_apart_from_writes(program: Executable) -> None:
+def test_reads_are_distinguished_from_writes(program: Executable) -> None:
     reads = all_found(program, "read", "total")
     sprintf = 'sprintf(text, "%d robots", total);'
     assert [each.by[1] for each in reads] == [*["total += i;"] * 3, "other = total;", sprintf]
@@ -246,7 +246,7 @@ def test_reads_are_told_apart_from_writes(program: Executable) -> None:
     assert [each.access.what for each in both] == [*["write"] * 7, "read", "read"]
 
 
-def test_what_the_library_writes_is_told_with_the_call(program: Executable) -> None:
+def test_library_writes_are_reported_at_the_call(program: Executable) -> None:
     *_, sprintf = all_found(program, "write", "text")
     assert sprintf.by == ("main", 'sprintf(text, "%d robots", total);', "sprintf")
     assert sprintf.line == "memset(pairs, 1, sizeof pairs);"
@@ -257,19 +257,19 @@ def test_what_the_library_writes_is_told_with_the_call(program: Executable) -> N
     assert [each.by for each in others] == [("main", "pairs[1].b = 7;", "")]
 
 
-def test_what_the_library_writes_between_calls_of_the_users_is_told(program: Executable) -> None:
+def test_library_writes_around_callbacks_are_reported(program: Executable) -> None:
     found = all_found(program, "change", "order")
     call = "qsort(order, 4, sizeof order[0], less);"
     assert {each.by for each in found} == {("main", call, "qsort")}  # not `abs`, called by `less`
     assert found[-1].access.new[0] == np.array([1, 2, 3, 4], "<i4").tobytes()
 
 
-def test_the_last_write_of_all_is_told_at_the_end(program: Executable) -> None:
+def test_the_last_write_is_reported_at_the_end(program: Executable) -> None:
     last = all_found(program, "write", "other")[-1]
     assert (last.by[1], last.line, last.change) == ("other = 77;", "", (6, 77))
 
 
-def test_overlapping_and_adjacent_objects_are_told_apart(program: Executable) -> None:
+def test_overlapping_and_adjacent_objects_are_distinguished(program: Executable) -> None:
     run = Watching(program)
     parts = "pairs+9:1", "pairs+8:1", "pairs+10:1", "pairs+8:8", "pairs+16:1"
     run.watch("write", *parts)
@@ -292,7 +292,7 @@ def test_a_variable_in_a_register_is_watched(program: Executable) -> None:
     assert (end.access.what, end.line) == ("return", "")
 
 
-def test_one_activation_is_told_from_the_others(program: Executable) -> None:
+def test_activations_are_distinguished(program: Executable) -> None:
     run = Watching(program)
     for _ in range(3):  # n is 3, 2, 1
         run.to_line("if (n > 0)")
@@ -336,7 +336,7 @@ def again_from(run: Watching, saved: Snapshot) -> list[Found]:
     return list(run.found())
 
 
-def test_a_watch_ends_and_is_there_again_wherever_the_run_goes(program: Executable) -> None:
+def test_a_watch_follows_its_activation_when_the_run_moves(program: Executable) -> None:
     run = Watching(program)
     saved = snapshots(run)
     run.fleet.restore(0, saved[0])
@@ -374,7 +374,7 @@ def test_stepping_and_watching_do_not_disturb_each_other(program: Executable) ->
         assert np.array_equal(one, other)
 
 
-def test_hits_survive_that_fuel_runs_out(program: Executable) -> None:
+def test_hits_survive_fuel_exhaustion(program: Executable) -> None:
     whole, pieces = Watching(program), Watching(program, fuel=40)
     for each in (whole, pieces):
         each.watch("change", "order", "text")
@@ -384,7 +384,7 @@ def test_hits_survive_that_fuel_runs_out(program: Executable) -> None:
     assert one == other
 
 
-def test_more_than_can_be_watched_is_refused(program: Executable) -> None:
+def test_too_many_watched_objects_are_refused(program: Executable) -> None:
     run = Watching(program)
     objects = [run.object("total", "write", number) for number in range(MAX + 1)]
     with pytest.raises(DebugError, match=f"at most {MAX} objects"):
@@ -393,14 +393,14 @@ def test_more_than_can_be_watched_is_refused(program: Executable) -> None:
     assert len(list(run.found())) == 7 * MAX
 
 
-def test_as_many_variables_of_functions_can_be_watched(program: Executable) -> None:
+def test_the_maximum_of_local_variables_can_be_watched(program: Executable) -> None:
     run = Watching(program)
     run.to_line("if (n > 0)")
     run.watches.arm([run.local("deep", "mine", "write", number) for number in range(MAX)])
     assert len(list(run.found())) == 3 * MAX
 
 
-def test_without_anything_to_watch_the_debug_build_runs(program: Executable) -> None:
+def test_without_watched_objects_the_debug_build_runs(program: Executable) -> None:
     run = Watching(program)
     run.watch("write", "total")
     assert run.fleet.executable(0) is not program
@@ -474,7 +474,7 @@ def test_hits_are_the_changes_of_memory_in_every_kind_of_program(path: Path) -> 
     compare(build_executable([path], Diagnostics(), debug=True))
 
 
-def test_without_the_checks_the_same_is_found(
+def test_unchecked_builds_find_the_same_accesses(
     program: Executable, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     path: Path = tmp_path_factory.mktemp("unchecked") / "watch.c"

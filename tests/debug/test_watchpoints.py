@@ -61,7 +61,7 @@ def go(debugger: Debugger, place: str) -> None:
     debugger.stop_points.remove(point.number)
 
 
-def test_a_watchpoint_stops_forward_behind_and_backward_before_what_did_it(loop: Debugger) -> None:
+def test_a_watchpoint_stops_after_a_write_and_in_reverse_before_it(loop: Debugger) -> None:
     point = loop.stop_points.add_watchpoint("total")
     loop.resume()
     assert loop.stop.text == "total: 0 -> 2, written at a.c:15"
@@ -88,13 +88,13 @@ def test_both_directions_find_the_same(loop: Debugger) -> None:
     ]
     assert forward[-2:] == [
         "flag: 0 -> 12, written at a.c:18",
-        "flag: 12 -> 7, written at a.c:22; i is gone: 'main' has returned at a.c:11",
+        "flag: 12 -> 7, written at a.c:22; i went out of scope: 'main' has returned at a.c:11",
     ]
     assert texts(loop, backward=True) == forward[::-1]
     assert texts(loop) == forward
 
 
-def test_backward_finds_what_was_done_just_before(loop: Debugger) -> None:
+def test_backward_finds_the_access_just_before(loop: Debugger) -> None:
     go(loop, "18")
     # The loop's last statement but for `i++` wrote it.
     loop.stop_points.add_watchpoint("goal.order[0]")
@@ -103,7 +103,7 @@ def test_backward_finds_what_was_done_just_before(loop: Debugger) -> None:
     assert line(loop) == 16
 
 
-def test_what_was_written_last_of_all_is_found_from_the_end(loop: Debugger) -> None:
+def test_backward_from_the_end_finds_the_last_write(loop: Debugger) -> None:
     loop.stop_points.add_watchpoint("flag")
     loop.goto_timestep(1)
     assert loop.view.is_over
@@ -111,14 +111,14 @@ def test_what_was_written_last_of_all_is_found_from_the_end(loop: Debugger) -> N
     assert line(loop) == 22
 
 
-def test_a_watchpoint_lasts_as_long_as_the_function_wherever_the_run_goes(loop: Debugger) -> None:
+def test_a_local_watchpoint_lasts_as_long_as_its_function(loop: Debugger) -> None:
     go(loop, "8")
     point = loop.stop_points.add_watchpoint("result", "write")
     assert point.watch
     assert point.watch.note == "lasts until 'twice' returns"
     forward = [
         "result: 1 -> 2, written at a.c:8",
-        "result is gone: 'twice' has returned at a.c:9",
+        "result went out of scope: 'twice' has returned at a.c:9",
     ]
     assert texts(loop) == forward
     first = loop.resume(backward=True), loop.resume(backward=True), loop.resume(backward=True)
@@ -128,7 +128,7 @@ def test_a_watchpoint_lasts_as_long_as_the_function_wherever_the_run_goes(loop: 
     assert texts(loop)[1:] == forward
 
 
-def test_stepping_stops_where_something_is_touched(loop: Debugger) -> None:
+def test_stepping_stops_at_watchpoints(loop: Debugger) -> None:
     loop.stop_points.add_watchpoint("goal")
     reasons = []
     while (stop := loop.next()).reason in {"step", "watchpoint"} and line(loop) < 18:
@@ -148,14 +148,14 @@ def test_conditions_ignored_hits_and_log_points(loop: Debugger) -> None:
     assert (quiet.hits, logged.hits, said) == (0, 1, ["order 2"])
 
 
-def test_the_condition_of_a_variable_is_asked_in_its_function(loop: Debugger) -> None:
+def test_the_condition_of_a_local_watchpoint_is_evaluated_in_its_frame(loop: Debugger) -> None:
     loop.step()
     # `i` is a variable of main, and it is main that stops.
     loop.stop_points.add_watchpoint("total", condition="i == 2")
     assert texts(loop) == ["total: 2 -> 6, written at a.c:15"]
 
 
-def test_what_is_put_out_does_not_stop(loop: Debugger) -> None:
+def test_disabled_watchpoints_do_not_stop(loop: Debugger) -> None:
     point = loop.stop_points.add_watchpoint("total")
     loop.stop_points.enable(point.number, on=False)
     assert texts(loop) == []
@@ -165,13 +165,13 @@ def test_what_is_put_out_does_not_stop(loop: Debugger) -> None:
     assert texts(loop) == []
 
 
-def test_a_temporary_one_goes_with_its_first_hit(loop: Debugger) -> None:
+def test_a_temporary_watchpoint_is_deleted_when_hit(loop: Debugger) -> None:
     loop.stop_points.add_watchpoint("total", temporary=True)
     assert len(texts(loop)) == 1
     assert not list(loop.stop_points.breakpoints)
 
 
-def test_a_change_by_the_user_is_no_access(loop: Debugger) -> None:
+def test_an_assignment_by_the_user_is_not_an_access(loop: Debugger) -> None:
     go(loop, "16")
     loop.stop_points.add_watchpoint("total")
     loop.evaluate("total = 50")
@@ -183,7 +183,7 @@ def test_a_change_by_the_user_is_no_access(loop: Debugger) -> None:
     assert texts(loop)[0] == "total: 0 -> 2, written at a.c:15"
 
 
-def test_what_cannot_be_watched_is_refused(loop: Debugger) -> None:
+def test_invalid_watchpoints_are_refused(loop: Debugger) -> None:
     go(loop, "18")
     for wrong in ("total + 1", "*p", "nothing", "", "1", "twice", "main", "goal.order[4]"):
         with pytest.raises(DebugError):
@@ -252,7 +252,7 @@ def robots(tmp_path: Path) -> Debugger:
     return debugger
 
 
-def test_each_robot_has_its_own(robots: Debugger) -> None:
+def test_each_robot_has_its_own_watchpoints(robots: Debugger) -> None:
     one = robots.stop_points.add_watchpoint("shared", robot=1)
     found = []
     while robots.resume().reason == "watchpoint":
@@ -270,7 +270,7 @@ def test_each_robot_has_its_own(robots: Debugger) -> None:
     )
 
 
-def test_what_robots_do_while_others_wait_is_not_passed_over(robots: Debugger) -> None:
+def test_accesses_of_other_robots_in_a_round_are_reported(robots: Debugger) -> None:
     """All of them wait for replies at once, so that each is in the middle of a statement."""
     for robot in range(2):
         robots.stop_points.add_watchpoint("shared", robot=robot)
@@ -284,7 +284,7 @@ def test_what_robots_do_while_others_wait_is_not_passed_over(robots: Debugger) -
     assert sorted(found[True]) == sorted(found[False])
 
 
-def test_replies_of_the_world_are_seen_to_be_written(robots: Debugger) -> None:
+def test_replies_of_the_world_count_as_writes(robots: Debugger) -> None:
     robots.stop_points.add_watchpoint("State[STATE_CONF_X]")
     robots.resume()
     assert re.fullmatch(

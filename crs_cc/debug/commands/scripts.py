@@ -32,7 +32,9 @@ def read_script(path: Path) -> list[str]:
         DebugError: it cannot be read, or is not text.
     """
     try:
-        with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
+        with os.fdopen(
+            os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb"
+        ) as file:  # do not block on a pipe
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                 raise DebugError(f"'{path}' is not a regular file")
             content = file.read(MAX_SCRIPT_BYTES + 1)

@@ -18,7 +18,7 @@ from typing import Any, Final, Self, TypeVar
 
 _Value = TypeVar("_Value", int, bool, str)
 
-MAX_INTEGER: Final = 2**53  # of integers; beyond it JSON's numbers are no integers in most clients
+MAX_INTEGER: Final = 2**53  # larger JSON numbers are inexact in most clients
 MAX_ITEMS: Final = 10_000  # of a list; chosen by us
 
 _NAMES: Final = {int: "an integer", bool: "true or false", str: "a string"}

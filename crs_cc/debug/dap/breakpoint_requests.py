@@ -125,6 +125,6 @@ def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> 
     Raises:
         DebugError: it does not.
     """
-    debugger = session.standing()
+    debugger = session.require_stopped()
     active = None if at.frame is None else debugger.view.frames(at.robot)[at.frame].active
     debugger.view.evaluator(at.robot).place(expression, active)

@@ -31,7 +31,7 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
     line is an expression if it is valid as one, else a command: with a variable `n`
     `n` is its value, and the command must be written `next`.
     """
-    debugger, at = session.standing(), requested_frame(session, arguments)
+    debugger, at = session.require_stopped(), requested_frame(session, arguments)
     text, context = arguments.text("expression"), arguments.text("context", "watch")
     if context != "repl":
         value = debugger.view.look_up(text, robot=at.robot, frame=at.frame)
@@ -42,7 +42,7 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
     if session.shell.is_collecting or not _is_expression(debugger, at, text):
         return _command(session, text)
     value = debugger.evaluate(text, robot=at.robot, frame=at.frame)
-    session.afterwards = session.report_invalidated
+    session.after_response = session.report_invalidated
     return value_message(session, value, text, at, text=value.full, key="result")
 
 
@@ -66,43 +66,43 @@ def _is_expression(debugger: Debugger, at: FrameHandle, text: str) -> bool:
 
 def _command(session: EditorSession, text: str) -> Message:
     """Execute commands; report a stop if the run has moved."""
-    debugger, shell = session.opened(), session.shell
+    debugger, shell = session.require_debugger(), session.shell
     assert shell is not None
     before = debugger.stop
     with session.interruptible(by_all=False):
         said = "\n".join(each.text for line in text.splitlines() for each in shell.execute(line))
     if shell.has_ended:
         session.close()
-        session.afterwards = partial(session.connection.event, "terminated")
+        session.after_response = partial(session.connection.event, "terminated")
     elif debugger.stop is not before:
         session.handles.clear()
         session.output.flush()
-        session.afterwards = partial(report_stop, session, debugger.stop)
+        session.after_response = partial(report_stop, session, debugger.stop)
     else:
-        session.breakpoints.synchronize(session.opened())
-        session.afterwards = session.report_invalidated
+        session.breakpoints.synchronize(session.require_debugger())
+        session.after_response = session.report_invalidated
     return {"result": said, "variablesReference": 0}
 
 
 def set_variable(session: EditorSession, arguments: Arguments) -> Message:
     """Set a variable of a scope, or a part of a value."""
-    session.standing()
+    session.require_stopped()
     at, expression = expression_of(session, arguments)
     return _assign(session, at, expression, arguments.text("value"))
 
 
 def set_expression(session: EditorSession, arguments: Arguments) -> Message:
     """Set the object that an expression names."""
-    session.standing()
+    session.require_stopped()
     at = requested_frame(session, arguments)
     return _assign(session, at, arguments.text("expression"), arguments.text("value"))
 
 
 def _assign(session: EditorSession, at: FrameHandle, expression: str, value: str) -> Message:
-    debugger = session.opened()
+    debugger = session.require_debugger()
     debugger.evaluate(f"({expression}) = ({value})", robot=at.robot, frame=at.frame)
     now = debugger.view.look_up(expression, robot=at.robot, frame=at.frame)
-    session.afterwards = session.report_invalidated
+    session.after_response = session.report_invalidated
     body = value_message(session, now, expression, at)
     del body["evaluateName"]
     return body
@@ -110,7 +110,7 @@ def _assign(session: EditorSession, at: FrameHandle, expression: str, value: str
 
 def completions(session: EditorSession, arguments: Arguments) -> Message:
     """Return the completions of a line in the console."""
-    debugger, at = session.standing(), requested_frame(session, arguments)
+    debugger, at = session.require_stopped(), requested_frame(session, arguments)
     assert session.shell is not None
     _look_from(debugger, at)
     end = session.locations.to_column(arguments.natural("column")) - 1

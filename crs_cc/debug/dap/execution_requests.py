@@ -24,17 +24,17 @@ _GRANULARITIES: Final = ("statement", "line", "instruction")
 
 def continue_(session: EditorSession, _arguments: Arguments) -> Message:
     """Continue to the next stop; at the end of the run, end the session."""
-    debugger = session.standing()
+    debugger = session.require_stopped()
     if debugger.view.is_over:
-        session.afterwards = partial(report_end, session)
+        session.after_response = partial(report_end, session)
     else:
-        session.motion = Execution(debugger.resume, go_on=debugger.resume)
+        session.execution = Execution(debugger.resume, go_on=debugger.resume)
     return {"allThreadsContinued": True}
 
 
 def reverse_continue(session: EditorSession, _arguments: Arguments) -> None:
     """Continue backward to the previous stop."""
-    session.motion = Execution(partial(session.standing().resume, backward=True))
+    session.execution = Execution(partial(session.require_stopped().resume, backward=True))
 
 
 def next_(session: EditorSession, arguments: Arguments) -> None:
@@ -65,25 +65,25 @@ def _step(
         raise RefusalError(f"'granularity' must be {', '.join(_GRANULARITIES)}")
     debugger = _look_at(session, arguments)
     move = Debugger.step_statement if granularity == "instruction" else by_line
-    session.motion = Execution(partial(move, debugger, backward=backward))
+    session.execution = Execution(partial(move, debugger, backward=backward))
 
 
 def step_out(session: EditorSession, arguments: Arguments) -> None:
     """Run until the function returns."""
-    session.motion = Execution(_look_at(session, arguments).finish)
+    session.execution = Execution(_look_at(session, arguments).finish)
 
 
 def _look_at(session: EditorSession, arguments: Arguments) -> Debugger:
     """Select the robot of a request."""
-    debugger = session.standing()
+    debugger = session.require_stopped()
     debugger.view.select_robot(session.robot(arguments))
     return debugger
 
 
 def pause(session: EditorSession, _arguments: Arguments) -> None:
     """Interrupt the programs if they run."""
-    session.opened()
-    session.paused = session.moves
+    session.require_debugger()
+    session.paused = session.is_running
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +96,7 @@ class _GotoTarget:
 
 def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
     """Return the visits that a line can mean; no statement is ever skipped to get there."""
-    debugger = session.standing()
+    debugger = session.require_stopped()
     key = session.locations.key(arguments.object("source"))
     file = session.locations.file_at(key)
     if file is None:
@@ -119,7 +119,7 @@ def goto(session: EditorSession, arguments: Arguments) -> None:
     visit = session.handles.take(arguments.integer("targetId"))
     if not isinstance(visit, _GotoTarget):
         raise RefusalError("unknown 'targetId'")
-    session.motion = Execution(partial(_visit, debugger, debugger.view.robot, visit))
+    session.execution = Execution(partial(_visit, debugger, debugger.view.robot, visit))
 
 
 def _visit(debugger: Debugger, robot: int, visit: _GotoTarget) -> Stop:

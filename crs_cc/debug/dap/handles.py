@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 
-MAX: Final = 100_000  # that are given out at one stop; chosen by us
+MAX: Final = 100_000  # handles per stop; chosen by us
 
 
 class Handles:

@@ -28,7 +28,7 @@ def threads(session: EditorSession, _arguments: Arguments) -> Message:
 
 def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
     """Return the stack frames of a robot's program; without one, its activity."""
-    debugger, robot = session.opened(), session.robot(arguments)
+    debugger, robot = session.require_debugger(), session.robot(arguments)
     frames = debugger.view.frames(robot)
     if not frames:
         label = {
@@ -65,14 +65,14 @@ def _frame(session: EditorSession, robot: int, frame: BacktraceFrame, address: i
 
 def scopes(session: EditorSession, arguments: Arguments) -> Message:
     """Return the scopes of a stack frame."""
-    session.standing()
+    session.require_stopped()
     arguments.integer("frameId")
     return {"scopes": list(scopes_at(session, requested_frame(session, arguments)))}
 
 
 def exception_info(session: EditorSession, arguments: Arguments) -> Message:
     """Return details of the error or event at which a program has stopped."""
-    debugger, robot = session.standing(), session.robot(arguments)
+    debugger, robot = session.require_stopped(), session.robot(arguments)
     stop = debugger.stop
     if debugger.run.has_failed(robot):
         return _failure(debugger.session.fleet.report(robot))

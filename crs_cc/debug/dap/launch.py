@@ -125,7 +125,7 @@ _OF_EDITORS: Final = (
     *("internalConsoleOptions", "presentation", "serverReadyAction", "console", "consoleMode"),
     *("suppressMultipleSessionWarning", "linux", "osx", "windows"),
 )
-"""What editors leave in a configuration that they pass on."""
+"""Attributes of editors' own in a configuration."""
 
 _KNOWN: Final = frozenset({attribute.name for attribute in ATTRIBUTES} | set(_OF_EDITORS))
 

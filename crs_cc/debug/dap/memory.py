@@ -35,7 +35,7 @@ def _address(session: EditorSession, arguments: Arguments) -> tuple[int, int]:
         RefusalError: its memory reference is invalid.
     """
     found = _REFERENCE.fullmatch(arguments.text("memoryReference"))
-    if found is None or int(found[1]) >= len(session.opened().names):
+    if found is None or int(found[1]) >= len(session.require_debugger().names):
         raise RefusalError("unknown 'memoryReference'")
     return int(found[1]), int(found[2], 16) + arguments.integer("offset", 0)
 
@@ -44,7 +44,7 @@ def read_memory(session: EditorSession, arguments: Arguments) -> Message:
     """Return bytes, as many as exist."""
     robot, address = _address(session, arguments)
     count = arguments.natural("count")
-    memory = session.standing().session.fleet.memory(robot)
+    memory = session.require_stopped().session.fleet.memory(robot)
     if not 0 <= address < len(memory):
         return {"address": f"{max(address, 0):#x}", "unreadableBytes": count}
     content = memory[address : address + min(count, _MAX_READ)].tobytes()
@@ -65,6 +65,6 @@ def write_memory(session: EditorSession, arguments: Arguments) -> Message:
         raise RefusalError(f"at most {_MAX_WRITTEN} bytes can be written at once")
     if content and address >= 0:
         parts = (f"((unsigned char *){address}u)[{n}] = {byte}" for n, byte in enumerate(content))
-        session.standing().evaluate(", ".join(parts), robot=robot)
+        session.require_stopped().evaluate(", ".join(parts), robot=robot)
         session.report_memory_written(reference_of(robot, address), len(content))
     return {"bytesWritten": len(content)}

@@ -38,10 +38,10 @@ def serve_stdio(open_run: OpenRun) -> None:
     sys.stdout.flush()
     source = _StandardInput()
     with (
-        contextlib.suppress(ConnectionError),  # what is unwritten is for nobody
+        contextlib.suppress(ConnectionError),  # unwritten output has no reader
         os.fdopen(os.dup(1), "wb") as sink,
     ):
-        os.dup2(2, 1)  # whatever else is printed must not come between messages
+        os.dup2(2, 1)  # other output must not mix with messages
         serve(io.BufferedReader(source), sink, open_run, source.end)
 
 
@@ -122,7 +122,7 @@ def serve(
         try:
             Server(session, inbox, HANDLERS).serve()
         except ClientGoneError:
-            pass  # then nobody is left to be told
+            pass  # then nobody is left to tell
         except Exception as error:
             sys.stderr.write(f"crs: {explain(error)}\n")
         finally:

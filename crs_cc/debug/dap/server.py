@@ -49,8 +49,8 @@ class Server:
         session = self._session
         while not session.over and (request := self._inbox.take()) is not None:
             self._answer(request)
-            while session.motion is not None and not session.over:
-                motion, session.motion = session.motion, None
+            while session.execution is not None and not session.over:
+                motion, session.execution = session.execution, None
                 self._move(motion)
 
     def _answer(self, request: ClientRequest) -> None:
@@ -75,16 +75,16 @@ class Server:
     def _tell_more(self) -> None:
         """Report the effects of a request."""
         session = self._session
-        afterwards, session.afterwards = session.afterwards, None
-        if afterwards is not None:
-            afterwards()
+        after_response, session.after_response = session.after_response, None
+        if after_response is not None:
+            after_response()
 
     def _move(self, motion: Execution) -> None:
         """Run the programs and report where they stop."""
         session = self._session
-        debugger = session.opened()
+        debugger = session.require_debugger()
         session.handles.clear()
-        session.moves, session.paused = True, False
+        session.is_running, session.paused = True, False
         try:
             stop = self._run(motion, debugger)
         except ClientGoneError:
@@ -92,7 +92,7 @@ class Server:
         except Exception as error:
             session.output.say(explain(error), "stderr")
             stop = debugger.stop
-        session.moves = False
+        session.is_running = False
         session.handles.clear()  # of what was asked for on the way
         if session.debugger is debugger:
             session.output.flush()

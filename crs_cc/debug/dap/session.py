@@ -57,10 +57,10 @@ class EditorSession:
         breakpoints: its breakpoints.
         handles: objects that it can refer to until the run moves.
         output: the programs' output.
-        motion: the execution to start after the response; None for none.
-        afterwards: sends events after the response; None for none.
-        has_begun: whether the run has started.
-        moves: whether the programs run as far as the client knows.
+        execution: the execution to start after the response; None for none.
+        after_response: sends events after the response; None for none.
+        has_started: whether the run has started.
+        is_running: whether the programs run as far as the client knows.
         paused: whether it has requested a pause.
         shell: executes commands; None if nothing is launched.
         over: whether the session should end.
@@ -74,10 +74,10 @@ class EditorSession:
         self.breakpoints = EditorBreakpoints(connection, self.locations)
         self.handles = Handles()
         self.output = OutputEvents(connection)
-        self.motion: Execution | None = None
-        self.afterwards: Callable[[], None] | None = None
-        self.has_begun = False
-        self.moves = False
+        self.execution: Execution | None = None
+        self.after_response: Callable[[], None] | None = None
+        self.has_started = False
+        self.is_running = False
         self.paused = False
         self.over = False
         self.shell: Shell | None = None
@@ -86,7 +86,7 @@ class EditorSession:
         self._debugger: Debugger | None = None
         self._folder = os.getcwd()  # noqa: PTH109
 
-    def meet(self, client: Arguments) -> None:
+    def configure_client(self, client: Arguments) -> None:
         """Store the client's capabilities.
 
         Raises:
@@ -100,7 +100,7 @@ class EditorSession:
         """The debugger; None if nothing is launched."""
         return self._debugger
 
-    def opened(self) -> Debugger:
+    def require_debugger(self) -> Debugger:
         """Return the debugger.
 
         Raises:
@@ -110,14 +110,14 @@ class EditorSession:
             raise RefusalError("no program is launched")
         return self._debugger
 
-    def standing(self) -> Debugger:
+    def require_stopped(self) -> Debugger:
         """Return the debugger of stopped programs.
 
         Raises:
             RefusalError: they are running, or nothing is launched.
         """
-        debugger = self.opened()
-        if self.moves:
+        debugger = self.require_debugger()
+        if self.is_running:
             raise RefusalError("the programs are running: pause them first", "notStopped")
         return debugger
 
@@ -128,7 +128,7 @@ class EditorSession:
             RefusalError: there is no such robot.
         """
         robot = arguments.integer("threadId") - 1
-        if not 0 <= robot < len(self.opened().names):
+        if not 0 <= robot < len(self.require_debugger().names):
             raise RefusalError("unknown 'threadId'")
         return robot
 
@@ -147,7 +147,7 @@ class EditorSession:
         for name in launch.unknown:
             self.output.say(f"unknown attribute '{name}' of launch: ignored", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
-        self.launch, self._debugger, self.has_begun = launch, debugger, False
+        self.launch, self._debugger, self.has_started = launch, debugger, False
         self.breakpoints.debugger = debugger
         self.shell = Shell(debugger)
         debugger.stop_points.say = self.output.say
@@ -158,13 +158,13 @@ class EditorSession:
 
     def begin(self) -> None:
         """Start the run: go to its first statement, or its first breakpoint."""
-        launch, debugger = self.launch, self.opened()
+        launch, debugger = self.launch, self.require_debugger()
         assert launch is not None
-        self.has_begun = True
+        self.has_started = True
         if launch.stop_on_entry and launch.debugs:
-            self.motion = Execution(lambda: replace(debugger.start(), reason="start"))
+            self.execution = Execution(lambda: replace(debugger.start(), reason="start"))
         else:
-            self.motion = Execution(debugger.resume, go_on=debugger.resume)
+            self.execution = Execution(debugger.resume, go_on=debugger.resume)
 
     def close(self) -> None:
         """Close the run."""
@@ -178,7 +178,7 @@ class EditorSession:
         Args:
             by_all: whether every request does; else only those that stop the programs.
         """
-        debugger = self.opened()
+        debugger = self.require_debugger()
 
         def interrupt(request: ClientRequest | None) -> None:
             if request is None or by_all or request.command in ENDING:
@@ -186,7 +186,7 @@ class EditorSession:
 
         with self._inbox.watched(interrupt):
             yield
-        debugger.forget_interrupt()  # by what came when it had stopped
+        debugger.forget_interrupt()  # an interrupt that arrived after the stop
 
     def report_invalidated(self) -> None:
         """Report that the client's view of the programs is outdated."""

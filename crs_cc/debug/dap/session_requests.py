@@ -47,7 +47,7 @@ def initialize(session: EditorSession, arguments: Arguments) -> Message:
     """Exchange capabilities with the client."""
     if session.launch is not None:
         raise RefusalError("'initialize' must be the first request, and the only one of its kind")
-    session.meet(arguments)
+    session.configure_client(arguments)
     return CAPABILITIES
 
 
@@ -58,8 +58,8 @@ def launch(session: EditorSession, arguments: Arguments) -> None:
     wanted = read_launch(arguments)
     session.open(wanted)
     if wanted.debugs:
-        session.breakpoints.set_again(session.opened())
-    session.afterwards = partial(session.connection.event, "initialized")
+        session.breakpoints.set_again(session.require_debugger())
+    session.after_response = partial(session.connection.event, "initialized")
 
 
 def attach(_session: EditorSession, _arguments: Arguments) -> None:
@@ -69,8 +69,8 @@ def attach(_session: EditorSession, _arguments: Arguments) -> None:
 
 def configuration_done(session: EditorSession, _arguments: Arguments) -> None:
     """Start the run."""
-    session.standing()
-    if session.has_begun:
+    session.require_stopped()
+    if session.has_started:
         raise RefusalError("the run has already started")
     session.begin()
 
@@ -81,14 +81,14 @@ def restart(session: EditorSession, arguments: Arguments) -> None:
         raise RefusalError("no program is launched")
     has_news = "arguments" in arguments
     session.open(read_launch(arguments.object("arguments")) if has_news else session.launch)
-    session.breakpoints.set_again(session.opened())
+    session.breakpoints.set_again(session.require_debugger())
     session.begin()
 
 
 def terminate(session: EditorSession, _arguments: Arguments) -> None:
     """End the run."""
     session.close()
-    session.afterwards = partial(session.connection.event, "terminated")
+    session.after_response = partial(session.connection.event, "terminated")
 
 
 def disconnect(session: EditorSession, _arguments: Arguments) -> None:

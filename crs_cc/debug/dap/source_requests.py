@@ -19,7 +19,7 @@ _MAX_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
 
 def loaded_sources(session: EditorSession, _arguments: Arguments) -> Message:
     """Return the source files of the programs."""
-    session.opened()
+    session.require_debugger()
     return {"sources": session.locations.sources()}
 
 
@@ -29,7 +29,7 @@ def source(session: EditorSession, arguments: Arguments) -> Message:
     file = session.locations.file_at(session.locations.key(asked))
     if file is None:
         raise RefusalError("no program of this run was built from this file")
-    lines = session.opened().view.source(file)
+    lines = session.require_debugger().view.source(file)
     return {"content": session.locations.text(file, lines), "mimeType": "text/x-c"}
 
 
@@ -69,7 +69,7 @@ def _function(session: EditorSession, address: CodeAddress) -> Function:
     Raises:
         RefusalError: there is none.
     """
-    programs = session.opened().run.programs
+    programs = session.require_debugger().run.programs
     if 0 <= address.robot < len(programs):
         functions = list(programs[address.robot].executable.program.functions.values())
         if address.function < len(functions):

@@ -48,13 +48,13 @@ def thread_of(robot: int) -> int:
 
 def report_stop(session: EditorSession, stop: Stop) -> None:
     """Report that a run has stopped; or that it has ended, if no stop is wanted there."""
-    launch, debugger = session.launch, session.opened()
+    launch, debugger = session.launch, session.require_debugger()
     assert launch is not None
     if stop.reason == "end" and not (launch.stop_at_end and launch.debugs):
         report_end(session)
         return
     if not launch.debugs and stop.reason in {"error", "exit"}:
-        session.motion = Execution(debugger.resume, go_on=debugger.resume)
+        session.execution = Execution(debugger.resume, go_on=debugger.resume)
         return
     said = stop.text or _SAID.get(stop.reason, stop.reason)
     robot = stop.robot if stop.robot >= 0 else debugger.view.robot
@@ -69,7 +69,7 @@ def report_stop(session: EditorSession, stop: Stop) -> None:
     hit = session.breakpoints.ids(stop.breakpoints)
     if hit:
         body["hitBreakpointIds"] = hit
-    session.breakpoints.synchronize(session.opened())  # temporary ones may be gone
+    session.breakpoints.synchronize(session.require_debugger())  # temporary ones may be gone
     session.connection.event("stopped", body)
 
 
@@ -82,7 +82,7 @@ def _reason(session: EditorSession, stop: Stop) -> str:
 def report_end(session: EditorSession) -> None:
     """Report that the run is over; the client will end the session."""
     session.output.flush()
-    session.connection.event("exited", {"exitCode": exit_code(session.opened())})
+    session.connection.event("exited", {"exitCode": exit_code(session.require_debugger())})
     session.connection.event("terminated")
 
 

@@ -42,7 +42,7 @@ def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle
     Raises:
         RefusalError: it is no longer valid.
     """
-    debugger = session.opened()
+    debugger = session.require_debugger()
     if "frameId" not in arguments:
         frame = debugger.view.current_frame()
         if frame is None:

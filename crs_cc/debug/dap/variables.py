@@ -58,7 +58,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     for name in _SCOPES:
         if at.frame is None and name == "Locals":
             continue
-        if name == "State" and not session.opened().view.vendor_state(at.robot):
+        if name == "State" and not session.require_debugger().view.vendor_state(at.robot):
             continue
         scope = {
             "name": name,
@@ -127,12 +127,12 @@ def _row(session: EditorSession, row: Row) -> Message:
 
 
 def _locals(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    found = session.opened().view.variables(robot=at.robot, frame=at.frame)
+    found = session.require_debugger().view.variables(robot=at.robot, frame=at.frame)
     return _variables(session, found, at)
 
 
 def _globals(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    return _variables(session, session.opened().view.globals_(robot=at.robot), at)
+    return _variables(session, session.require_debugger().view.globals_(robot=at.robot), at)
 
 
 def _variables(
@@ -146,7 +146,7 @@ def _variables(
 
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     """Return the numbers of `State[]` with their names and units."""
-    told = session.opened().view.vendor_state(at.robot)
+    told = session.require_debugger().view.vendor_state(at.robot)
     for row, (field, _) in zip(state_rows(told), told, strict=True):
         yield {
             "name": row.name,
@@ -157,12 +157,12 @@ def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
 
 
 def _robot(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    for row in robot_rows(session.opened().session, at.robot):
+    for row in robot_rows(session.require_debugger().session, at.robot):
         yield _row(session, row)
 
 
 def _world(session: EditorSession, _at: FrameHandle) -> Iterator[Message]:
-    for row in world_rows(session.opened().session.environment):
+    for row in world_rows(session.require_debugger().session.environment):
         yield _row(session, row)
 
 

@@ -112,7 +112,7 @@ class Evaluator:
         self.convenience_values: dict[str, Value] = (
             {} if convenience_values is None else convenience_values
         )
-        self._replaced: list[tuple[str, Value | None]] = []  # by the last expression, of `kept`
+        self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
         self._stopped = stopped
         self._names = names
         self._fields = fields

@@ -167,7 +167,7 @@ class MemoryInspector:
             return None
         stack = self.stopped.stack
         around = bisect_right(stack, address, key=lambda each: each.fp)
-        # What was passed to a function that has no room for its frame lies above that.
+        # Arguments of a function without room for its frame are above that.
         for active in [*stack[:1], *stack[around : around + 1]]:
             frame = FrameAddresses.of(self.stopped, active)
             for storage in frame_storage(self.stopped.compiled.info(active.function)):

@@ -138,7 +138,7 @@ def _order(storage: Storage) -> tuple[Location, Location, Location]:
 
 
 def frame_storage(info: FunctionInfo) -> Iterator[Storage]:
-    """Return the variables in the frames of a function; one stored twice counts at the last place."""
+    """Return the variables in the frames of a function; the last place of one stored twice."""
     passed: dict[tuple[str, Location], int] = {}
     for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
         variable = parameter.variable or parameter.place.variable
@@ -178,7 +178,7 @@ class FrameAddresses:
         landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
-        if not stopped.saved and active is stopped.stack[0]:  # nobody knows what they held
+        if not stopped.saved and active is stopped.stack[0]:  # their values are unknown
             unset = frozenset(info.function.registers)
         return cls(active.fp - info.frame.size, active.location, unset)
 

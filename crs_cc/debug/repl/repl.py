@@ -110,6 +110,6 @@ class Repl:
         self._terminal.line(Line(text, "log"))
 
     def _do(self, text: str) -> None:
-        self.shell.debugger.forget_interrupt()  # it came too late for the command before
+        self.shell.debugger.forget_interrupt()  # one that arrived too late for the previous command
         for line in self.shell.execute(text):
             self._terminal.line(line)

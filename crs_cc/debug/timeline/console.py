@@ -58,7 +58,7 @@ class ReplayConsole:
         self._show = output
         self._ask = read
         self._content = bytearray()
-        self._ends = array("q", [0])  # of the pieces in the content, a place before them
+        self._ends = array("q", [0])  # the ends of pieces, preceded by 0
         self._writers = array("q")  # of each piece
         self._at = 0
         self._reads: dict[int, list[bytes]] = {}

@@ -44,8 +44,8 @@ NEAR, FINER = 2, 5
 MAX_REPLAY_INTERVALS: Final = 64
 """The most intervals that are run through at once on the way back."""
 
-_LEFT: Final = 7 / 8  # of the memory, when snapshots have been thinned
-_ROUNDS: Final = 1e-3  # what a round counts of a timestep, about
+_LEFT: Final = 7 / 8  # of the memory, after thinning
+_ROUNDS: Final = 1e-3  # the weight of a round in timesteps, about
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class History:
         self._positions: list[Position] = []
         self._kept: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
-        self._user: Position | None = None  # where the user went back to last
+        self._user: Position | None = None  # the last position that the user went back to
         self._here = Position(0, 0)
 
     @property
@@ -162,7 +162,7 @@ class History:
         something far back is likely to go further still, and every interval has its cost.
         """
         place, reach = position, 0
-        while number := bisect_left(self._positions, place):  # some may have gone meanwhile
+        while number := bisect_left(self._positions, place):  # some may have been dropped meanwhile
             number -= 1
             while number and place.timestep - self._positions[number - 1].timestep <= reach:
                 number -= 1
@@ -182,7 +182,7 @@ class History:
         needed = np.array([each in self._edits for each in self._positions])
         needed[0] = True
         left = list(range(len(places)))
-        fewest = len(left) // 2  # what other branches have, too, takes no less for being dropped
+        fewest = len(left) // 2  # dropping data shared with other branches frees nothing
         while self.size > _LEFT * self._store.most_bytes and len(left) > fewest:
             at, free = places[left], ~needed[left]
             free[-1] = False

@@ -89,7 +89,7 @@ class RecordedRun:
         self.interrupted = False
         self._step: Step | None = None
         self._marks = StopRequest()
-        self._stopped: dict[int, Stopped] = {}  # by robot, as long as nothing moves
+        self._stopped: dict[int, Stopped] = {}  # by robot, until the run moves
         self.is_off_timeline = False
         self.session = Session(
             world,
@@ -103,7 +103,7 @@ class RecordedRun:
         fleet = self.session.fleet
         self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
         self._watching_builds: dict[int, Executable] = {}
-        self._note_begun()  # by robot, when the round began
+        self._note_begun()  # by robot, at the start of the round
         self.history.keep(BEGINNING, self._kept())
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
@@ -199,29 +199,29 @@ class RecordedRun:
         self._stopped.clear()
         edit = self.history.next_edit(before)
         if not self.session.begin_round():
-            instant = self._end_cycle()
+            event = self._end_cycle()
         else:
             if before.robot < 0:
                 self.input_log.note(before, self.session.pending, self.session.fleet)
                 self._note_begun()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
-                instant = _STATEMENT
+                event = _STATEMENT
                 if self.position == edit:
-                    instant = self._with_accesses(instant)
+                    event = self._with_accesses(event)
                 self.restore(self.history.at(edit))
-                return instant
+                return event
             if limit is not None and self._has_passed(limit) and self.position != limit:
                 self.is_off_timeline = True
                 return _LIMIT
-            instant = self._end_round() if self.session.halted is None else _STATEMENT
-            instant = self._with_accesses(instant)
+            event = self._end_round() if self.session.halted is None else _STATEMENT
+            event = self._with_accesses(event)
         position = self.position
         if edit == position:
             self.restore(self.history.at(position))
         elif position.round == 0 and position.robot < 0 and self.history.wants(position):
             self.history.keep(position, self._kept())
-        return instant
+        return event
 
     def replay(
         self, begin: Position, limit: Position, *, needs_world: bool = False
@@ -254,10 +254,10 @@ class RecordedRun:
         self._recall(begin)
         while self.position < limit:
             self._answer_interrupt()
-            instant = self._again(limit)
-            if instant is None:
+            event = self._again(limit)
+            if event is None:
                 return
-            yield instant
+            yield event
 
     def _recall(self, begin: Position) -> None:
         """Restore only the programs from a snapshot."""
@@ -304,20 +304,20 @@ class RecordedRun:
             self.interrupted = False
             raise InterruptedRunError
 
-    def _with_accesses(self, instant: RunEvent) -> RunEvent:
+    def _with_accesses(self, event: RunEvent) -> RunEvent:
         """Add the accesses to watched objects to an event, as far as they are to be reported."""
         found = [
-            WatchHit(robot, access, self._last_before(instant, robot))
+            WatchHit(robot, access, self._last_before(event, robot))
             for robot in self._marks.watched
-            if self._marks.at_once or robot == self.session.halted or robot in instant.ended
+            if self._marks.at_once or robot == self.session.halted or robot in event.ended
             for access in self._watches[robot].take()
         ]
-        return replace(instant, accesses=tuple(found)) if found else instant
+        return replace(event, accesses=tuple(found)) if found else event
 
-    def _last_before(self, instant: RunEvent, robot: int) -> Position:
+    def _last_before(self, event: RunEvent, robot: int) -> Position:
         """Return the last position before an access that a program made in this round."""
         session = self.session
-        round_ = session.rounds - (instant.kind == "round")
+        round_ = session.rounds - (event.kind == "round")
         begun = self.statements_begun(robot) - 1
         if begun < self._begun[robot]:
             return Position(session.timesteps, round_)

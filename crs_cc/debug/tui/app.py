@@ -33,14 +33,14 @@ from crs_cc.debug.tui.status_bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
 
-_WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
+_WAIT_S: Final = 0.15  # between updates of the running command
 
 
 @dataclass
 class RequestFinished(Message):
     """A request is complete."""
 
-    order: BackendRequest
+    request: BackendRequest
     done: BackendReply
 
 
@@ -55,7 +55,7 @@ class DebugApp(App[int]):
     """The full screen of the debugger.
 
     Args:
-        work: the backend.
+        backend: the backend.
     """
 
     TITLE = "crs debug"
@@ -80,17 +80,17 @@ class DebugApp(App[int]):
         ),
     ]
 
-    def __init__(self, work: Backend) -> None:
+    def __init__(self, backend: Backend) -> None:
         super().__init__()
-        self._work = work
-        self._orders: deque[BackendRequest] = deque()
+        self._backend = backend
+        self._requests: deque[BackendRequest] = deque()
         self._current: BackendRequest | None = None
         self._slow: Timer | None = None
         self._unfolded = set(OPEN)
-        self._chart_size = (0, 0)
-        self._file = ""  # to be shown instead of the one where the run stands
-        self._goto_s: float | None = None  # where the time line was dragged to
-        self._look = ScreenData()
+        self._map_size = (0, 0)
+        self._file = ""  # to show instead of the current one
+        self._goto_s: float | None = None  # the target of the time line
+        self._snapshot = ScreenData()
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input
 
@@ -111,7 +111,7 @@ class DebugApp(App[int]):
         yield TimeLine(id="time")
         with Horizontal(id="prompt"):
             yield Label(PROMPT)
-            yield CommandLine(self._work.complete, id="command")
+            yield CommandLine(self._backend.complete, id="command")
         yield ButtonBar(id="keys")
 
     def on_mount(self) -> None:
@@ -122,8 +122,8 @@ class DebugApp(App[int]):
             if each.label
         )
         self.main.query_one(CommandLine).focus()
-        self._work.listen(self._hear)
-        self._order(BackendRequest())
+        self._backend.listen(self._hear)
+        self._request(BackendRequest())
 
     @property
     def main(self) -> Screen[object]:
@@ -133,28 +133,28 @@ class DebugApp(App[int]):
     @property
     def is_idle(self) -> bool:
         """Return whether the debugger is idle."""
-        return self._current is None and not self._orders
+        return self._current is None and not self._requests
 
     # -- orders to the debugger ----------------------------------------------------------------
 
-    def _order(self, order: BackendRequest) -> None:
+    def _request(self, request: BackendRequest) -> None:
         """Queue a request."""
-        self._orders.append(order)
+        self._requests.append(request)
         self._go_on()
 
     def _go_on(self) -> None:
-        if self._current is not None or not self._orders:
+        if self._current is not None or not self._requests:
             return
-        order = self._current = self._orders.popleft()
-        wanted = frozenset(self._unfolded), self._chart_size, self._file
-        order = BackendRequest(order.line, order.is_typed, *wanted)
-        if order.line is not None:
+        request = self._current = self._requests.popleft()
+        wanted = frozenset(self._unfolded), self._map_size, self._file
+        request = BackendRequest(request.line, request.is_typed, *wanted)
+        if request.line is not None:
             self._slow = self.set_interval(_WAIT_S, self._say_running)
-        self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
+        self.run_worker(lambda: self._do(request), thread=True, exit_on_error=False)
 
-    def _do(self, order: BackendRequest) -> None:
+    def _do(self, request: BackendRequest) -> None:
         """Execute a request; in the debugger's thread."""
-        self.post_message(RequestFinished(order, self._work.do(order)))
+        self.post_message(RequestFinished(request, self._backend.do(request)))
 
     def _hear(self, robot: str) -> None:
         """Post that a program waits for input; in the debugger's thread."""
@@ -162,7 +162,7 @@ class DebugApp(App[int]):
 
     def on_request_finished(self, message: RequestFinished) -> None:
         """Show a reply."""
-        order, done = message.order, message.done
+        request, done = message.request, message.done
         self._current = None
         if self._slow is not None:
             self._slow.stop()
@@ -170,55 +170,55 @@ class DebugApp(App[int]):
         if self._leaving or done.leaves:
             self.exit(0)
             return
-        self._tell(order, done)
+        self._tell(request, done)
         self.main.query_one("#prompt Label", Label).update(done.prompt)
-        self._show(done.look, moved=done.moved)
+        self._show(done.snapshot, moved=done.moved)
         self._go_on()
         self._pursue()
 
-    def _tell(self, order: BackendRequest, done: BackendReply) -> None:
+    def _tell(self, request: BackendRequest, done: BackendReply) -> None:
         console = self.main.query_one("#console", ConsoleLog)
-        if order.line is not None and (order.is_typed or done.answer.plain or done.errors):
-            console.echo(order.line)
+        if request.line is not None and (request.is_typed or done.answer.plain or done.errors):
+            console.echo(request.line)
         console.answer(done.answer)
         for line in done.errors:
             console.error(line)
-        has_failed = done.moved and done.look.badge == "error"
-        if (order.is_typed and done.answer.plain) or done.errors or has_failed:
+        has_failed = done.moved and done.snapshot.badge == "error"
+        if (request.is_typed and done.answer.plain) or done.errors or has_failed:
             self.main.query_one(Panes).pick("console")
             self.main.add_class("-answer")
 
-    def _show(self, look: ScreenData, *, moved: bool) -> None:
+    def _show(self, snapshot: ScreenData, *, moved: bool) -> None:
         if moved:
             self.main.remove_class("-answer")
-        if look.source.file != self._file:
+        if snapshot.source.file != self._file:
             self._file = ""
-        self._look = look
-        self.main.query_one(StatusBar).look = look
-        self.main.query_one(Panes).show(look, moved=moved)
+        self._snapshot = snapshot
+        self.main.query_one(StatusBar).snapshot = snapshot
+        self.main.query_one(Panes).show(snapshot, moved=moved)
         line = self.main.query_one(TimeLine)
-        line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
+        line.end_s, line.time_s, line.happened = snapshot.end_s, snapshot.time_s, snapshot.events
 
     def _say_running(self) -> None:
         """Show the running command, its progress and new output; most commands end before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
-            self.main.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
-            self.main.query_one("#output", OutputLog).add(self._work.take_output())
+            self.main.query_one(StatusBar).running = f"{line}: {self._backend.time_s:.2f} s"
+            self.main.query_one("#output", OutputLog).add(self._backend.take_output())
 
     # -- what the user does --------------------------------------------------------------------
 
     def action_press(self, command: str) -> None:
         """Execute the command of a key, unless one is running: keys held down do not pile up."""
         if self._current is None:
-            self._order(BackendRequest(command))
+            self._request(BackendRequest(command))
 
     def action_interrupt(self) -> None:
         """Interrupt the running command, or else copy the selection."""
         if self._current is not None:
-            self._orders.clear()
+            self._requests.clear()
             self._ask_for("")
-            self._work.interrupt()
+            self._backend.interrupt()
         elif marked := self.screen.get_selected_text():
             self.copy_to_clipboard(marked)
 
@@ -227,7 +227,7 @@ class DebugApp(App[int]):
         self._leaving = True
         if self._current is None:
             self.exit(0)
-        self._work.interrupt()
+        self._backend.interrupt()
 
     def action_breakpoint(self) -> None:
         """Toggle a breakpoint at the cursor."""
@@ -239,7 +239,7 @@ class DebugApp(App[int]):
         self.action_press(f"advance {source.file}:{source.cursor}")
 
     def _toggle(self, line: int) -> None:
-        source = self._look.source
+        source = self._snapshot.source
         if line in source.breakpoints:
             self.action_press(f"delete {source.breakpoints[line].number}")
         elif source.file:
@@ -247,7 +247,7 @@ class DebugApp(App[int]):
 
     def action_file(self) -> None:
         """Show the next source file."""
-        files = self._look.source.files
+        files = self._snapshot.source.files
         if files:
             shown = files.index(self.main.query_one(SourcePane).file)
             self._file = files[(shown + 1) % len(files)]
@@ -295,7 +295,7 @@ class DebugApp(App[int]):
         if self._asks:
             self._give(message.line)
         else:
-            self._order(BackendRequest(message.line, is_typed=True))
+            self._request(BackendRequest(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:
         """Quit, or end the input of a waiting program."""
@@ -317,7 +317,7 @@ class DebugApp(App[int]):
     def _give(self, line: str | None) -> None:
         self.main.query_one("#console", ConsoleLog).echo(line or "", _reads(self._asks))
         self._ask_for("")
-        self._work.give(line)
+        self._backend.give(line)
 
     def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
         """Toggle a breakpoint."""
@@ -335,12 +335,12 @@ class DebugApp(App[int]):
 
     def on_map_pane_resized(self, message: MapPane.Resized) -> None:
         """Redraw the map."""
-        self._chart_size = message.width, message.height
+        self._map_size = message.width, message.height
         self._look_again()
 
     def _look_again(self) -> None:
-        if not any(each.line is None for each in self._orders):
-            self._order(BackendRequest())
+        if not any(each.line is None for each in self._requests):
+            self._request(BackendRequest())
 
     def on_time_line_press(self, message: TimeLine.Press) -> None:
         """Execute a command of the time line's keys."""
@@ -353,7 +353,7 @@ class DebugApp(App[int]):
 
     def _pursue(self) -> None:
         if self._goto_s is not None and self.is_idle:
-            self._order(BackendRequest(f"goto {self._goto_s:.6f}"))
+            self._request(BackendRequest(f"goto {self._goto_s:.6f}"))
             self._goto_s = None
 
 

@@ -20,14 +20,14 @@ class BackendRequest:
         line: a command; None only to refresh.
         is_typed: whether the user has typed it, and not pressed a key.
         unfolded: the expanded values.
-        chart_size: columns and lines of the map.
+        map_size: columns and lines of the map.
         file: the C file to show; empty for the current one.
     """
 
     line: str | None = None
     is_typed: bool = False
     unfolded: frozenset[Key] = frozenset()
-    chart_size: tuple[int, int] = (0, 0)
+    map_size: tuple[int, int] = (0, 0)
     file: str = ""
 
 
@@ -36,7 +36,7 @@ class BackendReply:
     """The reply to a request.
 
     Attributes:
-        look: the data to show.
+        snapshot: the data to show.
         answer: the answer of the command.
         errors: its errors, a line each.
         moved: whether the run has moved.
@@ -44,7 +44,7 @@ class BackendReply:
         prompt: the prompt for the next line.
     """
 
-    look: ScreenData
+    snapshot: ScreenData
     answer: Text = field(default_factory=Text)
     errors: tuple[str, ...] = ()
     moved: bool = False
@@ -55,7 +55,7 @@ class BackendReply:
 class Backend(Protocol):
     """The debugger as seen by the screen; `do` is called in a worker thread."""
 
-    def do(self, order: BackendRequest) -> BackendReply:
+    def do(self, request: BackendRequest) -> BackendReply:
         """Execute a request; raises nothing."""
 
     def interrupt(self) -> None:

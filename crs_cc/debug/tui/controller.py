@@ -61,7 +61,7 @@ class Controller:
         self._has_begun = False
         self._works = False
         self._is_interrupted = False
-        self._look = ScreenData()
+        self._snapshot = ScreenData()
 
     def interrupt(self) -> None:
         """Interrupt the current request; thread-safe."""
@@ -93,25 +93,25 @@ class Controller:
         completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
-    def do(self, order: BackendRequest) -> BackendReply:
+    def do(self, request: BackendRequest) -> BackendReply:
         """Execute a request; errors become lines of the reply."""
         self._works = True
-        self._streams.take()  # the look before has shown it
+        self._streams.take()  # the previous snapshot has shown it
         debugger = self.shell.debugger
-        # An interrupt that came too late for the order before is none of this one.
+        # An interrupt that arrived too late for the previous request does not concern this one.
         self._is_interrupted = False
         debugger.forget_interrupt()
         before, looked_at = debugger.position, (debugger.view.robot, debugger.view.frame)
         answer, errors = Text(), list[str]()
         try:
-            self._answer(order, before, answer, errors)
+            self._answer(request, before, answer, errors)
             if (debugger.position, (debugger.view.robot, debugger.view.frame)) != (
                 before,
                 looked_at,
             ):
-                order = replace(order, file="")
-            self._look = build_snapshot(self.shell, order)
-        except DebugError as error:  # of the look: the files are not any more what they were
+                request = replace(request, file="")
+            self._snapshot = build_snapshot(self.shell, request)
+        except DebugError as error:  # the source files have changed
             errors.append(str(error))
         except Exception as error:
             errors.append(f"internal error: {type(error).__name__}: {error}; please report it")
@@ -119,13 +119,13 @@ class Controller:
             self._works = False
         has_moved = debugger.position != before
         leaves, prompt = self.shell.has_ended, self.shell.prompt
-        return BackendReply(self._look, answer, tuple(errors), has_moved, leaves, prompt)
+        return BackendReply(self._snapshot, answer, tuple(errors), has_moved, leaves, prompt)
 
     def _answer(
-        self, order: BackendRequest, before: Position, answer: Text, errors: list[str]
+        self, request: BackendRequest, before: Position, answer: Text, errors: list[str]
     ) -> None:
         count = 0
-        for line in self._lines(order):
+        for line in self._lines(request):
             count += 1
             if isinstance(line, Line) and line.kind == "error":
                 errors.append(line.text)
@@ -153,13 +153,13 @@ class Controller:
         except DebugError as error:  # a script that cannot be read
             yield Line(str(error), "error")
 
-    def _lines(self, order: BackendRequest) -> Iterator[Line | SourceLine]:
+    def _lines(self, request: BackendRequest) -> Iterator[Line | SourceLine]:
         if not self._has_begun:
             self._has_begun = True
             yield from self.shell.greet()
             yield from self._begin()
-        if order.line is not None:
-            yield from self.shell.execute(order.line)
+        if request.line is not None:
+            yield from self.shell.execute(request.line)
 
 
 def _text(line: Line | SourceLine) -> Text:

@@ -11,7 +11,7 @@ from textual.widget import Widget
 class MapPane(Widget, can_focus=True):
     """Shows a map; posts `Resized` when its size changes."""
 
-    chart: reactive[Text] = reactive(Text)
+    world_map: reactive[Text] = reactive(Text)
 
     class Resized(Message):
         """The size has changed [cells]."""
@@ -27,7 +27,7 @@ class MapPane(Widget, can_focus=True):
 
     def render(self) -> Text:
         """Return the map."""
-        return self.chart
+        return self.world_map
 
     def on_resize(self) -> None:
         """Request a map of the new size."""

@@ -65,16 +65,16 @@ class Panes(Container):
         """Select the lower pane some steps further on."""
         self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
 
-    def show(self, look: ScreenData, *, moved: bool) -> None:
+    def show(self, snapshot: ScreenData, *, moved: bool) -> None:
         """Show a stopped run.
 
         Args:
-            look: the data to show.
+            snapshot: the data to show.
             moved: whether the run has moved since.
         """
-        self.query_one(SourcePane).show(look.source)
-        self.query_one(MapPane).chart = look.chart
-        self.query_one(VariablesPane).show(look.variables, moved=moved)
-        self.query_one("#output", OutputLog).show(look.output)
-        self.query_one("#stack", ChoiceList).show(look.frames)
-        self.query_one("#robots", ChoiceList).show(look.robots)
+        self.query_one(SourcePane).show(snapshot.source)
+        self.query_one(MapPane).world_map = snapshot.world_map
+        self.query_one(VariablesPane).show(snapshot.variables, moved=moved)
+        self.query_one("#output", OutputLog).show(snapshot.output)
+        self.query_one("#stack", ChoiceList).show(snapshot.frames)
+        self.query_one("#robots", ChoiceList).show(snapshot.robots)

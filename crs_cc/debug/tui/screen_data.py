@@ -101,7 +101,7 @@ class ScreenData:
         frames: the stack, innermost first.
         robots: the robots.
         variables: groups of values: locals, displays, globals and others.
-        chart: the map.
+        world_map: the map.
         output: the last lines of output.
         events: the events, by time.
     """
@@ -115,6 +115,6 @@ class ScreenData:
     frames: tuple[ListEntry, ...] = ()
     robots: tuple[ListEntry, ...] = ()
     variables: tuple[ValueRow, ...] = ()
-    chart: Text = field(default_factory=Text)
+    world_map: Text = field(default_factory=Text)
     output: tuple[OutputLine, ...] = ()
     events: tuple[WorldEvent, ...] = ()

@@ -38,12 +38,12 @@ _MAX_FRAMES: Final = 200  # a runaway recursion has ten thousand
 _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
 
 
-def build_snapshot(shell: Shell, order: BackendRequest) -> ScreenData:
+def build_snapshot(shell: Shell, request: BackendRequest) -> ScreenData:
     """Return the data to show.
 
     Args:
         shell: the command line of the run.
-        order: which values are expanded, and the size of the map.
+        request: which values are expanded, and the size of the map.
     """
     debugger = shell.debugger
     position, event_history = debugger.position, debugger.run.event_history
@@ -55,11 +55,11 @@ def build_snapshot(shell: Shell, order: BackendRequest) -> ScreenData:
         time_s=debugger.view.time_s,
         end_s=max(event_history.timesteps * _timestep_s(debugger), debugger.view.time_s, last_s),
         place=f"timestep {position.timestep}" + _statement(debugger),
-        source=_source(debugger, order.file),
+        source=_source(debugger, request.file),
         frames=tuple(_frames(debugger)),
         robots=tuple(_robots(debugger)),
-        variables=variables(shell, order.unfolded),
-        chart=_chart(debugger, *order.chart_size),
+        variables=variables(shell, request.unfolded),
+        world_map=_world_map(debugger, *request.map_size),
         output=tuple(_output(debugger)),
         events=happened,
     )
@@ -89,7 +89,7 @@ def _timestep_s(debugger: Debugger) -> float:
     return debugger.session.environment.world.timestep_s
 
 
-def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
+def _world_map(debugger: Debugger, columns: int, rows: int) -> Text:
     """Draw the map with the echoes of the selected robot; empty if there is no room."""
     if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
         return Text()

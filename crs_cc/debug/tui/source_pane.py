@@ -60,27 +60,27 @@ class SourcePane(ScrollView, can_focus=True):
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(**arguments)  # type: ignore[arg-type]
-        self._look = SourceData()
+        self._snapshot = SourceData()
         self._coloured: list[Text] = []
         self.cursor = 1
 
     @property
     def file(self) -> str:
         """Return the name of the file that is shown."""
-        return self._look.file
+        return self._snapshot.file
 
-    def show(self, look: SourceData) -> None:
+    def show(self, snapshot: SourceData) -> None:
         """Show a file; scroll to the current line if it has changed."""
-        before, self._look = self._look, look
-        if (look.file, look.lines) != (before.file, before.lines):
-            self._coloured = _colour(look.file, tuple(look.lines))
+        before, self._snapshot = self._snapshot, snapshot
+        if (snapshot.file, snapshot.lines) != (before.file, before.lines):
+            self._coloured = _colour(snapshot.file, tuple(snapshot.lines))
             width = max((each.cell_len for each in self._coloured), default=0)
             self.virtual_size = Size(width + self._gutter, len(self._coloured))
             self.cursor = 1
-        if look.line and (look.file, look.line) != (before.file, before.line):
-            self.cursor = look.line
-        self.border_title = look.file or "no source"
-        if (look.file, look.line) != (before.file, before.line):
+        if snapshot.line and (snapshot.file, snapshot.line) != (before.file, before.line):
+            self.cursor = snapshot.line
+        self.border_title = snapshot.file or "no source"
+        if (snapshot.file, snapshot.line) != (before.file, before.line):
             self.call_after_refresh(self.reveal, self.cursor)
         self.refresh()
 
@@ -118,10 +118,10 @@ class SourcePane(ScrollView, can_focus=True):
         return line.apply_style(self._background(number))
 
     def _marks(self, number: int) -> list[Segment]:
-        look = self._look
-        mark = look.breakpoints.get(number)
+        snapshot = self._snapshot
+        mark = snapshot.breakpoints.get(number)
         dot = " " if mark is None else "●" if mark.enabled else "○"
-        arrow = " " if number != look.line else "▶" if look.innermost else "▷"
+        arrow = " " if number != snapshot.line else "▶" if snapshot.innermost else "▷"
         digits = len(str(len(self._coloured)))
         return [
             Segment(dot, _BREAKPOINT if mark and mark.enabled else _OFF),
@@ -130,7 +130,7 @@ class SourcePane(ScrollView, can_focus=True):
         ]
 
     def _background(self, number: int) -> Style:
-        if number == self._look.line:
+        if number == self._snapshot.line:
             return self.get_component_rich_style("source--current")
         if number == self.cursor and self.has_focus:
             return self.get_component_rich_style("source--cursor")

@@ -17,7 +17,7 @@ from textual.widget import Widget
 from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.screen_data import ScreenData
 
-_WIDE: Final = 110  # columns; in less there is no room for counts of timesteps
+_WIDE: Final = 110  # columns; below that counts of timesteps are omitted
 _KEY: Final = Style(bold=True, color="yellow")
 _CHOSEN: Final = Style(reverse=True)
 _RUNNING: Final = Style(bold=True, color="black", bgcolor="green")
@@ -81,7 +81,7 @@ def _button(button: Button) -> Sequence[Segment]:
 class StatusBar(Widget):
     """Shows what runs, or why it has stopped, and the time."""
 
-    look: reactive[ScreenData] = reactive(ScreenData())
+    snapshot: reactive[ScreenData] = reactive(ScreenData())
     running: reactive[str] = reactive("")
 
     def render(self) -> Text:
@@ -91,11 +91,11 @@ class StatusBar(Widget):
             text.append(" running ", _RUNNING)
             text.append(f" {printable(self.running)}   Ctrl-C stops it")
             return text
-        text.append(f" {self.look.badge} ", _BADGES[self.look.badge])
-        text.append(f" {printable(self.look.state)}")
-        place = f"  {self.look.time_s:.3f} s  "
+        text.append(f" {self.snapshot.badge} ", _BADGES[self.snapshot.badge])
+        text.append(f" {printable(self.snapshot.state)}")
+        place = f"  {self.snapshot.time_s:.3f} s  "
         if self.size.width >= _WIDE:
-            place += f"{self.look.place} "
+            place += f"{self.snapshot.place} "
         room = self.size.width - len(place)
         if room >= len(place):
             text.truncate(room, overflow="ellipsis", pad=True)

@@ -73,7 +73,7 @@ class _Tree:
         key = (*group, str(debugger.view.robot), f"{frame.function}@{depth}")
         seen: dict[str, int] = {}
         for each in debugger.view.variables():
-            seen[each.name] = seen.get(each.name, 0) + 1  # blocks inside each other
+            seen[each.name] = seen.get(each.name, 0) + 1  # nested blocks
             yield self._value((*key, f"{each.name}#{seen[each.name]}"), each.name, each.value)
 
     def globals(self, group: Key) -> Iterator[ValueRow]:

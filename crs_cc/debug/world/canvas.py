@@ -39,7 +39,7 @@ _BLANK: Final = 0x2800
 _POINT: Final = 0.5  # a smaller circle is a dot
 _MIN_CORNERS: Final = 8
 _MAX_CORNERS: Final = 1024
-_MAX_DOTS: Final = 2_000_000  # of one call; more than that nobody can tell apart
+_MAX_DOTS: Final = 2_000_000  # of one call; more are indistinguishable
 
 
 class Canvas:

@@ -11,7 +11,7 @@ in world files. `EDITS` is the table of changes; the help is generated from it.
 >>> edit(environment, "degrade robot0 sonar.3 noise 5cm dropouts 0.1")
 'robot0 has degradation0 now: sonar 3, noise 0.05m, dropouts 0.1'
 >>> edit(environment, "heal robot0")
-'robot0 has lost degradation0'
+'robot0 no longer has degradation0'
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ def _turn(environment: Environment, words: Words) -> str:
     name = _name(environment, words[0])
     place = _pose(environment, name, ANGLE.parse(words[2]))
     environment.carry(name, place)
-    return f"{name} points to {angle(place.heading_rad)} now"
+    return f"{name} has heading {angle(place.heading_rad)} now"
 
 
 def _remove(environment: Environment, words: Words) -> str:
@@ -130,7 +130,7 @@ def _remove(environment: Environment, words: Words) -> str:
         environment.dismiss_robot(robots.index(name))
         return f"{name} leaves the world at {instant(environment.end_s)}"
     environment.take_away(name)
-    return f"{name} is gone"
+    return f"{name} is removed"
 
 
 def _name(environment: Environment, name: str) -> str:
@@ -214,7 +214,7 @@ def _heal(environment: Environment, words: Words) -> str:
         raise ValueError(f"no degradation of {robot.id}{''.join(f' {x}' for x in words[1:])}")
     for each in own:
         control.remove(each.id)
-    return f"{robot.id} has lost {', '.join(each.id for each in own)}"
+    return f"{robot.id} no longer has {', '.join(each.id for each in own)}"
 
 
 def _concerns(each: Degradation, robot: Robot, text: str) -> bool:
@@ -250,7 +250,7 @@ def _charge(environment: Environment, words: Words) -> str:
         text = f"{words[1][:_MAX_LENGTH]!r} is not a state of charge (expected 0 to 100 percent)"
         raise ValueError(text)
     environment.charge(environment.world.robots.index(robot), percent / 100)
-    return f"the battery of {robot.id}'s motors has {percent:g} % now"
+    return f"{robot.id}'s motor battery has {percent:g} % now"
 
 
 def _heat(environment: Environment, words: Words) -> str:

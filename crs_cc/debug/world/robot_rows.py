@@ -165,7 +165,7 @@ def _touches(environment: Environment, robot: int) -> Iterator[Row]:
 def _bumpers(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
     if model.bumpers:
         pressed = switches(int(environment.state.bumpers.pressed[robot]), model)
-        yield Row("bumpers", ", ".join(pressed) or "none is pressed")
+        yield Row("bumpers", ", ".join(pressed) or "none pressed")
 
 
 def _sonars(environment: Environment, robot: int) -> Iterator[Row]:
@@ -220,4 +220,4 @@ def _degradations(environment: Environment, robot: int, model: RobotModel) -> It
     )
     if found:
         acting = sum(control.phase(row.name) == "acts" for row in found)
-        yield Row("degradations", f"{acting} of {len(found)} act", found)
+        yield Row("degradations", f"{acting} of {len(found)} active", found)

@@ -11,7 +11,7 @@ from crs_cc.debug.world import world_map
 if TYPE_CHECKING:
     from crs_cc.debug.view import View
 
-_MAX_PATHS: Final = 30  # more are a tangle
+_MAX_PATHS: Final = 30  # more are unreadable
 
 
 def run_map(

@@ -53,7 +53,7 @@ _CONTACT: Final = "bold #d1242f"
 _SCALE: Final = "dim"
 _LAMP: Final = "bold #e6b800"
 _BEAMS, _PATHS, _THINGS, _WALLS, _MARKS, _SHELLS, _ROBOTS = range(7)  # ranks
-_OUTLINED: Final = 4.0  # dots: from this radius on a robot is drawn as it is
+_OUTLINED: Final = 4.0  # dots: from this radius on a robot is drawn with its outline
 _ROUNDED_M: Final = 0.5  # an open world's view does not move with each step
 
 
@@ -204,7 +204,7 @@ class WorldMap:
         fill, wall = _filled(lines[walls])
         self._canvas.lines(fill, self._styles(owners[walls][2 * wall]), _WALLS)
         self._canvas.lines(lines[others], self._styles(owners[others]), _THINGS)
-        # What a wall's round ends reach beyond it is not much.
+        # The round ends of walls are neglected.
         round_ = np.flatnonzero((outlines.owners >= robots) & ~is_wall[outlines.owners])
         radii = outlines.circles[round_, 2:] * self.view.scale
         circles = np.column_stack([self.view.dots(outlines.circles[round_]), radii])

@@ -56,10 +56,10 @@ def _things(environment: Environment) -> Iterator[Row]:
         held = "".join(f", held by {world.robots[robot].id}" for robot in holders)
         children.append(Row(name, text + held))
     fixed = sum(not is_pushable(solid) for solid in solids)
-    yield Row("things", f"{fixed} fixed, {len(children)} that can be pushed", tuple(children))
+    yield Row("objects", f"{fixed} fixed, {len(children)} movable", tuple(children))
     put = len(state.obstacles.numbers)
     if put:
-        yield Row("obstacles", f"{put} put there by programs")
+        yield Row("obstacles", f"{put} added by programs")
 
 
 def _channels(environment: Environment) -> Iterator[Row]:
@@ -75,4 +75,4 @@ def _degradations(environment: Environment) -> Iterator[Row]:
     control = environment.degradations
     phases = [control.phase(each.id) for each in control.all()]
     if phases:
-        yield Row("degradations", f"{phases.count('acts')} of {len(phases)} act")
+        yield Row("degradations", f"{phases.count('acts')} of {len(phases)} active")

@@ -20,7 +20,7 @@ def shell() -> Shell:
     return Shell(debugger)
 
 
-def test_every_word_is_completed_by_what_can_stand_there(shell: Shell) -> None:
+def test_every_argument_kind_is_completed(shell: Shell) -> None:
     assert complete(shell.context, "reverse-n") == Completion(0, ("reverse-next",))
     assert complete(shell.context, "info lo") == Completion(5, ("locals",))
     assert complete(shell.context, "  inf").words == ("info",)
@@ -53,7 +53,7 @@ def test_numbers_and_files_are_completed(
     assert complete(shell.context, "source ").words == ("one.dbg", "scripts/")
 
 
-def test_readline_is_given_the_rest_of_the_word_that_it_sees(shell: Shell) -> None:
+def test_readline_gets_the_rest_of_its_word(shell: Shell) -> None:
     line = "print shapes.c:3 + lar"
     give = completer(shell, lambda: line)
     assert [give("lar", 0), give("lar", 1)] == ["largest", None]

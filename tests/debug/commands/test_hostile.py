@@ -23,7 +23,7 @@ WORDS = TEXT.split()
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_nothing_that_is_typed_does_any_harm(
+def test_random_commands_do_no_harm(
     seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -41,7 +41,7 @@ def test_nothing_that_is_typed_does_any_harm(
     assert [each.text for each in shell.execute("echo alive")] == ["alive"]
 
 
-def test_a_long_line_is_refused_or_done_in_no_time() -> None:
+def test_a_long_line_is_handled_quickly() -> None:
     shell = Shell(debugger_at([PROGRAM]))
     for line in ("x" * 100_000, "print " + "(" * 100_000, "break " + "9" * 100_000, "\0" * 1000):
         complete(shell.context, line)

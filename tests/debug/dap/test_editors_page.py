@@ -39,7 +39,7 @@ def test_the_configurations_shown_can_be_launched(name: str) -> None:
         client.begin()
 
 
-def test_the_attributes_are_checked_as_the_extension_says() -> None:
+def test_attributes_are_validated_as_in_the_extension() -> None:
     properties = extension()["contributes"]["debuggers"][0]["configurationAttributes"]["launch"]
     for name, schema in properties["properties"].items():
         kinds = {"array": ["x"], "string": "x", "integer": 3, "boolean": True}
@@ -48,6 +48,6 @@ def test_the_attributes_are_checked_as_the_extension_says() -> None:
         assert read_launch(Arguments({"program": "a.c", name: value}))
 
 
-def test_the_commands_named_on_the_page_are_there() -> None:
+def test_the_commands_named_on_the_page_exist() -> None:
     for name in ("reverse-finish", "goto", "robot", "move"):
         assert name in NAMES

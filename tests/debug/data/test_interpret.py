@@ -77,7 +77,7 @@ CASES = [path for path in cases("valid") if path.with_suffix(".out").exists()]
 
 
 @pytest.mark.parametrize("path", CASES[::6], ids=lambda path: path.stem)
-def test_programs_print_what_gcc_says(path: Path) -> None:
+def test_interpreted_programs_print_what_gcc_programs_do(path: Path) -> None:
     executable = build(path)
     talking = Talking(executable)
     try:

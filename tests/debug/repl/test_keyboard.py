@@ -90,7 +90,7 @@ def session(tmp_path: Path) -> Iterator[Session]:
     session.kill()
 
 
-def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session: Session) -> None:
+def test_terminal_session_with_completion_input_and_interrupt(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
     session.wait_for("a word? ")
@@ -118,7 +118,7 @@ def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session
     assert session.end() == 0
 
 
-def test_ctrl_c_ends_the_input_of_a_program_that_waits_for_it(session: Session) -> None:
+def test_ctrl_c_ends_the_input_of_a_waiting_program(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
     session.wait_for("a word? ")

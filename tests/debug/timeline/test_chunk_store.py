@@ -17,7 +17,7 @@ class Part:
     name: str
 
 
-def test_what_is_given_back_is_what_was_taken() -> None:
+def test_snapshots_round_trip() -> None:
     store = ChunkStore()
     content = np.arange(3 * CHUNK + 5, dtype=np.uint8).reshape(-1, 1)
     files = {b"log": b"x" * 10_000, b"short": b"y"}
@@ -30,7 +30,7 @@ def test_what_is_given_back_is_what_was_taken() -> None:
     assert given[2:] == (files, None, 7)
 
 
-def test_a_chunk_that_changed_is_all_that_a_further_snapshot_takes() -> None:
+def test_another_snapshot_costs_only_changed_chunks() -> None:
     store = ChunkStore()
     memory = np.random.default_rng(1).integers(0, 256, 50 * CHUNK, np.uint8)
     store.take(Part(memory.copy(), "a"))
@@ -41,7 +41,7 @@ def test_a_chunk_that_changed_is_all_that_a_further_snapshot_takes() -> None:
     assert CHUNK < store.size - before < CHUNK + 2000
 
 
-def test_equal_chunks_of_many_robots_are_one() -> None:
+def test_equal_chunks_of_robots_are_stored_once() -> None:
     store = ChunkStore()
     memory = np.random.default_rng(1).integers(0, 256, 10 * CHUNK, np.uint8)
     store.take(tuple(Part(memory.copy(), str(robot)) for robot in range(100)))
@@ -58,7 +58,7 @@ def test_shared_objects_stay_shared_and_are_counted_once() -> None:
     assert store.give(second)[0] is store.give(first)[0] is part
 
 
-def test_in_whatever_order_snapshots_go_nothing_is_left() -> None:
+def test_dropping_snapshots_in_any_order_frees_everything() -> None:
     random = np.random.default_rng(3)
     store, taken, shared = ChunkStore(), [], Part(np.ones(9 * CHUNK, np.uint8), "all")
     for number in range(20):

@@ -19,7 +19,7 @@ class Keyboard:
         return self.lines.pop(0)[:wanted] if self.lines else b""
 
 
-def test_what_is_written_again_is_taken_once() -> None:
+def test_replayed_output_is_recorded_once() -> None:
     console = ReplayConsole(discard, no_input)
     console.write(0, 1, b"a")
     place = console.snapshot()
@@ -35,7 +35,7 @@ def test_what_is_written_again_is_taken_once() -> None:
     assert list(console.pieces()) == [(0, 1, b"a"), (1, 2, b"bc"), (0, 1, b""), (0, 1, b"d")]
 
 
-def test_a_text_is_cut_by_robot_and_place() -> None:
+def test_text_is_selected_by_robot_and_position() -> None:
     console = ReplayConsole(discard, no_input)
     for number in range(6):
         console.write(number % 3, 1, b"%d" % number)
@@ -45,7 +45,7 @@ def test_a_text_is_cut_by_robot_and_place() -> None:
     assert console.text(7) == b""
 
 
-def test_other_output_than_before_is_our_fault() -> None:
+def test_different_output_on_replay_is_an_internal_error() -> None:
     console = ReplayConsole(discard, no_input)
     start = console.snapshot()
     console.write(0, 1, b"x = 1\n")
@@ -56,7 +56,7 @@ def test_other_output_than_before_is_our_fault() -> None:
         console.write(0, 2, b"x = 1\n")
 
 
-def test_output_is_shown_while_it_is_wanted_also_again() -> None:
+def test_output_is_shown_while_live_also_on_replay() -> None:
     shown: list[bytes] = []
     console = ReplayConsole(lambda _robot, _stream, content: shown.append(content), no_input)
     start = console.snapshot()
@@ -68,7 +68,7 @@ def test_output_is_shown_while_it_is_wanted_also_again() -> None:
     assert shown == [b"quiet", b"loud"]
 
 
-def test_behind_a_change_the_output_is_another() -> None:
+def test_output_after_a_change_is_replaced() -> None:
     console = ReplayConsole(discard, no_input)
     console.write(0, 1, b"one ")
     place = console.snapshot()
@@ -79,7 +79,7 @@ def test_behind_a_change_the_output_is_another() -> None:
     assert console.text() == b"one three"
 
 
-def test_the_same_is_read_again_and_nothing_is_asked_for_twice() -> None:
+def test_input_is_replayed_and_never_requested_twice() -> None:
     console = ReplayConsole(discard, Keyboard(b"first", b"second", b"third"))
     start = console.snapshot()
     assert [console.read(0, 100), console.read(2, 100)] == [b"first", b"second"]
@@ -89,7 +89,7 @@ def test_the_same_is_read_again_and_nothing_is_asked_for_twice() -> None:
     assert [console.read(0, 100), console.read(0, 100)] == [b"third", b""]
 
 
-def test_behind_a_change_the_input_is_still_there_to_be_read() -> None:
+def test_input_survives_a_change() -> None:
     console = ReplayConsole(discard, Keyboard(b"first\n", b"second\n"))
     start = console.snapshot()
     assert [console.read(0, 100), console.read(0, 100)] == [b"first\n", b"second\n"]

@@ -21,7 +21,7 @@ def hits_back(debugger: Debugger) -> list[tuple[Position, int, float]]:
     return found
 
 
-def test_what_is_found_without_the_world_is_what_is_found_with_it() -> None:
+def test_replay_without_the_world_finds_the_same() -> None:
     debugger = debugger_at([PLATOON], "platoon.xml")
     debugger.stop_points.add_breakpoint("crs_receive")
     debugger.stop_points.add_breakpoint("follow", robot=2)
@@ -34,7 +34,7 @@ def test_what_is_found_without_the_world_is_what_is_found_with_it() -> None:
     assert len(without) > 5
 
 
-def test_the_oldest_rounds_are_forgotten_when_there_is_no_memory() -> None:
+def test_the_oldest_rounds_are_dropped_at_the_memory_limit() -> None:
     fleet = Fleet([counting_program()] * 2)
     input_log = InputLog(most_bytes=3000)
     for timestep in range(4):

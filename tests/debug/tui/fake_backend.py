@@ -48,32 +48,32 @@ class FakeWork:
     def lines(self) -> list[str]:
         return [each.line for each in self.orders if each.line is not None]
 
-    def do(self, order: BackendRequest) -> BackendReply:
-        self.orders.append(order)
-        line = order.line
+    def do(self, request: BackendRequest) -> BackendReply:
+        self.orders.append(request)
+        line = request.line
         if line == "step":
             self.line, self.count = 17 - self.line, self.count + 1
-            return BackendReply(self.look(order), moved=True)
+            return BackendReply(self.snapshot(request), moved=True)
         if line == "print sum":
-            return BackendReply(self.look(order), Text("$1 = 285"))
+            return BackendReply(self.snapshot(request), Text("$1 = 285"))
         if line == "until":
             self.asked("scout")
         if line in {"continue", "until"}:
             self.go_on.wait(5.0)
             self.go_on.clear()
-            return BackendReply(self.look(order), Text("interrupted"), moved=True)
+            return BackendReply(self.snapshot(request), Text("interrupted"), moved=True)
         if line is not None and line.startswith("break"):
             number = len(self.breakpoints) + 1
             self.breakpoints[int(line.rpartition(":")[2])] = BreakpointMark(number)
         if line == "delete 1":
             del self.breakpoints[9]
         if line == "quit":
-            return BackendReply(self.look(order), leaves=True)
+            return BackendReply(self.snapshot(request), leaves=True)
         if line == "foo":
             return BackendReply(
-                self.look(order), errors=('Undefined command: "foo".  Try "help".',)
+                self.snapshot(request), errors=('Undefined command: "foo".  Try "help".',)
             )
-        return BackendReply(self.look(order))
+        return BackendReply(self.snapshot(request))
 
     def interrupt(self) -> None:
         self.go_on.set()
@@ -96,16 +96,16 @@ class FakeWork:
         words = ["continue", "reverse-next", "reverse-step", "step"]
         return [each for each in words if each.startswith(line)]
 
-    def look(self, order: BackendRequest) -> ScreenData:
+    def snapshot(self, request: BackendRequest) -> ScreenData:
         where = ("0", "main", "p")
         parts = (ValueRow((*where, "x"), "x", "1.5"), ValueRow((*where, "y"), "y", "-2"))
-        width, height = order.chart_size
+        width, height = request.map_size
         return ScreenData(
             state="breakpoint 1, main () at sum.c:9",
             time_s=3.25,
             end_s=10.0,
             place="timestep 32, before stmt 121",
-            source=self.source(order),
+            source=self.source(request),
             frames=(
                 ListEntry(0, "main ()", f"sum.c:{self.line}", True),
                 ListEntry(1, "start ()", "start.c:3"),
@@ -123,12 +123,12 @@ class FakeWork:
                             "p",
                             "{x = 1.5, y = -2}",
                             has_parts=True,
-                            parts=parts if where in order.unfolded else (),
+                            parts=parts if where in request.unfolded else (),
                         ),
                     ),
                 ),
             ),
-            chart=Text("\n".join(["#" * width] * height)),
+            world_map=Text("\n".join(["#" * width] * height)),
             output=(OutputLine("", "0 0"), *[OutputLine("", "1 1")] * self.count),
             events=(
                 WorldEvent(3.25, "stop", 0, "breakpoint 1"),
@@ -136,8 +136,8 @@ class FakeWork:
             ),
         )
 
-    def source(self, order: BackendRequest) -> SourceData:
+    def source(self, request: BackendRequest) -> SourceData:
         files = ("sum.c", "square.c")
-        if order.file == "square.c" and order.line is None:
+        if request.file == "square.c" and request.line is None:
             return SourceData("square.c", ("double square(double x)",), files=files)
         return SourceData("sum.c", LINES, self.line, True, dict(self.breakpoints), files)

@@ -19,11 +19,11 @@ NO_BARS = dict.fromkeys(map(ord, "▁▂▃▄▅▆▇▉▊▋▌▍▎▏"), 
 Session = Callable[[Pilot[int], DebugApp], Awaitable[None]]
 
 
-def drive(work: Backend, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
+def drive(backend: Backend, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
     """Let somebody use a screen of this size; return the app when it has ended."""
 
     async def run() -> DebugApp:
-        app = DebugApp(work)
+        app = DebugApp(backend)
         async with app.run_test(size=size) as pilot:
             await settle(pilot)
             await session(pilot, app)

@@ -33,13 +33,13 @@ def in_the_project(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)  # so that files are shown by the same names everywhere
 
 
-def desk(program: str, world: str) -> Controller:
+def controller(program: str, world: str) -> Controller:
     model, reads = load_world(Path(world)), ProgramStreams()
     programs = [debug_program(Path(program))] * len(model.robots)
     return Controller(Debugger(model, programs, read=reads.read), reads)
 
 
-def show(work: Controller, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
+def show(backend: Controller, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
     """Return the screen as text in each size, and as a picture, after commands and keys: `<f5>`."""
     texts: list[str] = []
     pictures: list[str] = []
@@ -57,7 +57,7 @@ def show(work: Controller, sizes: Sequence[Size], *inputs: str) -> tuple[list[st
             texts.append(text_of(app))
         pictures.append(app.export_screenshot(simplify=True))
 
-    drive(work, session, sizes[0])
+    drive(backend, session, sizes[0])
     return texts, pictures[0]
 
 
@@ -75,19 +75,19 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_the_screen_shows(case: str, check_golden: CheckGolden) -> None:
     sources, inputs = CASES[case]
-    texts, _ = show(desk(*sources), [LARGE, SMALL], *inputs)
+    texts, _ = show(controller(*sources), [LARGE, SMALL], *inputs)
     together = "\n".join(texts)
     check_golden(SCREENS / f"{case}.txt", together.encode())
 
 
-def test_the_smallest_screens_show_where_the_program_stands(check_golden: CheckGolden) -> None:
-    texts, _ = show(desk(*WANDER), [TINY], *BREAK)
+def test_the_smallest_screens_show_the_current_line(check_golden: CheckGolden) -> None:
+    texts, _ = show(controller(*WANDER), [TINY], *BREAK)
     check_golden(SCREENS / "tiny.txt", texts[0].encode())
 
 
 def test_the_picture_in_the_readme_shows_a_session(check_golden: CheckGolden) -> None:
     inputs = ["display state", "break enter", *["continue"] * 4, *["reverse-continue"] * 2]
-    texts, picture = show(desk(*WANDER), [(132, 42)], *inputs, "<f10>")
+    texts, picture = show(controller(*WANDER), [(132, 42)], *inputs, "<f10>")
     assert "state • 0" in texts[0]
     picture = plain(picture)
     if not PICTURE.exists() or words(PICTURE.read_text()) != words(picture):

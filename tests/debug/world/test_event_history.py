@@ -48,7 +48,7 @@ def kinds(debugger: Debugger) -> list[str]:
     return [each.kind for each in debugger.run.event_history.world_events()]
 
 
-def test_stops_are_known_whatever_screen_there_is(program: DebugProgram) -> None:
+def test_stops_are_recorded_for_every_user_interface(program: DebugProgram) -> None:
     debugger = Debugger(WALL, [program])
     debugger.stop_points.add_breakpoint("main")
     debugger.resume()
@@ -58,7 +58,7 @@ def test_stops_are_known_whatever_screen_there_is(program: DebugProgram) -> None
     assert told == ["breakpoint 1"]
 
 
-def test_what_happened_stays_known_when_the_run_goes_back_and_comes_once(
+def test_events_are_kept_and_recorded_once(
     crashed: Debugger,
 ) -> None:
     known = crashed.run.event_history.world_events()
@@ -71,7 +71,7 @@ def test_what_happened_stays_known_when_the_run_goes_back_and_comes_once(
     assert crashed.run.event_history.timesteps == timesteps
 
 
-def test_paths_end_where_the_run_stands(crashed: Debugger) -> None:
+def test_paths_end_at_the_current_position(crashed: Debugger) -> None:
     event_history = crashed.run.event_history
     (path,) = event_history.paths(10)
     assert path.shape == (10, 2)
@@ -79,7 +79,7 @@ def test_paths_end_where_the_run_stands(crashed: Debugger) -> None:
     assert event_history.paths(0) == []
 
 
-def test_what_lies_behind_a_change_is_forgotten_and_a_branch_keeps_its_own(
+def test_a_change_discards_later_events_but_not_those_of_branches(
     crashed: Debugger,
 ) -> None:
     known = crashed.run.event_history.world_events()
@@ -108,14 +108,14 @@ def test_memory_is_bounded() -> None:
     assert event_history.timesteps == 1
 
 
-def test_what_is_noted_again_is_known() -> None:
+def test_repeated_events_are_recorded_once() -> None:
     event_history = EventHistory()
     for _ in range(2):
         event_history.note(3, WorldEvent(0.15, "stop", 0, "breakpoint 1"))
     assert len(event_history.world_events()) == 1
 
 
-def test_contacts_are_known_with_their_places_up_to_where_the_run_stands(
+def test_contacts_have_positions_up_to_the_current_timestep(
     crashed: Debugger,
 ) -> None:
     event_history, timestep = crashed.run.event_history, crashed.position.timestep
@@ -125,7 +125,7 @@ def test_contacts_are_known_with_their_places_up_to_where_the_run_stands(
     assert event_history.contacts(3) == []
 
 
-def test_a_path_does_not_lead_to_where_the_robot_was_carried(program: DebugProgram) -> None:
+def test_a_path_is_interrupted_where_the_robot_was_moved_by_hand(program: DebugProgram) -> None:
     debugger = Debugger(WALL, [program])
     debugger.goto_timestep(10)
     debugger.edit_world("move scout to 1 1")

@@ -48,7 +48,7 @@ def test_robots_that_touch_each_other_both_do() -> None:
     ]
 
 
-def test_messages_are_told_by_what_became_of_them() -> None:
+def test_message_events_name_the_outcome() -> None:
     world = open_world('<robot x="0" y="0"/><robot x="1m" y="0"/>')
     driver = Driver.of(world)
     driver.environment.communication.shut(receiver="robot1")
@@ -62,7 +62,7 @@ def test_messages_are_told_by_what_became_of_them() -> None:
     assert found[0][3].startswith("radio message 1 of robot0 to robot1, type 3, 1 bytes")
 
 
-def test_degradations_and_those_who_come_and_go_are_told_with_their_robot() -> None:
+def test_events_of_degradations_and_joining_name_the_robot() -> None:
     world = open_world('<robot x="0" y="0"/><robot x="3m" y="0" join="0.1s" leave="0.2s"/>')
     driver = Driver.of(world)
     driver.environment.degradations.add(Degradation("robot0", "sonar", 3, dead=True, onset_s=0.02))
@@ -74,20 +74,20 @@ def test_degradations_and_those_who_come_and_go_are_told_with_their_robot() -> N
     assert told(driver, ["join", "leave"]) == [(0.2, "leave", 1, "robot1 left")]
 
 
-def test_what_is_not_wanted_is_not_told() -> None:
+def test_unwanted_kinds_are_not_returned() -> None:
     driver = Driver.of(open_world())
     step = driver.environment.step()
     assert world_events(step, driver.environment.world, []) == []
     assert [each.kind for each in world_events(step, driver.environment.world, ALL)] == ["tick"]
 
 
-def test_the_table_has_every_kind_of_event_and_nothing_else_can_be_caught() -> None:
+def test_only_the_kinds_of_the_table_can_be_caught() -> None:
     assert {kind.partition("-")[0] for kind in KINDS} >= EVENT_KINDS.keys()
     with pytest.raises(DebugError, match=r"'crash' \(known: exit, tick"):
         check_event_kind("crash")
 
 
-def test_steps_tell_presses_and_releases_whatever_is_asked() -> None:
+def test_presses_and_releases_do_not_depend_on_the_kinds_wanted() -> None:
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0.5m" y="0"/>'))
     before = driver.state.bumpers.pressed.copy()
     driver.ask("VM", 100, 100)

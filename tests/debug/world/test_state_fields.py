@@ -14,7 +14,7 @@ INCLUDE = Path(__file__).parents[3] / "crs_cc" / "runtime" / "lib" / "include"
     ("dialect", "header"), [("nomad", "Nclient.h"), ("report", "crs/report.h")]
 )
 @pytest.mark.parametrize("synchro", [False, True])
-def test_every_name_stands_for_its_index_in_the_header(dialect, header, synchro) -> None:
+def test_every_field_has_the_index_of_the_header(dialect, header, synchro) -> None:
     text = (INCLUDE / header).read_text()
     constants = dict(re.findall(r"#define\s+(STATE_\w+)\s+(\d+)", text))
     size = int(re.search(r"#define\s+NUM_STATE\s+(\d+)", text)[1])
@@ -30,7 +30,7 @@ def told(values: list[int], dialect: str = "nomad") -> dict[str, str]:
     return {field.name: field.text(value) for field, value in zip(fields, values, strict=True)}
 
 
-def test_numbers_are_told_in_their_units_and_in_ours() -> None:
+def test_values_are_shown_in_vendor_and_si_units() -> None:
     values = [0] * 45
     values[17], values[18], values[33], values[34], values[36] = 100, 255, 5, -393, 900
     values[38], values[39], values[41], values[1] = 100, -50, 3, 15

@@ -44,7 +44,7 @@ def test_a_room_with_a_path_and_a_contact() -> None:
     assert "✗" in "".join(shown(chart))
 
 
-def test_close_to_a_robot_its_outline_and_what_its_sonars_heard() -> None:
+def test_map_around_a_robot_with_outline_and_echoes() -> None:
     driver = Driver.of(world_of('<robot x="1m" y="1m"/>', 'length="2m" width="2m"'))
     for _ in range(20):
         driver.environment.step()
@@ -54,14 +54,14 @@ def test_close_to_a_robot_its_outline_and_what_its_sonars_heard() -> None:
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(1, 1), (10, 4), (30, 12), (100, 40), (7, 90)])
-def test_any_size_will_do(columns, rows) -> None:
+def test_a_map_of_any_size_can_be_drawn(columns, rows) -> None:
     environment = Driver.of(ROOM).environment
     pieces = WorldMap(environment, MapWindow.whole(environment, columns, rows), robot=0).pieces
     assert len(pieces) == rows
     assert {sum(len(text) for text, _ in row) for row in pieces} == {columns}
 
 
-def test_a_metre_is_as_long_in_both_directions_and_cells_know_their_places() -> None:
+def test_the_scale_is_isotropic_and_cells_have_positions() -> None:
     environment = Driver.of(ROOM).environment
     view = MapWindow.whole(environment, 60, 20)
     east, north = view.dots(np.array([[3.0, 2.0], [3.0, 3.0]])) - view.dots(np.array([[2.0, 2.0]]))
@@ -71,21 +71,21 @@ def test_a_metre_is_as_long_in_both_directions_and_cells_know_their_places() -> 
         assert view.cell(*view.place(*cell)) == cell
 
 
-def test_an_open_world_shows_what_is_in_it_and_several_robots_have_numbers() -> None:
+def test_an_open_world_shows_its_objects_and_numbers_its_robots() -> None:
     environment = Driver.of(
         open_world('<robot x="-1m" y="0"/><robot x="1m" y="0" heading="180deg"/>')
     ).environment
     assert shown(WorldMap(environment, MapWindow.whole(environment, 24, 4))) == GOLDEN_OPEN
 
 
-def test_robots_that_are_not_there_are_not_drawn() -> None:
+def test_absent_robots_are_not_drawn() -> None:
     world = world_of('<robot x="2m" y="2m"/><robot x="7m" y="7m" join="5s"/>')
     environment = Driver.of(world).environment
     text = "".join(shown(WorldMap(environment, MapWindow.whole(environment, 40, 20))))
     assert text.count("→") == 1
 
 
-def test_lights_and_sounds_have_signs() -> None:
+def test_lights_and_sounds_have_symbols() -> None:
     world = world_of(
         '<robot x="2m" y="2m"/><light x="5m" y="5m" brightness="100"/>'
         '<sound x="8m" y="5m" level="60" tone="1"/>'
