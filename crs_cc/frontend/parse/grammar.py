@@ -376,25 +376,27 @@ class Grammar(CParser):  # type: ignore[misc]
 
     def _parse_binary_expression(self, min_prec: int = 0, lhs: Node | None = None) -> Node:
         """Parse operators with a precedence of at least `min_prec`."""
-        start = self._stream.index
+        stream = self._stream
+        start = stream.index
         left = self._parse_cast_expression() if lhs is None else lhs
         while True:
-            token = self._peek()
+            token = stream.peek()
             precedence = -1 if token is None else _PRECEDENCE.get(token.type, -1)
             if precedence < min_prec:
                 return left
-            self._stream.index += 1
+            stream.index += 1
             right = self._parse_binary_expression(precedence + 1)
-            left = c_ast.BinaryOp(token.value, left, right, self._stream.span(start))
+            left = c_ast.BinaryOp(token.value, left, right, stream.span(start))
 
     def _parse_cast_expression(self) -> Node:
-        token = self._peek()
+        stream = self._stream
+        token = stream.peek()
         if token is None or token.type not in _LEAVES:
             return super()._parse_cast_expression()
-        following = self._stream.buffer[self._stream.index + 1]
+        following = stream.buffer[stream.index + 1]
         if following is not None and following.type in _SUFFIXES:
             return self._parse_postfix_expression()
-        self._stream.index += 1
+        stream.index += 1
         if token.type == "ID":
             return c_ast.ID(token.value, token)
         return c_ast.Constant("int", token.value, token)
