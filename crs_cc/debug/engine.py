@@ -347,8 +347,8 @@ class Debugger:
         """Record a stop in the event history, for time lines."""
         if stop.breakpoints or stop.reason == "error":
             kind = "error" if stop.reason == "error" else "stop"
-            happening = WorldEvent(stop.time_s, kind, stop.robot, stop.why)
-            self.run.event_history.note(stop.position.timestep, happening)
+            event = WorldEvent(stop.time_s, kind, stop.robot, stop.why)
+            self.run.event_history.note(stop.position.timestep, event)
 
     # -- changing ------------------------------------------------------------------------------
 

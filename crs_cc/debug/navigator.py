@@ -29,13 +29,13 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 Accept = Callable[[BreakpointHit, bool], tuple[bool, str]]
-"""Tells whether a breakpoint that was met stops the run, and what there is to say more.
+"""Returns whether a hit stops the run, and a remark.
 
-It is told whether the run goes forward under the user's eyes: then hits are counted.
+The flag says whether the run goes forward for the user: then hits are counted.
 """
 
 Tell = Callable[[BreakpointHit], str]
-"""Says what happened to what is watched."""
+"""Returns a description of an access to a watched object."""
 
 _MAX_TOLD: Final = 5
 _FIRST_WINDOW: Final = 64
@@ -68,7 +68,7 @@ class _StopCandidate:
 
 
 class Navigator:
-    """Takes a run to where there is a reason to stop."""
+    """Moves a run to its next or previous stop."""
 
     def __init__(
         self, run: RecordedRun, breakpoints: Breakpoints, accept: Accept, tell: Tell

@@ -27,9 +27,9 @@ ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
 """Requests that want the programs to stop."""
 
 OpenRun = Callable[[Sequence[str], "Output", Callable[[str], None]], Debugger]
-"""Makes a debugger of a command line of `crs debug`: what its programs write goes to the output,
-what the compiler has to say is told line by line. It raises `CrsError`, or `DebugError` where the
-command line is wrong."""
+"""Makes a debugger from a command line of `crs debug`: its programs' output goes to the output,
+compiler messages are passed on line by line. Raises `CrsError`, or `DebugError` if the
+command line is invalid."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,7 @@ _WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
 
 NOWHERE: Final = Location("")
 TypeOf = Callable[[Variable], CType]
-"""Tells the type of a variable of a program."""
+"""Returns the type of a variable of a program."""
 
 Sizes = Mapping[Location, int]
 

@@ -61,7 +61,7 @@ SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
 Lend = Callable[[str], Function | Data | None]
-"""Gives what the library has of a name."""
+"""Returns the library's function or object of a name."""
 
 
 def _nothing(_name: str) -> None:

@@ -13,7 +13,7 @@ from textual.widgets import Input
 _HINT: Final = "a command; Enter repeats the last, F1 helps"
 
 Complete = Callable[[str], Sequence[str]]
-"""Gives what a line that has been begun may become."""
+"""Returns the completions of a line."""
 
 
 class CommandLine(Input):

@@ -57,13 +57,13 @@ class EventHistory:
         if step.cycle % self._stride == 0:
             self._take_poses(step.cycle, environment)
 
-    def note(self, timestep: int, happening: WorldEvent) -> None:
+    def note(self, timestep: int, event: WorldEvent) -> None:
         """Record another event of a timestep, once."""
-        if (timestep, happening) not in self._happened:
-            self._add(timestep, happening)
+        if (timestep, event) not in self._happened:
+            self._add(timestep, event)
 
-    def _add(self, timestep: int, happening: WorldEvent) -> None:
-        self._happened.append((timestep, happening))
+    def _add(self, timestep: int, event: WorldEvent) -> None:
+        self._happened.append((timestep, event))
         if len(self._happened) > _MAX_EVENTS:
             del self._happened[: _MAX_EVENTS // 2]
 

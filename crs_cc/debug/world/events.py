@@ -186,4 +186,4 @@ _SOURCES: Final[tuple[tuple[str, Callable[[Step, WorldModel], Iterator[WorldEven
     ("bumper", _bumpers),
     ("tick", _ticks),
 )
-"""What tells of happenings of which kind; those of one instant come in this order."""
+"""The sources of events by kind; simultaneous events come in this order."""
