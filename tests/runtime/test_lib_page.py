@@ -1,4 +1,4 @@
-"""Writes `docs/library.md`: the headers with what they declare, and how exact `math.h` is.
+"""Generate `docs/library.md`: the headers with their declarations, and the accuracy of `math.h`.
 
 `--update-goldens` rewrites the page.
 """

@@ -1,4 +1,4 @@
-"""Writes `docs/robots.md`: its table from the definitions, its examples tried here.
+"""Generate the table of `docs/robots.md` from the definitions, and test its examples.
 
 `--update-goldens` rewrites the page.
 """

@@ -1,4 +1,4 @@
-/* The GPS receiver: one request, a place. */
+/* The GPS receiver: one request, a position. */
 #include <crs/device.h>
 
 int crs_gps(int *x, int *y)

@@ -1,4 +1,4 @@
-/* Memory that is given back at the end of the function. */
+/* Memory that is freed at the end of the function. */
 #ifndef _ALLOCA_H
 #define _ALLOCA_H
 
