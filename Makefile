@@ -1,15 +1,20 @@
-# make demo    runs a real control program in a world and draws its path
-# make test    runs the whole test suite
-# make check   checks style, types and layers, and runs the quick tests; under a minute
-# make fuzz    compares random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
-# make fuzz-frontend  damages programs and nests all constructs: refused or compiled, nothing else
-# make bench   measures, prints ratios
+# make demo    run a control program in a world and plot its path
+# make test    run the full test suite
+# make check   check style, types and layers, and run the quick tests; under a minute
+# make times   run all tests and record how long they take, to choose the quick ones
+# make fuzz    compare random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
+# make fuzz-frontend  damage programs and nest all constructs: rejected or compiled, nothing else
+# make bench   run the benchmarks
+# make docs    write the generated pages of docs/ from docs/templates and the code
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 COUNT ?= 500
 SEED ?= 1
+
+# Tests start Python hundreds of times: to read all modules anew each time takes much longer.
+unexport PYTHONDONTWRITEBYTECODE
 
 # Installs the package, with extras $(1), once for each content of pyproject.toml.
 define install
@@ -25,7 +30,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check fuzz fuzz-frontend bench install install-dev clean
+.PHONY: demo test check times fuzz fuzz-frontend bench docs install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -34,11 +39,16 @@ demo: install
 test: install-dev
 	$(BIN)/python -m pytest -n 2
 
+# mypy and the tests share the cores; what mypy says comes after the tests.
 check: install-dev
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
-	$(BIN)/mypy
-	$(BIN)/python -m pytest -n 2 -m "not slow"
+	@log=$$(mktemp); echo "$(BIN)/mypy"; $(BIN)/mypy >"$$log" 2>&1 & types=$$!; \
+	echo "$(BIN)/python -m pytest -n 2 --quick"; $(BIN)/python -m pytest -n 2 --quick; tests=$$?; \
+	wait $$types; types=$$?; cat "$$log"; rm "$$log"; [ $$types = 0 ] && [ $$tests = 0 ]
+
+times: install-dev
+	$(BIN)/python -m pytest -n 2 --update-times
 
 fuzz: install-dev
 	$(BIN)/python -m tests.fuzz --count $(COUNT) --seed $(SEED)
@@ -50,6 +60,9 @@ bench: install
 	@set -e; for script in bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
 			bench/fleet.py bench/start.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
+
+docs: install
+	$(BIN)/python -m docs.generate
 
 install:
 	$(call install,)

@@ -126,6 +126,7 @@ def stages(source: Path) -> dict[str, float]:
     from crs_cc.frontend.check.checker import Unit
     from crs_cc.frontend.check.unit import check_unit
     from crs_cc.frontend.lower.unit import lower_unit
+    from crs_cc.frontend.parse.lexer import lex
     from crs_cc.frontend.parse.parser import parse
     from crs_cc.frontend.preprocess.options import Options
     from crs_cc.frontend.preprocess.preprocessor import preprocess
@@ -145,7 +146,8 @@ def stages(source: Path) -> dict[str, float]:
     diagnostics = Diagnostics()
     unit = Unit(str(source), diagnostics, Location(str(source)))
     text = timed("preprocess", lambda: preprocess(source, Options((), (HEADERS,)), diagnostics))
-    nodes = timed("parse", lambda: parse(text.text, text.location, diagnostics))  # type: ignore[attr-defined]
+    tokens = timed("lex", lambda: lex(text.text, text.location, diagnostics))  # type: ignore[attr-defined]
+    nodes = timed("parse", lambda: parse(tokens, diagnostics))  # type: ignore[arg-type]
     timed("check", lambda: check_unit(unit, nodes))  # type: ignore[arg-type]
     made = timed("lower", lambda: lower_unit(unit))
     timed("verify", lambda: verify(made))  # type: ignore[arg-type]

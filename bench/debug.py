@@ -2,11 +2,12 @@
 
 Scouts stand on a 4 m grid in an arena with a box beside each. Each runs the C program below: it
 reads its sonars as often as the line lets it, drives, and turns on the spot while something is
-near; the function `minute` is called once a minute, `never` never. The same is run by the run build
-in a plain session, by the debug build under the debugger with a breakpoint in `never`, and by the
-watching build with a watchpoint on a variable that nobody touches. Then the user goes back.
+near; the function `minute` is called once a minute, of 60 s unless it is shortened, `never` never.
+The same is run by the run build in a plain session, by the debug build under the debugger with a
+breakpoint in `never`, and by the watching build with a watchpoint on a variable that nobody
+touches. Then the user goes back.
 
-    python bench/debug.py [--minutes M] [ROBOTS ...]
+    python bench/debug.py [--minutes M] [--minute S] [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -72,7 +73,7 @@ int main(void)
         else
             vm(120, 0, 0);
         gettimeofday(&now, 0);
-        if ((now.tv_sec - start.tv_sec) / 60 > minutes)
+        if ((now.tv_sec - start.tv_sec) / SECONDS > minutes)
             minute();
         if (minutes < 0)
             never();
@@ -85,19 +86,20 @@ AGAIN = 5
 
 @dataclass
 class Bench:
-    """A world of so many robots, and how long it is to run."""
+    """A world of so many robots, and how long it is to run: so many times so many seconds."""
 
     folder: Path
     robots: int
     minutes: int
+    minute_s: int
 
     def __post_init__(self) -> None:
         self.program = self.folder / "drive.c"
-        self.program.write_text(PROGRAM)
+        self.program.write_text(f"#define SECONDS {self.minute_s}\n{PROGRAM}")
         world = self.folder / f"{self.robots}.xml"
         world.write_text(world_text(self.robots))
         self.world: WorldModel = load_world(world)
-        self.timesteps = round(60 * self.minutes / self.world.timestep_s)
+        self.timesteps = round(self.minute_s * self.minutes / self.world.timestep_s)
 
     def run_build_s(self) -> float:
         """Gives the time that a run takes without the debugger [s]."""
@@ -154,7 +156,7 @@ def forward(bench: Bench, table: Table) -> tuple[Debugger, float]:
     over = plain_s * few / bench.timesteps
     table.row("watchpoint not hit", seconds, seconds / over, "x run build (a tenth of the way)")
     debugger = bench.debugger()
-    debugger.add_breakpoint("never")
+    debugger.stop_points.add_breakpoint("never")
     seconds = timed(lambda: debugger.tick(bench.timesteps))
     if debugger.stop.reason != "tick":
         sys.exit(f"stopped: {debugger.stop}")
@@ -176,8 +178,8 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     again("reverse-step", lambda: debugger.step(backward=True))
     again("reverse-next", lambda: debugger.next(backward=True))
     again("tick backward", lambda: debugger.tick(backward=True))
-    minute = round(60 / bench.world.timestep_s)
-    debugger.add_breakpoint("minute", robot=0)
+    minute = round(bench.minute_s / bench.world.timestep_s)
+    debugger.stop_points.add_breakpoint("minute", robot=0)
     debugger.goto_timestep(bench.timesteps - 1)
     seconds = timed(lambda: debugger.resume(backward=True))
     back = bench.timesteps - debugger.position.timestep
@@ -193,11 +195,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 100])
     parser.add_argument("--minutes", type=int, default=10, help="whole ones (default 10)")
+    parser.add_argument("--minute", type=int, default=60, help="seconds of one (default 60)")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         for robots in options.robots:
             table = Table(robots)
-            bench = Bench(Path(folder), robots, options.minutes)
+            bench = Bench(Path(folder), robots, options.minutes, options.minute)
             backward(bench, table, *forward(bench, table))
 
 

@@ -13,7 +13,7 @@ Scouts in the noisy setup, in which it matters what hides what.
 The limit is the bare ray cast: the same rays against the same things, by the same function of
 numpy, once for each timestep, and nothing else.
 
-    python bench/environment.py [--seconds S] [ROBOTS ...]
+    python bench/environment.py [--seconds S] [--scouts N] [ROBOTS ...]
 """
 
 from __future__ import annotations
@@ -33,11 +33,12 @@ import numpy as np
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.physics.simulation import REBUILD
+from crs_cc.sim.state.snapshot_codec import packed
 
 PROGRAM = """
 #include <Nclient.h>
@@ -90,7 +91,6 @@ SETUPS = {
     "scout": ("", SONAR),
     "noisy scout": ('setup="noisy"', SONAR),
 }
-SCOUTS = 1000
 RAYS = 16
 RANGE_M = 6.0
 RADIUS_M = 0.2
@@ -201,19 +201,19 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
 
 def rays_s(session: Session) -> float:
     """Gives the processor time for all rays of all robots alone [s]."""
-    state = session.environment.state.copy()
+    state = packed(session.environment.state).state()
     fan = Fan.of(
         (RADIUS_M * math.cos(angle), RADIUS_M * math.sin(angle), angle, 0.0, RANGE_M)
         for angle in np.arange(RAYS) * (2 * math.pi / RAYS)
     )
-    around = Surroundings(Scene(session.environment.world), [fan])
+    rays = RayCaster(Scene(session.environment.world), [fan])
     poses = np.column_stack([state.x_m, state.y_m, state.heading_rad])
     own, times = np.arange(len(poses)), []
     for _ in range(RAYS_REPEAT):
         state.bodies.position_m += LITTLE_M  # what has not moved would not be sorted again
         state.cycle += 1
         start = time.process_time()
-        around.distances_m(state, fan, poses, own)
+        rays.distances_m(state, fan, poses, own)
         times.append(time.process_time() - start)
     return statistics.median(times)
 
@@ -222,6 +222,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 10, 100, 1000, 10_000])
     parser.add_argument("--seconds", type=float, default=3.0, help="of each run (default 3)")
+    parser.add_argument(
+        "--scouts", type=int, default=1000, help="how many there are (default 1000)"
+    )
     options = parser.parse_args()
     print(f"{'robots':>8}{'robot-steps/s':>15}{'each':>12}{'rays only':>12}{'ratio':>7}"
           f"{'readings':>10}{'speed':>12}{'world':>11}{'session':>10}{'memory':>12}")  # fmt: skip
@@ -236,10 +239,10 @@ def main() -> None:
         print(f"A robot-step costs {growth:.2f} times as much among 10,000 robots as among 100.")
     for setup in ("scout", "noisy scout"):
         with tempfile.TemporaryDirectory() as folder:
-            figures = measure(Path(folder), SCOUTS, options.seconds, setup)
-        each = figures.step_s / SCOUTS
+            figures = measure(Path(folder), options.scouts, options.seconds, setup)
+        each = figures.step_s / options.scouts
         speed = f"{1 / each:,.0f} robot-steps/s, {each * 1e6:.1f} us each"
-        print(f"{SCOUTS:,} times a {setup}: {speed}")
+        print(f"{options.scouts:,} times a {setup}: {speed}")
     print("Processor time, one core. Ratios can be compared; times are of this machine.")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.quick import mark_others_slow
+from tests import quick, times
 
 TESTS = Path(__file__).resolve().parent
 JUDGED = ["c/valid", "fuzz"]
@@ -21,10 +21,25 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="rewrite expected outputs that differ, and fail once so that the difference is read",
     )
+    parser.addoption(
+        "--quick", action="store_true", help="run the quick tests only, see tests/quick.py"
+    )
+    parser.addoption(
+        "--update-times", action="store_true", help="measure all tests and renew tests/times.txt"
+    )
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    mark_others_slow(items)
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("--update-times"):
+        config.pluginmanager.register(times.Recorder())
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if config.getoption("--quick"):
+        taken = quick.chosen([item.nodeid for item in items], times.read(times.TABLE))
+        others = [item for item in items if item.nodeid not in taken]
+        items[:] = [item for item in items if item.nodeid in taken]
+        config.hook.pytest_deselected(items=others)
 
 
 @pytest.fixture(scope="session", autouse=True)

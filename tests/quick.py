@@ -1,53 +1,77 @@
-"""Which tests quick runs leave out, folder by folder: all of them would take too long."""
+"""Which tests quick runs take: all cheap ones, and of the others as many as the time allows.
+
+Times come from the table in `times.txt`; what it does not list is cheap or new, and always runs.
+Every file is represented, if need be by its cheapest test, unless that takes very long. Then one
+case of each function comes, and of one whose cases lie in folders (`valid/arrays/bounds`) one of
+each folder: first those that stand for many others and cost little.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from pathlib import Path
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
-import pytest
+from tests.times import function_of
 
-HERE: Final = Path(__file__).parent
+BUDGET_S: Final = 20.0
+"""Processor time of the listed tests that are taken. To be changed, after `make times`, when quick
+runs take too long: those that the table does not list take about as much again."""
 
-ALL: Final = 1_000_000
-
-FIRST_OF_EACH_FILE: Final = {
-    HERE / "c": ALL,
-    HERE / "cli": 4,
-    HERE / "debug": 1,
-    HERE / "device": 1,
-    HERE / "nclient": 1,  # each of these compiles and runs a C program
-    HERE / "report": 1,
-    HERE / "runtime": 2,
-    HERE / "runtime" / "codegen": ALL,
-    HERE / "session": 3,
-    HERE / "sim": 3,
-    HERE / "sim" / "server": 2,  # each of these makes worlds anew
-}
-"""How many tests of each file in a folder quick runs take, and of each of them one case.
-
-Folders within one are as it is, if they are not named themselves.
-"""
+TOO_LONG_S: Final = 2.0
+"""A file whose cheapest test takes longer than this is not represented."""
 
 
-def most_of(path: Path) -> int | None:
-    """Gives how many tests of a file quick runs take, or None for all of them and all cases."""
-    named = (FIRST_OF_EACH_FILE[each] for each in path.parents if each in FIRST_OF_EACH_FILE)
-    return next(named, None)
+def group_of(test: str) -> str:
+    """Return the cases that a case can stand for: those of its function, in the same folder.
+
+    >>> group_of("tests/c/test_cases.py::test_valid[valid/arrays/bounds]")
+    'tests/c/test_cases.py::test_valid[valid/arrays'
+    >>> group_of("tests/test_a.py::test_b[1-2]")
+    'tests/test_a.py::test_b'
+    """
+    return test.rpartition("/")[0] if "/" in test.partition("[")[2] else function_of(test)
 
 
-def mark_others_slow(items: list[pytest.Item]) -> None:
-    """Marks the other tests of these folders as slow; `items` are all tests, in order."""
-    quick: Counter[Path] = Counter()
-    seen: set[str] = set()
-    for item in items:
-        most = most_of(item.path)
-        if most is None:
-            continue
-        name = item.nodeid.split("[")[0]
-        if name in seen or quick[item.path] == most:
-            item.add_marker(pytest.mark.slow)
-        else:
-            quick[item.path] += 1
-        seen.add(name)
+def file_of(test: str) -> str:
+    """Return the file that a test is in."""
+    return test.partition("::")[0]
+
+
+def chosen(
+    tests: Sequence[str], times_s: Mapping[str, float], budget_s: float = BUDGET_S
+) -> set[str]:
+    """Return the tests that a quick run takes.
+
+    Args:
+        tests: the node ids of all tests, in their order.
+        times_s: the table, see `times.read`.
+        budget_s: the processor time for those that the table lists.
+    """
+    costs_s = {test: times_s.get(test, times_s.get(function_of(test), 0.0)) for test in tests}
+    taken = {test for test in tests if not costs_s[test]}
+    left_s = budget_s
+    files = {file_of(test) for test in taken}
+    for test in sorted(costs_s, key=costs_s.__getitem__):
+        if file_of(test) not in files and costs_s[test] < TOO_LONG_S:
+            files.add(file_of(test))
+            taken.add(test)
+            left_s -= costs_s[test]
+    for test in _in_rounds(tests, taken, costs_s):
+        if costs_s[test] <= left_s:
+            taken.add(test)
+            left_s -= costs_s[test]
+    return taken
+
+
+def _in_rounds(
+    tests: Sequence[str], taken: set[str], costs_s: Mapping[str, float]
+) -> Iterable[str]:
+    """Return the other tests, first one of each group, then the next ones."""
+    sizes, seen = Counter(map(group_of, tests)), Counter(map(group_of, taken))
+    rounds = {}
+    for test in sorted(tests, key=costs_s.__getitem__):
+        if test not in taken:
+            rounds[test] = seen[group_of(test)]
+            seen[group_of(test)] += 1
+    return sorted(rounds, key=lambda test: (rounds[test], costs_s[test] / sizes[group_of(test)]))

@@ -46,7 +46,6 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.parametrize("command", commands())
-@pytest.mark.slow
 def test_every_command_of_the_readme_runs(
     command: str, folder: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -73,14 +73,12 @@ def compile_source(
         CompileError: the C source is invalid.
     """
     from crs_cc.frontend.dialect import dialect_of, form
-    from crs_cc.frontend.preprocess.options import Options
     from crs_cc.frontend.unit import compile_file
     from crs_cc.ir.verify import verify
-    from crs_cc.session.library import HEADERS
+    from crs_cc.session.library import library_options
 
-    options = Options(
+    options = library_options(
         compiler.include_paths,
-        (HEADERS,),
         compiler.defines,
         compiler.undefines,
         compiler.standard,

@@ -10,6 +10,7 @@ from typing import Final
 
 from crs_cc.sim.files.world_xml import Definitions
 from crs_cc.sim.model.degradation import Degradation, described
+from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Robot, WorldModel, is_pushable
 
@@ -116,6 +117,8 @@ def _parts(model: RobotModel) -> Iterator[str]:
     for field in fields(model):  # a device that a robot may lack is None there
         if field.default is None and getattr(model, field.name) is not None:
             yield field.name.replace("_", " ")
+    for name, _ in model.devices:
+        yield device(name).element.replace("-", " ")
     if model.brightest:
         yield "lamp"
     if model.loudest:

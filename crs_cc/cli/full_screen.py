@@ -70,11 +70,11 @@ def show(
     """
     from crs_cc.debug.repl.repl import Scripts
     from crs_cc.debug.tui.app import DebugApp
-    from crs_cc.debug.tui.controller import Desk
-    from crs_cc.debug.tui.streams import Streams
+    from crs_cc.debug.tui.controller import Controller
+    from crs_cc.debug.tui.program_streams import ProgramStreams
 
-    streams = Streams()
+    streams = ProgramStreams()
     debugger = make(streams.write, file_input or streams.read)
     scripts = Scripts(options.scripts, options.commands)
-    DebugApp(Desk(debugger, streams, scripts.lines())).show()
+    DebugApp(Controller(debugger, streams, scripts.lines())).show()
     return debugger

@@ -24,7 +24,7 @@ from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.host import no_input
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
     from crs_cc.cli.compiler_options import CompilerOptions
@@ -135,9 +135,8 @@ def _front_end(
     compiler: CompilerOptions, sources: Sequence[Path], dialect: Dialect | None
 ) -> Options:
     """Return the options that the files were compiled with, for parsing expressions."""
-    options = Options(
+    options = library_options(
         compiler.include_paths,
-        (HEADERS,),
         compiler.defines,
         compiler.undefines,
         compiler.standard,

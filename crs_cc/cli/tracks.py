@@ -18,6 +18,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 
 MAX_SAMPLES: Final = 1_000_000
@@ -86,23 +87,11 @@ def simplified(path: FloatArray, tolerance: float) -> FloatArray:
         first, last = spans.pop()
         if last - first < 2:
             continue
-        distances = _distances(path[first + 1 : last], path[first], path[last])
+        across, along = path[first + 1 : last] - path[first], path[last] - path[first]
+        distances = segment.distance(*across.T, *along)
         farthest = int(np.argmax(distances))
         if distances[farthest] > tolerance:
             middle = first + 1 + farthest
             kept[middle] = True
             spans += [(first, middle), (middle, last)]
     return path[kept]
-
-
-def _distances(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Return the points' distances from the segment between two points."""
-    along = end - start
-    length_squared = float(along @ along)
-    if length_squared == 0.0:
-        nearest = start[None, :]
-    else:
-        share = np.clip((points - start) @ along / length_squared, 0.0, 1.0)
-        nearest = start + share[:, None] * along
-    distances: FloatArray = np.linalg.norm(points - nearest, axis=1)
-    return distances

@@ -51,6 +51,12 @@ class ProgramError(CrsError):
     exit_status = 123
 
 
+class DeviceError(CrsError):
+    """An installed package has a device that cannot be used."""
+
+    exit_status = 2
+
+
 class InternalError(CrsError):
     """A bug in crs."""
 

@@ -1,11 +1,11 @@
-"""How what a name does not name is told.
+"""Messages for unknown names, with the known ones.
 
 >>> unknown("robot", "r", ["a", "b"])
-"there is no robot 'r': there are a, b"
+"unknown robot 'r' (known: a, b)"
 >>> unknown("robot", "r", [])
-"there is no robot 'r': there are none"
->>> unknown("robot", "r", [f"robot{number}" for number in range(1000)])[-29:]
-'robot18, robot19 and 980 more'
+"unknown robot 'r' (known: none)"
+>>> unknown("robot", "r", [f"robot{number}" for number in range(1000)])[-30:]
+'robot18, robot19 and 980 more)'
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-_MOST: Final = 20
-_LONGEST: Final = 64
+_MAX_KNOWN_SHOWN: Final = 20
+_MAX_NAME_LENGTH: Final = 64
 
 
 def unknown(kind: str, name: str, known: Sequence[str]) -> str:
-    """Return the words for it.
+    """Return the message for a name that is not known.
 
     Args:
-        kind: what it should name.
-        name: the name.
-        known: the names that there are.
+        kind: what the name should refer to.
+        name: the unknown name.
+        known: the names that would have been valid.
     """
-    names = ", ".join(known[:_MOST]) or "none"
-    more = f" and {len(known) - _MOST} more" if len(known) > _MOST else ""
-    return f"there is no {kind} {name[:_LONGEST]!r}: there are {names}{more}"
+    names = ", ".join(known[:_MAX_KNOWN_SHOWN]) or "none"
+    more = f" and {len(known) - _MAX_KNOWN_SHOWN} more" if len(known) > _MAX_KNOWN_SHOWN else ""
+    return f"unknown {kind} {name[:_MAX_NAME_LENGTH]!r} (known: {names}{more})"

@@ -1,21 +1,21 @@
-"""The debugger: forward and backward through programs and their world.
+"""The debugger: forward and reverse execution of programs and their world.
 
-Read `engine` first: what a user can do, without a screen. It builds on `view` (what the user looks
-at) and `stop_points` (what the run stops at), and adds moving, changing, branches. `errors` has the
-errors a user can make, `program` what the debugger needs of a program.
+Read `engine` first: the operations of the debugger, without a user interface. It owns a `view`
+(the selected robot and frame), `stop_points` (breakpoints of all kinds) and a `navigator`.
+`errors` has the error that users see, `program` a program with its debug build.
 
-- `timeline/`: a run at any point of its history. A `Position` counts; an `Instant` is the state
-  that the run has reached there; a `Stop` reports it to the user.
-- `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: the
-  reasons of stepping.
-- `locations`: where breakpoints are, as the user writes it; `calls`: statements that call a library
-  function; `breakpoints`: which of them are hit; `stop`: why a run has stopped.
+- `timeline/`: a recorded run, which can be moved to any `Position`. A `RunEvent` is what the run
+  has advanced to; a `Stop` reports it to the user.
+- `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
+  steps end.
+- `locations`: where breakpoints are, as the user writes it; `call_statements`: statements that call
+  a library function; `breakpoints`: which of them are hit; `stop`: why a run has stopped.
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
   that users watch.
-- `branches`: alternative histories; `comparison`: what differs between two of them.
+- `branches`: alternative histories; `branch_comparison`: the differences between two of them.
 - `data/`: C expressions, and values by their types.
-- `world/`: what is shown of the world, can be waited for in it, and changed.
+- `world/`: displays of the world, its events, and changes to it.
 
-Screens use the engine, which knows none of them: `commands/` is the one table of commands, `repl/`
-a prompt, `tui/` the full screen, `dap/` serves editors.
+User interfaces use the engine, not vice versa: `commands/` has the table of commands, `repl/`
+is a prompt, `tui/` the full screen, `dap/` serves editors.
 """

@@ -1,7 +1,7 @@
-"""Branches of a run: what became of it when the user changed this, and what when that.
+"""Branches: alternative histories of a run.
 
-A branch is a history of its own and a place in it. A new one begins as a copy of what was before
-the instant that it is made at; the session itself is taken from one to the other.
+A branch has a history of its own and a position in it. A new one starts as a copy of the history
+up to the current position; the session itself is shared and switched between them.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.console import Console
+    from crs_cc.debug.timeline.console import ReplayConsole
     from crs_cc.debug.timeline.history import History
-    from crs_cc.debug.timeline.run import Run
-    from crs_cc.debug.world.event_history import Chronicle
+    from crs_cc.debug.timeline.recorded_run import RecordedRun
+    from crs_cc.debug.world.event_history import EventHistory
 
 FIRST: Final = "main"
 """The name of the branch that a run begins as."""
@@ -25,13 +25,13 @@ FIRST: Final = "main"
 
 @dataclass(frozen=True, slots=True)
 class Checkpoint:
-    """An instant that the user wants to come back to.
+    """A saved position.
 
     Attributes:
         number: from 1 in each branch.
-        name: what the user calls it; may be empty.
-        position: the instant.
-        time_s: the clock of the program that was looked at [s].
+        name: the user's name for it; may be empty.
+        position: the position.
+        time_s: the clock of the robot selected then [s].
     """
 
     number: int
@@ -42,21 +42,21 @@ class Checkpoint:
 
 @dataclass(slots=True)
 class Branch:
-    """One course of events.
+    """An alternative history.
 
     Attributes:
-        name: what the user calls it.
+        name: its name.
         history: its snapshots.
-        console: what was written and read.
-        chronicle: what happened.
-        position: where the user was in it, unless he is in it now.
-        checkpoints: instants in it.
+        console: its output and input.
+        event_history: its events.
+        position: where the user left it; outdated while it is the current one.
+        checkpoints: saved positions in it.
     """
 
     name: str
     history: History
-    console: Console
-    chronicle: Chronicle
+    console: ReplayConsole
+    event_history: EventHistory
     position: Position
     checkpoints: list[Checkpoint] = field(default_factory=list)
 
@@ -65,81 +65,81 @@ class Branches:
     """All branches of a run.
 
     Attributes:
-        current: the one that the run is in.
+        current: the current one.
     """
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: RecordedRun) -> None:
         self._run = run
-        self.current = Branch(FIRST, run.history, run.console, run.chronicle, run.position)
+        self.current = Branch(FIRST, run.history, run.console, run.event_history, run.position)
         self._all = {FIRST: self.current}
 
     def names(self) -> tuple[str, ...]:
-        """Gives the names of all branches, in the order in which they were made."""
+        """Return the names of all branches, in order of creation."""
         return tuple(self._all)
 
     def add(self, name: str) -> Branch:
-        """Makes a branch that begins here, and goes on in it.
+        """Create a branch here and switch to it.
 
         Raises:
-            DebugError: there is one of that name.
+            DebugError: a branch of that name exists.
         """
         if not name.strip() or name in self._all:
-            raise DebugError(f"there is a branch '{name}' already" if name else "it needs a name")
+            raise DebugError(f"branch '{name}' already exists" if name else "a branch needs a name")
         run, here = self._run, self._run.position
         history, console = run.history.fork(here), run.console.fork()
-        chronicle = run.chronicle.fork(here.timestep)
+        event_history = run.event_history.fork(here.timestep)
         checkpoints = [each for each in self.current.checkpoints if each.position <= here]
         self.current.position = here
         self.current = self._all[name] = Branch(
-            name, history, console, chronicle, here, checkpoints
+            name, history, console, event_history, here, checkpoints
         )
-        run.enter(history, console, chronicle)
+        run.enter(history, console, event_history)
         return self.current
 
     def switch(self, name: str) -> Branch:
-        """Goes to where the user was in another branch.
+        """Switch to another branch, where the user left it.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.visit(name)
         self._run.seek(self.current.position)
         return self.current
 
     def visit(self, name: str) -> None:
-        """Lets the run be in another branch, wherever it is there; `seek` has to come next.
+        """Switch to another branch without a position; `seek` must follow.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if name not in self._all:
             raise DebugError(unknown("branch", name, self.names()))
         self.current.position = self._run.position
         self.current = self._all[name]
         own = self.current
-        self._run.enter(own.history, own.console, own.chronicle)
+        self._run.enter(own.history, own.console, own.event_history)
 
     def changed(self) -> None:
-        """Forgets checkpoints behind a change."""
+        """Discard checkpoints after a change."""
         here = self._run.position
         self.current.checkpoints[:] = [
             each for each in self.current.checkpoints if each.position <= here
         ]
 
     def keep(self, name: str, time_s: float) -> Checkpoint:
-        """Makes a checkpoint here."""
+        """Save the current position as a checkpoint."""
         own = self.current.checkpoints
         number = max((each.number for each in own), default=0) + 1
         own.append(Checkpoint(number, name, self._run.position, time_s))
         return own[-1]
 
     def checkpoint(self, number: int) -> Checkpoint:
-        """Gives a checkpoint of this branch.
+        """Return a checkpoint of this branch.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         for each in self.current.checkpoints:
             if each.number == number:
                 return each
-        raise DebugError(f"there is no checkpoint {number} in branch '{self.current.name}'")
+        raise DebugError(f"no checkpoint {number} in branch '{self.current.name}'")

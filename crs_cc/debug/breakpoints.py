@@ -1,4 +1,4 @@
-"""Breakpoints: what they are, and which of them an instant of a run meets."""
+"""Breakpoints, and which of them are hit."""
 
 from __future__ import annotations
 
@@ -7,42 +7,42 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.events import happenings, is_of
+from crs_cc.debug.world.events import is_of, world_events
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.debug.locations import Place
-    from crs_cc.debug.timeline.instant import Instant, Touch
-    from crs_cc.debug.timeline.run import Run
-    from crs_cc.debug.watch import Watched
+    from crs_cc.debug.locations import BreakpointLocation
+    from crs_cc.debug.timeline.recorded_run import RecordedRun
+    from crs_cc.debug.timeline.run_event import RunEvent, WatchHit
+    from crs_cc.debug.watch import WatchedObject
     from crs_cc.debug.watchpoints import Watchpoint
 
-Kind = Literal["breakpoint", "watchpoint", "catchpoint"]
+BreakpointKind = Literal["breakpoint", "watchpoint", "catchpoint"]
 
 
 @dataclass(slots=True)
 class Breakpoint:
-    """What the user wants a run to stop at.
+    """A breakpoint, watchpoint or catchpoint.
 
     Attributes:
-        number: its number, from 1; all kinds are counted together.
-        kind: what it is.
-        text: the place, expression or kind of happenings in the user's words.
-        place: where a breakpoint is; None for the other kinds.
-        watch: what a watchpoint watches; None for the other kinds.
+        number: its number, from 1; all kinds share one sequence.
+        kind: its kind.
+        text: the location, expression or event kind as the user wrote it.
+        place: the location of a breakpoint; None for the other kinds.
+        watch: the object of a watchpoint; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
-        ignore: so many hits are still passed over.
-        hits: how often it was hit, those passed over too.
-        temporary: whether it goes with its first hit.
-        enabled: whether it counts.
-        robot: whose it is; None for all robots.
-        log: what to say instead of stopping: text with C expressions in braces; empty to stop.
+        ignore: how many hits are still ignored.
+        hits: how often it was hit, ignored hits included.
+        temporary: whether it is deleted when hit.
+        enabled: whether it is enabled.
+        robot: the only robot that it stops; None for all robots.
+        log: the message to log instead of stopping, with C expressions in braces; empty to stop.
     """
 
     number: int
-    kind: Kind
+    kind: BreakpointKind
     text: str
-    place: Place | None = None
+    place: BreakpointLocation | None = None
     watch: Watchpoint | None = None
     condition: str = ""
     ignore: int = 0
@@ -53,25 +53,25 @@ class Breakpoint:
     log: str = ""
 
     def concerns(self, robot: int) -> bool:
-        """Tells whether it counts, and for this robot."""
+        """Return whether it is enabled for a robot."""
         return self.enabled and self.robot in {None, robot}
 
 
 @dataclass(frozen=True, slots=True)
-class Hit:
-    """A breakpoint that was met.
+class BreakpointHit:
+    """A hit of a breakpoint.
 
     Attributes:
         breakpoint: the breakpoint.
-        robot: by which robot; -1 for none.
-        text: what there is to say.
-        touch: what the robot did to what is watched.
+        robot: the robot that hit it; -1 for none.
+        text: a description.
+        watch_hit: the access to the watched object.
     """
 
     breakpoint: Breakpoint
     robot: int
     text: str = ""
-    touch: Touch | None = None
+    watch_hit: WatchHit | None = None
 
 
 class Breakpoints:
@@ -86,111 +86,113 @@ class Breakpoints:
 
     @property
     def next_number(self) -> int:
-        """The number that the next one will have."""
+        """The number of the next one."""
         return self._made + 1
 
     def add(self, breakpoint_: Callable[[int], Breakpoint]) -> Breakpoint:
-        """Adds what is made of the next number."""
+        """Add the breakpoint that is created with the next number."""
         self._made += 1
         self._all[self._made] = breakpoint_(self._made)
         return self._all[self._made]
 
     def get(self, number: int) -> Breakpoint:
-        """Gives a breakpoint.
+        """Return a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if number not in self._all:
-            raise DebugError(f"there is no breakpoint {number}")
+            raise DebugError(f"no breakpoint {number}")
         return self._all[number]
 
     def remove(self, number: int) -> None:
-        """Takes a breakpoint away.
+        """Remove a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.get(number)
         del self._all[number]
 
     def statements(self, robot: int) -> frozenset[int]:
-        """Gives the numbers of the statements that a robot's program must stop before."""
+        """Return the numbers of the statements with breakpoints in a robot's program."""
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
     def need_world(self) -> bool:
-        """Tells whether any of them waits for what happens in the world."""
+        """Return whether any of them catches an event of the world."""
         return any(
             each.kind == "catchpoint" and each.enabled and each.text != "exit"
             for each in self._all.values()
         )
 
-    def watched(self, robot: int) -> tuple[Watched, ...]:
-        """Gives what is watched in a robot's memory."""
+    def watched(self, robot: int) -> tuple[WatchedObject, ...]:
+        """Return the watched objects in a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         return tuple(each.watched for each in points if each)
 
-    def touched(self, instant: Instant) -> list[Hit]:
-        """Gives the watchpoints that an instant tells of, whatever their conditions."""
+    def watchpoint_hits(self, event: RunEvent) -> list[BreakpointHit]:
+        """Return the hits of watchpoints, whatever their conditions."""
         return [
-            Hit(self._all[each.access.watched.number], each.robot, touch=each)
-            for each in instant.accesses
+            BreakpointHit(self._all[each.access.watched.number], each.robot, watch_hit=each)
+            for each in event.accesses
         ]
 
-    def met(self, run: Run, instant: Instant) -> list[Hit]:
-        """Gives the other breakpoints that an instant meets, whatever their conditions."""
-        match instant.kind:
+    def breakpoint_hits(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
+        """Return the hits of the other breakpoints, whatever their conditions."""
+        match event.kind:
             case "statement":
                 return self._at_statement(run)
             case "round":
-                return self._at_requests(run, instant)
+                return self._at_requests(run, event)
             case "timestep":
-                return self._at_timestep(run, instant)
+                return self._at_timestep(run, event)
         return []
 
-    def _at_statement(self, run: Run) -> list[Hit]:
+    def _at_statement(self, run: RecordedRun) -> list[BreakpointHit]:
         robot = run.session.halted
         assert robot is not None
         number = int(run.session.fleet.slots["stopped"][robot]) - 1
         return [
-            Hit(each, robot)
+            BreakpointHit(each, robot)
             for each in self._all.values()
             if each.place
             and each.concerns(robot)
             and number in each.place.statements.get(robot, ())
         ]
 
-    def _at_requests(self, run: Run, instant: Instant) -> list[Hit]:
+    def _at_requests(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
         hits = []
         for each in self._all.values():
             if each.place is None or not each.place.codes:
                 continue
-            for robot, code in instant.posted:
+            for robot, code in event.posted:
                 if code in each.place.codes and each.concerns(robot):
                     stack = run.stopped(robot).stack
                     if any(plain_name(frame.function) == each.place.function for frame in stack):
                         name = run.name(robot)
-                        hits.append(Hit(each, robot, f"{name} called '{each.place.function}'"))
-        return hits + self._at_ends(run, instant.ended)
+                        hits.append(
+                            BreakpointHit(each, robot, f"{name} called '{each.place.function}'")
+                        )
+        return hits + self._at_ends(run, event.ended)
 
-    def _at_ends(self, run: Run, ended: Sequence[int]) -> list[Hit]:
+    def _at_ends(self, run: RecordedRun, ended: Sequence[int]) -> list[BreakpointHit]:
         return [
-            Hit(each, robot, f"the program of {run.name(robot)} ended")
+            BreakpointHit(each, robot, f"the program of {run.name(robot)} ended")
             for each in self._all.values()
             for robot in ended
             if each.kind == "catchpoint" and each.text == "exit" and each.concerns(robot)
         ]
 
-    def _at_timestep(self, run: Run, instant: Instant) -> list[Hit]:
-        ends = self._at_ends(run, instant.ended)
+    def _at_timestep(self, run: RecordedRun, event: RunEvent) -> list[BreakpointHit]:
+        ends = self._at_ends(run, event.ended)
         wanted = [each for each in self._all.values() if each.kind == "catchpoint" and each.enabled]
         kinds = tuple(dict.fromkeys(each.text for each in wanted if each.text != "exit"))
-        if not kinds or instant.step is None:
+        if not kinds or event.step is None:
             return ends
-        happened = happenings(instant.step, run.session.environment.world, kinds)
+        happened = world_events(event.step, run.session.environment.world, kinds)
         return ends + [
-            Hit(each, one.robot, one.text)
+            BreakpointHit(each, one.robot, one.text)
             for each in wanted
             for one in happened
             if is_of(one.kind, [each.text]) and each.robot in {None, one.robot}

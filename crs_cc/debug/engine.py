@@ -1,8 +1,8 @@
-"""The debugger without a screen: what its user can do, as plain calls that give plain data.
+"""The debugger without a user interface: its operations as methods that return plain data.
 
-All that a user can do wrong raises `DebugError`, and changes nothing. Moving gives a `Stop`. What
-changes the run (a variable, the world) lets it branch: what had been behind this instant is
-forgotten, what was before it stays.
+Invalid requests raise `DebugError` and leave the run unchanged. Moving returns a `Stop`. A change
+of the run (of a variable, of the world) starts a new history: the recorded future is discarded, the
+past is kept.
 """
 
 from __future__ import annotations
@@ -15,42 +15,53 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.branch_comparison import Difference, differences, facts
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
-from crs_cc.debug.comparison import Difference, differences, facts
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.navigator import Traveller
-from crs_cc.debug.step_conditions import Aim, BackAim, Calls, Spot, ToCaller, ToLine, ToStatement
+from crs_cc.debug.navigator import Navigator
+from crs_cc.debug.step_conditions import (
+    ActiveCalls,
+    ProgramPoint,
+    ReverseStepCondition,
+    StepCondition,
+    StepToCaller,
+    StepToLine,
+    StepToStatement,
+)
 from crs_cc.debug.stop import Stop
-from crs_cc.debug.stop_points import Points
-from crs_cc.debug.timeline.console import Console
+from crs_cc.debug.stop_points import StopPoints
+from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.run import InterruptedRunError, Run
-from crs_cc.debug.view import Frame
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
+from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.events import WorldEvent
 from crs_cc.session.host import Client, Input, Output, discard, no_input
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
+    from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
 
 Move = Callable[[], Stop]
 
 _SLACK_S: Final = 1e-9
-_MOST_STEPS: Final = 1_000_000
-_MOST_LINES: Final = 10
+_MAX_STEPS: Final = 1_000_000
+_MAX_LINES: Final = 10
 _RETURN: Final = re.compile(r"return\b\s*([^;]+);")
 
 
-class Debugger(Points):
-    """A run under the eyes of a user, who moves it.
-
-    What he looks at is told by `View`, what the run stops at by `Points`.
+class Debugger:
+    """A debugging session: a recorded run, and what the user inspects, stops at and changes.
 
     Attributes:
-        branches: the courses of events that the user has tried.
+        run: the run; to be moved by the methods of this class only.
+        view: the robot and stack frame that the user has selected.
+        stop_points: breakpoints, watchpoints and catchpoints.
+        navigator: what moves the run to its next or previous stop.
+        branches: the alternative histories of the run.
         stop: the last stop.
     """
 
@@ -66,78 +77,100 @@ class Debugger(Points):
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Put the programs into the robots; nothing has run yet. See `Session`."""
-        super().__init__(
-            Run(
-                world,
-                programs,
-                seed,
-                Console(output, read),
-                History(robots=len(programs)),
-                arguments=arguments,
-                files=files,
-                client=client,
-            )
+        """Load the programs into the robots; for the arguments see `Session`."""
+        self.run = RecordedRun(
+            world,
+            programs,
+            seed,
+            ReplayConsole(output, read),
+            History(robots=len(programs)),
+            arguments=arguments,
+            files=files,
+            client=client,
         )
-        self._traveller = Traveller(self.run, self.breakpoints, self.accepts, self.told_of)
+        self.view = View(self.run)
+        self.stop_points = StopPoints(self.view)
+        self.navigator = Navigator(
+            self.run,
+            self.stop_points.breakpoints,
+            self.stop_points.accepts,
+            self.stop_points.describe_hit,
+        )
         self.branches = Branches(self.run)
-        self.stop = self._traveller.stop("start")
+        self.stop = self.navigator.stop("start")
+
+    @property
+    def session(self) -> Session:
+        """The session; read only."""
+        return self.run.session
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The robots' names, by number."""
+        return self.view.names
+
+    @property
+    def position(self) -> Position:
+        """The position of the run."""
+        return self.run.position
 
     # -- moving --------------------------------------------------------------------------------
 
     def interrupt(self) -> None:
-        """Lets what is running stop soon; may be called from anywhere."""
+        """Request an interrupt; thread-safe."""
         self.run.interrupted = True
 
     def forget_interrupt(self) -> None:
-        """Forgets an interrupt that came when what it was meant for had ended."""
+        """Discard an interrupt that arrived too late."""
         self.run.interrupted = False
 
     def start(self) -> Stop:
-        """Goes to the first statement of the first program that begins."""
+        """Go to the first statement of the program that starts first."""
         return self.step_statement()
 
     def resume(self, *, backward: bool = False) -> Stop:
-        """Goes on to the next breakpoint, or back to the last one."""
+        """Continue to the next stop, or back to the previous one."""
         if backward:
-            return self._arrive(self._traveller.backward())
+            return self._arrive(self.navigator.backward())
         return self._go(None)
 
     def step(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the next line, into calls; or to the start of the line before."""
-        robot = self.robot
+        """Step to the next line, entering calls; or to the start of the previous line."""
+        robot = self.view.robot
         if backward:
-            return self._repeat(count, lambda: self._traveller.backward_to(BackAim(robot)))
-        return self._repeat(count, lambda: self._forward(ToLine(robot, self._spot())))
+            return self._repeat(
+                count, lambda: self.navigator.backward_to(ReverseStepCondition(robot))
+            )
+        return self._repeat(count, lambda: self._forward(StepToLine(robot, self._program_point())))
 
     def next(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the next line, past calls; or to the start of the one before."""
+        """Step to the next line, over calls; or to the start of the previous line."""
         move = self._next_back if backward else self._next
         return self._repeat(count, move)
 
     def step_statement(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the next statement, into calls; or to the one before."""
-        robot = self.robot
+        """Step to the next statement, entering calls; or to the previous one."""
+        robot = self.view.robot
         if backward:
-            aim = partial(BackAim, robot, whole_line=False)
-            return self._repeat(count, lambda: self._traveller.backward_to(aim()))
-        return self._repeat(count, lambda: self._forward(ToStatement(robot)))
+            aim = partial(ReverseStepCondition, robot, whole_line=False)
+            return self._repeat(count, lambda: self.navigator.backward_to(aim()))
+        return self._repeat(count, lambda: self._forward(StepToStatement(robot)))
 
     def finish(self, *, backward: bool = False) -> Stop:
-        """Goes to where the function has returned, and tells what; or back to where it was called.
+        """Run until the function returns, and report its value; or go back to its call.
 
         Raises:
-            DebugError: nobody has called it.
+            DebugError: it has no caller.
         """
-        robot = self.robot
-        frame = self.current_frame()
-        callers = None if frame is None else self._traveller.calls(robot, frame.active)
+        robot = self.view.robot
+        frame = self.view.current_frame()
+        callers = None if frame is None else self.navigator.calls(robot, frame.active)
         if frame is None or callers is None or not callers.functions:
-            raise DebugError("the outermost function has no caller to go to")
+            raise DebugError("'finish' is not meaningful in the outermost frame")
         if backward:
-            aim = BackAim(robot, callers, whole_line=False)
-            return self._arrive(self._traveller.backward_to(aim))
-        stop = self._go(ToCaller(robot, callers))
+            aim = ReverseStepCondition(robot, callers, whole_line=False)
+            return self._arrive(self.navigator.backward_to(aim))
+        stop = self._go(StepToCaller(robot, callers))
         if stop.reason != "step":
             return stop
         value = self._returned(frame)
@@ -145,46 +178,46 @@ class Debugger(Points):
         self.stop = replace(stop, text=text)
         return self.stop
 
-    def _returned(self, frame: Frame) -> str:
-        """Gives what a call that has ended returned, if its last statement tells; else nothing."""
-        here, robot = self.position, self.robot
-        call = Calls.of([frame.active])
-        spots = self._traveller.spots_back(robot, call.functions)
+    def _returned(self, frame: BacktraceFrame) -> str:
+        """Return the value of a call that has ended if its `return` shows it, else ""."""
+        here, robot = self.position, self.view.robot
+        call = ActiveCalls.of([frame.active])
+        spots = self.navigator.program_points_back(robot, call.functions)
         value = ""
         with contextlib.suppress(DebugError, InterruptedRunError):
             last = next(filter(call.include, spots), None)
             if last is not None:
-                lines = self.source(last.location.file)[last.location.line - 1 :][:_MOST_LINES]
+                lines = self.view.source(last.location.file)[last.location.line - 1 :][:_MAX_LINES]
                 match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
-                if match and self._traveller.to_statement(robot, last.statements):
-                    value = self.evaluator(robot).evaluate(match[1]).value.text
-                    self.evaluator(robot).undo()
+                if match and self.navigator.to_statement(robot, last.statements):
+                    value = self.view.evaluator(robot).evaluate(match[1]).value.text
+                    self.view.evaluator(robot).undo()
         self.run.seek(here)
         return value
 
     def until(self) -> Stop:
-        """Goes to the next line past calls that stands further down, so out of loops."""
+        """Step to the next line further down, over calls, so out of loops."""
         return self._arrive(self._next(onward=True))
 
     def advance(self, place: str) -> Stop:
-        """Goes to a place, or to where the function has returned.
+        """Continue to a location, or until the function returns.
 
         Raises:
-            DebugError: there is no such place.
+            DebugError: there is no such location.
         """
-        robot = self.robot
-        added = self.add_breakpoint(place, temporary=True, robot=robot)
+        robot = self.view.robot
+        added = self.stop_points.add_breakpoint(place, temporary=True, robot=robot)
         try:
-            frame = self.current_frame()
+            frame = self.view.current_frame()
             if frame is None:
                 return self._go(None)
-            return self._go(ToCaller(robot, self._traveller.calls(robot, frame.active)))
+            return self._go(StepToCaller(robot, self.navigator.calls(robot, frame.active)))
         finally:
-            if added in list(self.breakpoints):
-                self.breakpoints.remove(added.number)
+            if added in list(self.stop_points.breakpoints):
+                self.stop_points.breakpoints.remove(added.number)
 
     def tick(self, count: int = 1, *, backward: bool = False) -> Stop:
-        """Goes to the end of the timestep, or back to its start."""
+        """Go to the end of the timestep, or back to its start."""
         position = self.position
         inside = position != Position(position.timestep, 0)
         if backward:
@@ -192,220 +225,222 @@ class Debugger(Points):
         return self._go(None, Position(position.timestep + count, 0))
 
     def goto(self, target: Position) -> Stop:
-        """Goes to an instant that the run has been at."""
+        """Go to a recorded position."""
         self.run.seek(target)
-        return self._arrive(self._traveller.stop("beginning" if target == BEGINNING else "goto"))
+        return self._arrive(self.navigator.stop("beginning" if target == BEGINNING else "goto"))
 
     def goto_timestep(self, timestep: int) -> Stop:
-        """Goes to the start of a timestep; breakpoints on the way do not count.
+        """Go to the start of a timestep, ignoring breakpoints on the way.
 
         Raises:
-            DebugError: there is none before 0.
+            DebugError: it is negative.
         """
         if timestep < 0:
-            raise DebugError("time begins at 0")
+            raise DebugError("time starts at 0")
         with self._showing_new():
             return self._to_timestep(timestep)
 
     def goto_time(self, time_s: float) -> Stop:
-        """Goes to the start of the timestep that an instant lies in.
+        """Go to the start of the timestep that contains a time.
 
         Raises:
-            DebugError: there is none before 0.
+            DebugError: it is negative.
         """
         if not math.isfinite(time_s):
-            raise DebugError(f"{time_s} is no time")
+            raise DebugError(f"invalid time {time_s}")
         timestep_s = self.session.environment.world.timestep_s
         return self.goto_timestep(math.floor(time_s / timestep_s + _SLACK_S))
 
     def goto_statement(self, number: int) -> Stop:
-        """Goes to before a statement of the current robot's program, counted from 1.
+        """Go to before statement `number` of the selected robot's program, counted from 1.
 
         Raises:
             DebugError: the program has no such statement.
         """
         if number < 1:
-            raise DebugError("statements are counted from 1")
+            raise DebugError("statement numbers start at 1")
         start = self.position
         try:
             with self._showing_new():
-                is_there = self._traveller.to_statement(self.robot, number - 1)
+                is_there = self.navigator.to_statement(self.view.robot, number - 1)
         except InterruptedRunError:
-            return self._arrive(self._traveller.stop("interrupt"))
+            return self._arrive(self.navigator.stop("interrupt"))
         if not is_there:
             self.run.seek(start)
-            raise DebugError(f"{self.names[self.robot]}'s program ends before statement {number}")
-        return self._arrive(self._traveller.stop("goto", self.robot))
+            raise DebugError(
+                f"{self.names[self.view.robot]}'s program ends before statement {number}"
+            )
+        return self._arrive(self.navigator.stop("goto", self.view.robot))
 
     def _to_timestep(self, timestep: int) -> Stop:
         target = Position(timestep, 0)
         if target <= max(self.position, self.run.history.latest()):
             return self.goto(target)
-        return self._arrive(self._traveller.to_timestep(timestep))
+        return self._arrive(self.navigator.to_timestep(timestep))
 
     @contextlib.contextmanager
     def _showing_new(self) -> Iterator[None]:
-        """Shows what programs write for the first time while the run goes where the user wants."""
+        """Show new output of the programs while the run is moved."""
         self.run.console.shows_new = True
         try:
             yield
         finally:
             self.run.console.shows_new = False
 
-    def _spot(self) -> Spot | None:
-        return self._traveller.spot(self.robot)
+    def _program_point(self) -> ProgramPoint | None:
+        return self.navigator.program_point(self.view.robot)
 
     def _next(self, *, onward: bool = False) -> Stop:
         calls = self._own_calls()
-        spot = None if calls is None else self._spot()
-        return self._forward(ToLine(self.robot, spot, calls, onward))
+        program_point = None if calls is None else self._program_point()
+        return self._forward(StepToLine(self.view.robot, program_point, calls, onward))
 
     def _next_back(self) -> Stop:
-        return self._traveller.backward_to(BackAim(self.robot, self._own_calls()))
+        return self.navigator.backward_to(ReverseStepCondition(self.view.robot, self._own_calls()))
 
-    def _own_calls(self) -> Calls | None:
-        """Gives the active calls of the user's functions; None when there are none."""
-        if all(each.is_library for each in self.frames()):
+    def _own_calls(self) -> ActiveCalls | None:
+        """Return the active calls of the user's functions; None if there are none."""
+        if all(each.is_library for each in self.view.frames()):
             return None
-        return self._traveller.calls(self.robot)
+        return self.navigator.calls(self.view.robot)
 
-    def _go(self, aim: Aim | None, until: Position | None = None) -> Stop:
+    def _go(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
         return self._arrive(self._forward(aim, until))
 
-    def _forward(self, aim: Aim | None, until: Position | None = None) -> Stop:
-        if aim is not None and self.run.is_over(aim.robot) and self.run.goes_on:
-            raise DebugError(f"{self.names[aim.robot]}'s program has ended; others go on")
+    def _forward(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
+        if aim is not None and self.run.is_over(aim.robot) and self.run.can_advance:
+            raise DebugError(f"{self.names[aim.robot]}'s program has ended; others still run")
         self.run.console.is_live = True
         try:
-            return self._traveller.forward(aim, until)
+            return self.navigator.forward(aim, until)
         finally:
             self.run.console.is_live = False
 
     def _repeat(self, count: int, move: Move) -> Stop:
-        if not 1 <= count <= _MOST_STEPS:
-            raise DebugError(f"a count is from 1 to {_MOST_STEPS:,}")
+        if not 1 <= count <= _MAX_STEPS:
+            raise DebugError(f"invalid count {count} (expected 1 to {_MAX_STEPS:,})")
         for left in reversed(range(count)):
             stop = move()
             if stop.reason != "step":
                 break
-            if left and self.run.interrupted:  # between two moves nothing else would hear of it
-                stop = self._traveller.stop("interrupt", self.robot)
+            if left and self.run.interrupted:  # nothing else would notice it between two moves
+                stop = self.navigator.stop("interrupt", self.view.robot)
                 break
         return self._arrive(stop)
 
     def _arrive(self, stop: Stop) -> Stop:
-        """Ends what the user asked for: lets him look at where the run has stopped."""
+        """Complete a move: record the stop and select the robot and frame that it is about."""
         self.stop = stop
         self.forget_interrupt()
         self._note(stop)
         if stop.robot >= 0:
-            self.robot = stop.robot
+            self.view.robot = stop.robot
         for number in stop.breakpoints:
-            if self.breakpoints.get(number).temporary:
-                self.breakpoints.remove(number)
-        frames = (each for each in self.frames() if each.active.function == stop.function)
+            if self.stop_points.breakpoints.get(number).temporary:
+                self.stop_points.breakpoints.remove(number)
+        frames = (each for each in self.view.frames() if each.active.function == stop.function)
         about = next(frames, None)
-        self.frame = self.first_own_frame() if about is None else about.number
+        self.view.frame = self.view.first_own_frame() if about is None else about.number
         return stop
 
     def _note(self, stop: Stop) -> None:
-        """Lets time lines show where the run stopped by itself."""
+        """Record a stop in the event history, for time lines."""
         if stop.breakpoints or stop.reason == "error":
             kind = "error" if stop.reason == "error" else "stop"
-            happening = Happening(stop.time_s, kind, stop.robot, stop.why)
-            self.run.chronicle.note(stop.position.timestep, happening)
+            happening = WorldEvent(stop.time_s, kind, stop.robot, stop.why)
+            self.run.event_history.note(stop.position.timestep, happening)
 
     # -- changing ------------------------------------------------------------------------------
 
     def evaluate(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
-        """Evaluates a C expression, which may change the program: then the run is another.
+        """Evaluate a C expression, which may change the program.
 
         Args:
             text: the expression.
-            robot: whose program; by default that of the robot that the user looks at.
-            frame: the number of the active function that it is looked at from; by default the one
-                that the user looks at.
+            robot: the robot; by default the selected one.
+            frame: the number of the frame whose scope applies; by default the selected
+                one.
 
         Raises:
-            DebugError: it means nothing there, or cannot be evaluated; then nothing has changed.
+            DebugError: it is invalid or cannot be evaluated; nothing has changed.
         """
-        robot = self.robot if robot is None else robot
-        found = self.evaluator(robot).evaluate(text, self._active(robot, frame))
+        robot = self.view.robot if robot is None else robot
+        found = self.view.evaluator(robot).evaluate(text, self.view.active_frame(robot, frame))
         if found.changed:
             self._changed()
         return found.value
 
     def edit_world(self, text: str) -> str:
-        """Changes the world, so that the run is another from here; gives what was done, in words.
+        """Change the world; return a description of the change.
 
         Args:
-            text: what to do, see `edits.EDITS`.
+            text: the change, see `edits.EDITS`.
 
         Raises:
-            DebugError: it means nothing, or cannot be done; then nothing has changed.
+            DebugError: it is invalid or impossible; nothing has changed.
         """
         done = edit(self.session.environment, text)
         self._changed()
         return done
 
     def _changed(self) -> None:
-        """Lets the run go on from here as another one."""
+        """Discard the recorded future after a change."""
         self.run.changed()
         self.branches.changed()
 
     # -- branches ------------------------------------------------------------------------------
 
     def checkpoint(self, name: str = "") -> Checkpoint:
-        """Makes a checkpoint here."""
-        return self.branches.keep(name, self.time_s)
+        """Save the current position as a checkpoint."""
+        return self.branches.keep(name, self.view.time_s)
 
     def restart(self, number: int) -> Stop:
-        """Goes to a checkpoint.
+        """Return to a checkpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         return self.goto(self.branches.checkpoint(number).position)
 
     def branch(self, name: str) -> Branch:
-        """Goes on in a new branch that begins here; the one that was left stays as it is.
+        """Create a branch here and switch to it; the other one stays as it is.
 
         Raises:
-            DebugError: there is one of that name.
+            DebugError: a branch of that name exists.
         """
         return self.branches.add(name)
 
     def switch(self, name: str) -> Stop:
-        """Goes to where the user was in another branch.
+        """Switch to another branch, where the user left it.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.branches.switch(name)
-        return self._arrive(self._traveller.stop("goto"))
+        return self._arrive(self.navigator.stop("goto"))
 
     def compare(self, name: str) -> list[Difference]:
-        """Compares this branch with another one, at the start of this timestep in both.
+        """Compare this branch with another one at the start of the current timestep.
 
-        The other one runs on if it has not come so far.
+        The other one is run that far if necessary.
 
         Raises:
-            DebugError: there is no such one, or it ends before.
+            DebugError: it does not exist, or ends before.
         """
         own, here = self.branches.current.name, self.position
-        looked_at = self.robot, self.frame, self.stop
+        looked_at = self.view.robot, self.view.frame, self.stop
         self.goto_timestep(here.timestep)
-        facts_here = facts(self)
+        facts_here = facts(self.view)
         try:
             self.branches.switch(name)
             there = self.position
-            self._to_timestep(here.timestep)  # showing nothing: it is taken back again
-            reached, facts_there = self.position.timestep, facts(self)
+            self._to_timestep(here.timestep)  # without output: it is undone
+            reached, facts_there = self.position.timestep, facts(self.view)
             self.run.seek(there)
         finally:
             self.branches.switch(own)
             self.run.seek(here)
-            self.robot, self.frame, self.stop = looked_at
+            self.view.robot, self.view.frame, self.stop = looked_at
         if reached != here.timestep:
             raise DebugError(f"branch '{name}' has ended, or was interrupted, before this timestep")
         return differences(facts_here, facts_there)

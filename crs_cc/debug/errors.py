@@ -1,7 +1,7 @@
-"""What a user of the debugger can do wrong."""
+"""The error of the debugger."""
 
 from __future__ import annotations
 
 
 class DebugError(Exception):
-    """A wish that cannot be fulfilled; the text says why, in one line."""
+    """An invalid request; the text is a one-line message for the user."""

@@ -1,6 +1,6 @@
-"""Where a program can stop, in the words of a user: a line, a function, a call of the robot.
+"""Breakpoint locations as users write them: a line, a function, a call of the robot.
 
-A line without code stands for the next one that has some. A line or a function stops before its
+A line without code means the next one with code. A line or a function stops before its
 first statement; a function of the robot (`ws`, `get_sn`) when its request is posted; another one of
 the library before each statement that calls it.
 """
@@ -16,12 +16,13 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.calls import calling
+from crs_cc.debug.call_statements import calling
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES
 from crs_cc.robot_api import GROUPS
 from crs_cc.robot_api.device import DEVICE_GROUPS
+from crs_cc.session.device_library import registered_functions
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
@@ -31,7 +32,7 @@ _PLACE: Final = re.compile(r"(?:(?P<file>.+):)?(?:(?P<line>[0-9]{1,9})|(?P<funct
 
 POSTS: Final = {
     function.name: frozenset(CODES[name] for name in function.posts)
-    for group in (*GROUPS, *DEVICE_GROUPS)
+    for group in (*GROUPS, *DEVICE_GROUPS, registered_functions())
     for function in group.functions
     if function.posts
 }
@@ -39,15 +40,15 @@ POSTS: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class BreakpointLocation:
     """Where programs stop.
 
     Attributes:
         statements: by robot, the numbers of the statements before which it stops.
-        codes: the requests that it stops behind, when it is a function of the robot.
-        location: the place in the source; None for a function of the library.
+        codes: the requests after which it stops, for a function of the robot.
+        location: the location in the source; None for a function of the library.
         function: the name of the function.
-        note: what the user should know: that it is not where he said.
+        note: a remark for the user: that the location was moved.
     """
 
     statements: Mapping[int, frozenset[int]]
@@ -57,23 +58,23 @@ class Place:
     note: str = ""
 
 
-def find_place(
+def find_location(
     text: str, programs: Sequence[DebugProgram], robots: Sequence[int], here: str
-) -> Place:
-    """Finds a place by what the user calls it.
+) -> BreakpointLocation:
+    """Resolve a location as the user writes it.
 
     Args:
         text: `12`, `wander.c:12`, `turn`, `wander.c:turn`, `ws`.
         programs: by robot, its program.
-        robots: whose programs are meant.
-        here: the file that a line without one is in.
+        robots: the robots whose programs it refers to.
+        here: the file of a line without one.
 
     Raises:
-        DebugError: there is no such place.
+        DebugError: there is no such location.
     """
     match = _PLACE.fullmatch(text.strip())
     if match is None:
-        raise DebugError(f"'{text}' is no place: say a line, FILE:LINE, or a function")
+        raise DebugError(f"'{text}' is not a location (expected LINE, FILE:LINE or FUNCTION)")
     file = match["file"]
     sites = {robot: _sites(programs[robot]) for robot in robots}
     if match["line"]:
@@ -88,7 +89,7 @@ def _sites(program: DebugProgram) -> Sequence[StatementSite]:
     return program.executable.detail().compiled.statements
 
 
-def _line(sites: _Sites, file: str, line: int) -> Place:
+def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     own = {
         robot: [
             (site.location.line, number)
@@ -100,10 +101,10 @@ def _line(sites: _Sites, file: str, line: int) -> Place:
     lines = {each for rows in own.values() for each, _ in rows}
     if not lines:
         files = sorted({site.location.file for rows in sites.values() for site in rows})
-        raise DebugError(unknown("file with code", file, files))
+        raise DebugError(unknown("file", file, files))
     later = [each for each in lines if each >= line]
     if line < 1 or not later:
-        raise DebugError(f"{file} has no code at line {line} or behind it")
+        raise DebugError(f"{file} has no code at or after line {line}")
     found = min(later)
     statements = {
         robot: _firsts(sites[robot], [number for each, number in rows if each == found])
@@ -111,12 +112,14 @@ def _line(sites: _Sites, file: str, line: int) -> Place:
     }
     robot, number = next((each, min(of)) for each, of in statements.items() if of)
     site = sites[robot][number]
-    note = "" if found == line else f"line {line} has no code; moved to line {found}"
-    return Place(statements, frozenset(), site.location, plain_name(site.function), note)
+    note = "" if found == line else f"no code at line {line}; moved to line {found}"
+    return BreakpointLocation(
+        statements, frozenset(), site.location, plain_name(site.function), note
+    )
 
 
 def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset[int]:
-    """Gives the first statement of each function among some."""
+    """Return the first statement of each function among some."""
     first: dict[str, int] = {}
     for number in sorted(numbers, key=lambda each: sites[each].location):
         first.setdefault(sites[number].function, number)
@@ -125,7 +128,7 @@ def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset
 
 def _function(
     sites: _Sites, file: str | None, name: str, programs: Sequence[DebugProgram]
-) -> Place:
+) -> BreakpointLocation:
     statements, location = {}, None
     for robot, rows in sites.items():
         numbers = [
@@ -138,19 +141,19 @@ def _function(
         for number in statements[robot]:
             location = location or rows[number].location
     if location is not None:
-        return Place(statements, frozenset(), location, name)
+        return BreakpointLocation(statements, frozenset(), location, name)
     if name in POSTS and file is None:
-        return Place({}, POSTS[name], None, name)
+        return BreakpointLocation({}, POSTS[name], None, name)
     calls = {robot: calling(programs[robot], name) for robot in sites}
     if file is None and any(calls.values()):
-        return Place(
+        return BreakpointLocation(
             calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
         )
     names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})
-    raise DebugError(unknown("function with code", name, names))
+    raise DebugError(unknown("function", name, names))
 
 
 def is_file(file: str, wanted: str) -> bool:
-    """Tells whether a user means a file: by its whole path, or the end of it."""
+    """Return whether a name refers to a file: its whole path, or the end of it."""
     parts, own = PurePath(displayed(wanted)).parts, PurePath(displayed(file)).parts
     return bool(parts) and own[-len(parts) :] == parts

@@ -1,8 +1,8 @@
-"""Moving a run forward and backward to where there is a reason to stop.
+"""Navigation of a run, forward and backward, to the next stop.
 
-Forward means to look at one instant after the other. Backward means the same, from an earlier
-snapshot: the last reason before where the run was is the one, and the run is taken there. So both
-directions stop at the same instants.
+Forward, events are examined one after the other. Backward, the same is done from an earlier
+snapshot, and the last reason to stop before the current position is the one. So both directions
+stop at the same positions.
 """
 
 from __future__ import annotations
@@ -12,49 +12,54 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.breakpoints import Breakpoints, Hit
-from crs_cc.debug.step_conditions import Aim, BackAim, Calls, Spot
+from crs_cc.debug.breakpoints import BreakpointHit, Breakpoints
+from crs_cc.debug.step_conditions import (
+    ActiveCalls,
+    ProgramPoint,
+    ReverseStepCondition,
+    StepCondition,
+)
 from crs_cc.debug.stop import Reason, Stop
-from crs_cc.debug.timeline.instant import Instant, Marks
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.run import InterruptedRunError, Run
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
+from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
 from crs_cc.ir.names import in_library
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.inspect import StackFrame
 
-Accept = Callable[[Hit, bool], tuple[bool, str]]
+Accept = Callable[[BreakpointHit, bool], tuple[bool, str]]
 """Tells whether a breakpoint that was met stops the run, and what there is to say more.
 
 It is told whether the run goes forward under the user's eyes: then hits are counted.
 """
 
-Tell = Callable[[Hit], str]
+Tell = Callable[[BreakpointHit], str]
 """Says what happened to what is watched."""
 
-_MOST_TOLD: Final = 5
+_MAX_TOLD: Final = 5
 _FIRST_WINDOW: Final = 64
 _WIDER: Final = 16
 
 
 @dataclass(frozen=True, slots=True)
-class _Found:
-    """A reason to stop that lies before.
+class _StopCandidate:
+    """A reason to stop in the past.
 
     Attributes:
-        stop: what it was.
-        target: where to go: of an access, to before it, which may be before the whole round.
-        function: the function that it is about, as `Stop` has it.
+        stop: its stop.
+        target: the position to move to: for an access, before it, maybe before the whole round.
+        function: the function that it is about, see `Stop`.
     """
 
     stop: Stop
     target: Position
     function: str = ""
 
-    def may_count_with(self, later: _Found) -> bool:
-        """Tells whether this may be passed on the way to what came later in the same round.
+    def may_count_with(self, later: _StopCandidate) -> bool:
+        """Return whether this may be passed on the way to a later candidate in the same round.
 
-        Of what a program met again and again the last time is enough: it may have been very often.
+        Of repeated hits of one program the last is enough: there may be very many.
         """
         mine, its = self.stop, later.stop
         if (mine.robot, mine.breakpoints) == (its.robot, its.breakpoints):
@@ -62,11 +67,13 @@ class _Found:
         return self.target >= Position(later.target.timestep, later.target.round)
 
 
-class Traveller:
+class Navigator:
     """Takes a run to where there is a reason to stop."""
 
-    def __init__(self, run: Run, breakpoints: Breakpoints, accept: Accept, tell: Tell) -> None:
-        """Takes the run, what stops it, what tests a breakpoint's condition, and what tells."""
+    def __init__(
+        self, run: RecordedRun, breakpoints: Breakpoints, accept: Accept, tell: Tell
+    ) -> None:
+        """Store the run, its breakpoints, and the callbacks that test and describe hits."""
         self._run = run
         self._breakpoints = breakpoints
         self._accept = accept
@@ -74,17 +81,17 @@ class Traveller:
 
     # -- forward -----------------------------------------------------------------------------
 
-    def forward(self, aim: Aim | None = None, until: Position | None = None) -> Stop:
-        """Goes forward to the first reason to stop.
+    def forward(self, aim: StepCondition | None = None, until: Position | None = None) -> Stop:
+        """Run forward to the first reason to stop.
 
         Args:
-            aim: what stepping wants.
-            until: the start of a timestep that is a reason, too.
+            aim: the condition of a step command; None to continue.
+            until: the start of a timestep to stop at.
         """
         run = self._run
         run.arm(self._marks(aim))
         try:
-            while run.goes_on:
+            while run.can_advance:
                 stop = self._reason(run.advance(), aim)
                 if stop is None and until is not None and run.position >= until:
                     stop = self.stop("tick")
@@ -95,17 +102,19 @@ class Traveller:
         return self.stop("end")
 
     def stop(self, reason: Reason, robot: int = -1, text: str = "") -> Stop:
-        """Gives the stop that this instant is."""
+        """Return a stop at the current position."""
         session = self._run.session
         robot = robot if robot >= 0 or session.halted is None else session.halted
         time_s = self._run.time_s(robot)
         return Stop(reason, self._run.position, time_s, robot, (), text)
 
-    def _marks(self, aim: Aim | None) -> Marks:
+    def _marks(self, aim: StepCondition | None) -> StopRequest:
         robots = range(len(self._run.programs))
         statements = {robot: self._breakpoints.statements(robot) for robot in robots}
         watched = {robot: self._breakpoints.watched(robot) for robot in robots}
-        marks = Marks(statements, watched={key: some for key, some in watched.items() if some})
+        marks = StopRequest(
+            statements, watched={key: some for key, some in watched.items() if some}
+        )
         if aim is None:
             return marks
         if aim.calls is None:
@@ -114,29 +123,32 @@ class Traveller:
         return marks
 
     def inside(self, robot: int, functions: frozenset[str]) -> Iterator[int]:
-        """Gives the numbers of the statements in some functions."""
+        """Return the numbers of the statements in some functions."""
         sites = self._run.programs[robot].executable.detail().compiled.statements
         return (number for number, site in enumerate(sites) if site.function in functions)
 
-    def _reason(self, instant: Instant, aim: Aim | None) -> Stop | None:
-        """Gives why to stop at an instant, if there is a reason."""
-        hits = [*self._breakpoints.met(self._run, instant), *self._breakpoints.touched(instant)]
-        stop = _both(self._failure(instant), self._hit(hits, counts=True))
+    def _reason(self, event: RunEvent, aim: StepCondition | None) -> Stop | None:
+        """Return the reason to stop at an event; None if there is none."""
+        hits = [
+            *self._breakpoints.breakpoint_hits(self._run, event),
+            *self._breakpoints.watchpoint_hits(event),
+        ]
+        stop = _both(self._failure(event), self._hit(hits, counts=True))
         if stop is not None:
             return stop
-        if instant.kind == "statement" and aim is not None:
-            spot = self.spot(aim.robot)
-            if spot is not None and aim.reached(spot):
+        if event.kind == "statement" and aim is not None:
+            program_point = self.program_point(aim.robot)
+            if program_point is not None and aim.reached(program_point):
                 return self.stop("step", aim.robot)
-        if instant.over:
+        if event.over:
             return self.stop("end")
-        if aim is not None and aim.robot in instant.ended and self._run.session.running:
+        if aim is not None and aim.robot in event.ended and self._run.session.running:
             return self.stop("exit", aim.robot)
         return None
 
-    def _failure(self, instant: Instant) -> Stop | None:
+    def _failure(self, event: RunEvent) -> Stop | None:
         run = self._run
-        failed = [robot for robot in instant.ended if run.has_failed(robot)]
+        failed = [robot for robot in event.ended if run.has_failed(robot)]
         if not failed:
             return None
         texts = [run.session.fleet.report(robot).text for robot in failed]
@@ -145,15 +157,15 @@ class Traveller:
             texts = [f"{run.name(robot)}: {text}" for robot, text in pairs]
         return self.stop("error", failed[0], "; ".join(texts))
 
-    def _hit(self, met: list[Hit], *, counts: bool) -> Stop | None:
-        """Gives the stop for those of some breakpoints that count, if any does."""
-        hits: list[Hit] = []
+    def _hit(self, met: list[BreakpointHit], *, counts: bool) -> Stop | None:
+        """Return the stop for the accepted ones of some hits; None if there are none."""
+        hits: list[BreakpointHit] = []
         texts: list[str] = []
         for hit in met:
             stops, text = self._accept(hit, counts)
             if stops:
                 hits.append(hit)
-                told = self._tell(hit) if hit.touch else hit.text
+                told = self._tell(hit) if hit.watch_hit else hit.text
                 texts.extend(each for each in (told, text) if each)
         if not hits:
             return None
@@ -162,8 +174,8 @@ class Traveller:
         numbers = dict.fromkeys(each.breakpoint.number for each in hits)
         return replace(stop, breakpoints=tuple(numbers))
 
-    def spot(self, robot: int) -> Spot | None:
-        """Gives where a program stands that has stopped before a statement."""
+    def program_point(self, robot: int) -> ProgramPoint | None:
+        """Return the point of a program that has stopped before a statement, else None."""
         run = self._run
         site = run.site(robot)
         if site is None:
@@ -172,25 +184,25 @@ class Traveller:
         assert frame is not None
         number = int(run.session.fleet.slots["stopped"][robot]) - 1
         place = (frame.function, frame.fp, frame.entered, number, site.location)
-        return Spot(*place, run.begun(robot))
+        return ProgramPoint(*place, run.statements_begun(robot))
 
-    def calls(self, robot: int, callee: StackFrame | None = None) -> Calls:
-        """Gives a program's active calls of the user's functions.
+    def calls(self, robot: int, callee: StackFrame | None = None) -> ActiveCalls:
+        """Return a program's active calls of the user's functions.
 
         Args:
-            robot: whose program.
-            callee: leaves this one out, and those inside of it.
+            robot: the robot that runs the program.
+            callee: a frame to exclude, with those inside it.
         """
         stack = self._run.stopped(robot).stack
         lowest_fp = -1 if callee is None else callee.fp
-        return Calls.of(
+        return ActiveCalls.of(
             each for each in stack if each.fp > lowest_fp and not in_library(each.location)
         )
 
     # -- backward ----------------------------------------------------------------------------
 
     def backward(self) -> Stop:
-        """Goes back to the last breakpoint met before, or to the beginning."""
+        """Run backward to the previous reason to stop, or to the start."""
         run, start = self._run, self._run.position
         limit = start
         if not any(each.enabled for each in self._breakpoints) and not run.any_failed():
@@ -208,44 +220,44 @@ class Traveller:
         run.seek(BEGINNING)
         return self.stop("beginning")
 
-    def _last(self, begin: Position, limit: Position, start: Position) -> _Found | None:
-        """Gives the last reason to stop behind one instant, up to another, but before `start`.
+    def _last(self, begin: Position, limit: Position, start: Position) -> _StopCandidate | None:
+        """Return the last reason to stop between two positions, but before `start`.
 
-        On the way to it others may be passed, of robots that ran before it in the same round: they
-        are told with it.
+        Others may be passed on the way to it, of robots that ran before it in the same round: they
+        are reported with it.
         """
-        run, found = self._run, list[_Found]()
+        run, found = self._run, list[_StopCandidate]()
         run.arm(replace(self._marks(None), at_once=True))
-        for instant in run.again(begin, limit, needs_world=self._breakpoints.need_world()):
-            for each in (self._met(instant), *self._touched(instant)):
+        for event in run.replay(begin, limit, needs_world=self._breakpoints.need_world()):
+            for each in (self._met(event), *self._touched(event)):
                 if each is not None and each.target < start:
                     found = [*(one for one in found if one.may_count_with(each)), each]
         return _together(found) if found else None
 
-    def _met(self, instant: Instant) -> _Found | None:
-        hit = self._hit(self._breakpoints.met(self._run, instant), counts=False)
-        stop = _both(self._failure(instant), hit)
-        return None if stop is None else _Found(stop, stop.position)
+    def _met(self, event: RunEvent) -> _StopCandidate | None:
+        hit = self._hit(self._breakpoints.breakpoint_hits(self._run, event), counts=False)
+        stop = _both(self._failure(event), hit)
+        return None if stop is None else _StopCandidate(stop, stop.position)
 
-    def _touched(self, instant: Instant) -> Iterator[_Found]:
-        """Gives what programs did to what is watched."""
-        hits = self._breakpoints.touched(instant)
-        for before in sorted({each.touch.before for each in hits if each.touch}):
-            own = [each for each in hits if each.touch and each.touch.before == before]
+    def _touched(self, event: RunEvent) -> Iterator[_StopCandidate]:
+        """Return the candidates of watchpoints."""
+        hits = self._breakpoints.watchpoint_hits(event)
+        for before in sorted({each.watch_hit.before for each in hits if each.watch_hit}):
+            own = [each for each in hits if each.watch_hit and each.watch_hit.before == before]
             stop = self._hit(own, counts=False)
-            touch = own[0].touch
+            touch = own[0].watch_hit
             if stop is not None and touch is not None:
-                yield _Found(stop, before, touch.access.function)
+                yield _StopCandidate(stop, before, touch.access.function)
 
-    def _to(self, found: _Found) -> Stop:
-        """Goes to where there was a reason to stop."""
+    def _to(self, found: _StopCandidate) -> Stop:
+        """Move to a candidate and return its stop."""
         run = self._run
         run.seek(found.target)
         here = replace(found.stop, position=run.position, time_s=run.time_s(found.stop.robot))
         return replace(here, function=found.function)
 
-    def backward_to(self, aim: BackAim) -> Stop:
-        """Goes back to a statement of one program that came before."""
+    def backward_to(self, aim: ReverseStepCondition) -> Stop:
+        """Step backward in one program until a condition is met."""
         run, start = self._run, self._run.position
         try:
             found = self._find_back(aim)
@@ -258,24 +270,26 @@ class Traveller:
         run.seek(BEGINNING)
         return self.stop("beginning")
 
-    def _find_back(self, aim: BackAim) -> Spot | None:
-        best: Spot | None = None
+    def _find_back(self, aim: ReverseStepCondition) -> ProgramPoint | None:
+        best: ProgramPoint | None = None
         functions = None if aim.calls is None else aim.calls.functions
-        for spot in self.spots_back(aim.robot, functions):
-            if not aim.belongs(spot):
+        for program_point in self.program_points_back(aim.robot, functions):
+            if not aim.belongs(program_point):
                 continue
-            if not aim.goes_on(spot):
+            if not aim.can_advance(program_point):
                 return best
-            best = spot
+            best = program_point
         return best
 
-    def spots_back(self, robot: int, functions: frozenset[str] | None) -> Iterator[Spot]:
-        """Gives the statements of a program that began before now, the last one first.
+    def program_points_back(
+        self, robot: int, functions: frozenset[str] | None
+    ) -> Iterator[ProgramPoint]:
+        """Return the statements of a program before the current position, the last one first.
 
-        The run is somewhere else behind each of them.
+        The run has moved after each of them.
         """
         run = self._run
-        end, width = run.begun(robot), _FIRST_WINDOW
+        end, width = run.statements_begun(robot), _FIRST_WINDOW
         limit = run.position
         while end > 0:
             first = max(0, end - width)
@@ -285,24 +299,24 @@ class Traveller:
 
     def _window(
         self, robot: int, first: int, end: int, functions: frozenset[str] | None, limit: Position
-    ) -> list[Spot]:
-        """Gives those statements of a program that began as numbers `first` to `end` - 1."""
+    ) -> list[ProgramPoint]:
+        """Return the statements of a program with the numbers `first` to `end` - 1."""
         run, spots = self._run, []
         since = {robot: first}
         if functions is None:
-            run.arm(Marks(all=frozenset({robot}), since=since))
+            run.arm(StopRequest(all=frozenset({robot}), since=since))
         else:
-            run.arm(Marks({robot: self.inside(robot, functions)}, since=since))
-        for instant in run.again(self._snapshot(robot, first, limit), limit):
-            if run.begun(robot) >= end:
+            run.arm(StopRequest({robot: self.inside(robot, functions)}, since=since))
+        for event in run.replay(self._snapshot(robot, first, limit), limit):
+            if run.statements_begun(robot) >= end:
                 break
-            spot = self.spot(robot) if instant.kind == "statement" else None
-            if spot is not None:
-                spots.append(spot)
+            program_point = self.program_point(robot) if event.kind == "statement" else None
+            if program_point is not None:
+                spots.append(program_point)
         return spots
 
     def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
-        """Gives the latest snapshot before which no more than so many statements had begun."""
+        """Return the latest snapshot with at most so many statements started."""
         run = self._run
         places = run.history.places(before) or [BEGINNING]
 
@@ -312,43 +326,43 @@ class Traveller:
         return places[max(0, bisect_right(places, statements, key=begun) - 1)]
 
     def to_timestep(self, timestep: int) -> Stop:
-        """Goes forward to the start of a timestep, if the run gets so far."""
+        """Run forward to the start of a timestep, or to the end of the run."""
         run = self._run
-        run.arm(Marks())
+        run.arm(StopRequest())
         try:
-            while run.position.timestep < timestep and run.goes_on:
+            while run.position.timestep < timestep and run.can_advance:
                 run.advance()
         except InterruptedRunError:
             return self.stop("interrupt")
         return self.stop("goto" if run.position.timestep == timestep else "end")
 
     def to_statement(self, robot: int, statements: int) -> bool:
-        """Goes to before a statement of a program, by how many have begun before it.
+        """Go to before a statement of a program, by the number of statements started before.
 
-        Gives False when the program ends before.
+        Return False if the program ends before.
 
         Raises:
-            InterruptedRunError: the user wants it; the run is somewhere on the way.
+            InterruptedRunError: the user interrupts; the run is somewhere on the way.
         """
         run = self._run
 
         def is_there() -> bool:
-            return run.session.halted == robot and run.begun(robot) == statements
+            return run.session.halted == robot and run.statements_begun(robot) == statements
 
-        if run.is_astray or (run.begun(robot) >= statements and not is_there()):
+        if run.is_off_timeline or (run.statements_begun(robot) >= statements and not is_there()):
             run.history.visit(run.position)
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         if is_there():  # the user has changed something there, so there is a snapshot
             return True
-        run.arm(Marks(all=frozenset({robot}), since={robot: statements}))
-        while run.goes_on and not run.is_over(robot):
-            if run.advance().kind == "statement" and run.begun(robot) == statements:
+        run.arm(StopRequest(all=frozenset({robot}), since={robot: statements}))
+        while run.can_advance and not run.is_over(robot):
+            if run.advance().kind == "statement" and run.statements_begun(robot) == statements:
                 return True
         return False
 
 
-def _together(found: list[_Found]) -> _Found:
-    """Gives the last reason to stop, with those that are passed on the way to it."""
+def _together(found: list[_StopCandidate]) -> _StopCandidate:
+    """Merge the last reason to stop with those that are passed on the way to it."""
     stops = [each.stop for each in found if each.target >= found[-1].target]
     numbers = dict.fromkeys(number for each in stops for number in each.breakpoints)
     text = "; ".join(each.text for each in stops if each.text)
@@ -356,13 +370,13 @@ def _together(found: list[_Found]) -> _Found:
 
 
 def _joined(texts: list[str]) -> str:
-    """Gives what happened at the same time in one line, and of much only the first."""
-    more = [f"and {len(texts) - _MOST_TOLD} more"] if len(texts) > _MOST_TOLD else []
-    return "; ".join(texts[:_MOST_TOLD] + more)
+    """Join simultaneous events into one line, of many only the first."""
+    more = [f"and {len(texts) - _MAX_TOLD} more"] if len(texts) > _MAX_TOLD else []
+    return "; ".join(texts[:_MAX_TOLD] + more)
 
 
 def _both(failure: Stop | None, hit: Stop | None) -> Stop | None:
-    """Gives one stop for an error and for the breakpoints that were met at the same time."""
+    """Merge the stop of an error with that of breakpoints hit at the same time."""
     if failure is None or hit is None:
         return failure or hit
     text = "; ".join(each for each in (failure.text, hit.text) if each)

@@ -1,4 +1,4 @@
-"""What the debugger needs of a program: how it runs, and what its source says."""
+"""A program as the debugger needs it: its debug build and its source."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class DebugProgram:
     Attributes:
         executable: its debug build.
         paths: its C files.
-        options: what they were compiled with, so that expressions mean the same.
+        options: the options that they were compiled with, for expressions.
     """
 
     executable: Executable

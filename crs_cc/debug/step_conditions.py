@@ -1,7 +1,7 @@
-"""Where stepping ends: what `step`, `next`, `finish` and `until` wait for.
+"""Where stepping ends: the conditions of `step`, `next`, `finish` and `until`.
 
 A program steps from line to line. Statements that follow each other in one line of one call belong
-together, until one of them comes again: then the line begins anew.
+together until one of them is repeated: then the line starts again.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
-    """Where a program stands that has stopped before a statement.
+class ProgramPoint:
+    """A statement before which a program has stopped, and its activation.
 
     Attributes:
         function: the innermost active function.
         fp: the address of its frame; those of its callers are higher.
-        entered: how many statements had begun when it was called; so it is told from other calls
-            that have their frame at the same place.
+        entered: how many statements had started when it was called, which distinguishes calls
+            whose frames have the same address.
         site: the number of the statement.
-        location: the place of the statement.
-        statements: how many statements have begun.
+        location: the location of the statement.
+        statements: how many statements have started.
     """
 
     function: str
@@ -37,76 +37,79 @@ class Spot:
     location: Location
     statements: int
 
-    def shares_line(self, other: Spot) -> bool:
-        """Tells whether both are in the same line of the same call."""
+    def shares_line(self, other: ProgramPoint) -> bool:
+        """Return whether both are in the same line of the same call."""
         mine, theirs = self.location, other.location
         here = (self.fp, self.entered, mine.file, mine.line)
         return here == (other.fp, other.entered, theirs.file, theirs.line)
 
 
 @dataclass(frozen=True, slots=True)
-class Calls:
+class ActiveCalls:
     """Some active calls of a program's functions.
 
     Attributes:
         functions: the functions.
-        frames: the addresses of the frames, and how many statements had begun when it was called;
-            -1 where that is not known, as in a function that has failed.
+        frames: the addresses of the frames, and how many statements had started at the call;
+            -1 if that is unknown, as in a function that has failed.
     """
 
     functions: frozenset[str]
     frames: frozenset[tuple[int, int]]
 
     @classmethod
-    def of(cls, stack: Iterable[StackFrame]) -> Calls:
-        """Gives those of some frames."""
+    def of(cls, stack: Iterable[StackFrame]) -> ActiveCalls:
+        """Return the calls of some frames."""
         rows = [(each.function, (each.fp, each.entered)) for each in stack]
         return cls(frozenset(name for name, _ in rows), frozenset(frame for _, frame in rows))
 
-    def include(self, spot: Spot) -> bool:
-        """Tells whether a statement belongs to one of them."""
-        return (spot.fp, spot.entered) in self.frames or (spot.fp, -1) in self.frames
+    def include(self, program_point: ProgramPoint) -> bool:
+        """Return whether a statement belongs to one of them."""
+        return (program_point.fp, program_point.entered) in self.frames or (
+            program_point.fp,
+            -1,
+        ) in self.frames
 
 
-class Aim(Protocol):
-    """What one robot's program is to come to.
+class StepCondition(Protocol):
+    """The condition that ends a step of one robot's program.
 
     Attributes:
         robot: the robot.
-        calls: the calls of functions in which it may be; None for all.
+        calls: the calls in which it may be met; None for all.
     """
 
     robot: int
-    calls: Calls | None
+    calls: ActiveCalls | None
 
-    def reached(self, spot: Spot) -> bool:
-        """Tells of one statement after the other whether it is what was wanted."""
+    def reached(self, program_point: ProgramPoint) -> bool:
+        """Return whether a step ends at a statement; called for each in turn."""
 
 
 @dataclass(slots=True)
-class ToStatement:
+class StepToStatement:
     """The next statement, whatever its line."""
 
     robot: int
-    calls: Calls | None = None
+    calls: ActiveCalls | None = None
 
-    def reached(self, spot: Spot) -> bool:
-        """Tells that it is."""
-        return spot is not None
+    def reached(self, program_point: ProgramPoint) -> bool:
+        """Report that it is."""
+        return program_point is not None
 
 
 @dataclass(slots=True)
-class ToLine:
+class StepToLine:
     """The next line: of any call for `step`; for `next` of this call, or of a caller.
 
     Attributes:
-        start: where the program stood; None when it was not before a statement of the user's.
-        onward: within the call, only what stands further down in the source counts.
+        start: the start of the step; None if it was not before a statement of the user's.
+        onward: whether only lines further down count within the call.
     """
 
     robot: int
-    start: Spot | None
-    calls: Calls | None = None
+    start: ProgramPoint | None
+    calls: ActiveCalls | None = None
     onward: bool = False
     _seen: set[int] = field(default_factory=set)
 
@@ -114,58 +117,63 @@ class ToLine:
         if self.start is not None:
             self._seen.add(self.start.site)
 
-    def reached(self, spot: Spot) -> bool:
-        """Tells whether a new line begins."""
+    def reached(self, program_point: ProgramPoint) -> bool:
+        """Return whether a new line starts."""
         start = self.start
-        if self.calls is not None and not self.calls.include(spot):
+        if self.calls is not None and not self.calls.include(program_point):
             return False
         if start is None:
             return True
-        if self.onward and (spot.fp, spot.entered) == (start.fp, start.entered):
-            return spot.location.line > start.location.line
-        if start.shares_line(spot) and spot.site not in self._seen:
-            self._seen.add(spot.site)
+        if self.onward and (program_point.fp, program_point.entered) == (start.fp, start.entered):
+            return program_point.location.line > start.location.line
+        if start.shares_line(program_point) and program_point.site not in self._seen:
+            self._seen.add(program_point.site)
             return False
         return True
 
 
 @dataclass(slots=True)
-class ToCaller:
+class StepToCaller:
     """The next statement of a caller."""
 
     robot: int
-    calls: Calls | None
+    calls: ActiveCalls | None
 
-    def reached(self, spot: Spot) -> bool:
-        """Tells whether the call has ended."""
-        return self.calls is None or self.calls.include(spot)
+    def reached(self, program_point: ProgramPoint) -> bool:
+        """Return whether the call has ended."""
+        return self.calls is None or self.calls.include(program_point)
 
 
-class BackAim:
-    """What one robot's program is to go back to: the first of some statements in a row.
+class ReverseStepCondition:
+    """The target of a backward step of one robot's program: the first of consecutive statements.
 
     Attributes:
         robot: the robot.
-        calls: the calls of functions in which they may be; None for all.
+        calls: the calls in which they may be; None for all.
     """
 
-    def __init__(self, robot: int, calls: Calls | None = None, *, whole_line: bool = True) -> None:
-        """Takes whose program it is, the calls that count, and whether lines count."""
+    def __init__(
+        self, robot: int, calls: ActiveCalls | None = None, *, whole_line: bool = True
+    ) -> None:
+        """Store the robot, the calls that count, and whether to step by lines."""
         self.robot = robot
         self.calls = calls
         self._whole_line = whole_line
-        self._last: Spot | None = None
+        self._last: ProgramPoint | None = None
         self._seen: set[int] = set()
 
-    def belongs(self, spot: Spot) -> bool:
-        """Tells whether a statement counts."""
-        return self.calls is None or self.calls.include(spot)
+    def belongs(self, program_point: ProgramPoint) -> bool:
+        """Return whether a statement counts."""
+        return self.calls is None or self.calls.include(program_point)
 
-    def goes_on(self, spot: Spot) -> bool:
-        """Tells whether a statement belongs to those that are wanted, from the last one back."""
+    def can_advance(self, program_point: ProgramPoint) -> bool:
+        """Return whether a statement belongs to the target, from the last one backward."""
         if self._last is None:
-            self._last = spot
-        elif not (self._whole_line and self._last.shares_line(spot)) or spot.site in self._seen:
+            self._last = program_point
+        elif (
+            not (self._whole_line and self._last.shares_line(program_point))
+            or program_point.site in self._seen
+        ):
             return False
-        self._seen.add(spot.site)
+        self._seen.add(program_point.site)
         return True

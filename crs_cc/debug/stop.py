@@ -1,4 +1,4 @@
-"""Why a run has stopped."""
+"""Stops of a run, and their reasons."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ Reason = Literal[
 """`exit` is the end of one program, `end` that of the last one; `beginning` is met backward."""
 
 WORDS: Final[dict[Reason, str]] = {
-    "start": "the run is at its beginning",
-    "beginning": "the run is at its beginning: nothing was before",
+    "start": "the run is at its start",
+    "beginning": "the run is at its start: no earlier history",
     "interrupt": "interrupted",
-    "tick": "a timestep has ended",
+    "tick": "end of timestep",
     "exit": "the program has ended",
     "end": "all programs have ended",
 }
@@ -26,16 +26,16 @@ WORDS: Final[dict[Reason, str]] = {
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """A run that has stopped.
+    """A stop of a run.
 
     Attributes:
-        reason: why.
-        position: where in the run.
+        reason: the reason.
+        position: the position in the run.
         time_s: the clock of the program that stopped, or else of the world [s].
-        robot: whose program it is; -1 for none.
+        robot: the robot whose program it is; -1 for none.
         breakpoints: the numbers of the breakpoints, watchpoints and catchpoints that it hit.
-        text: what happened, in a sentence for people; empty where the reason says it all.
-        function: the active function that it is about, by the linker's name; empty for the
+        text: a description; empty if the reason says it all.
+        function: the function that it is about, by the linker's name; empty for the
             innermost.
     """
 
@@ -49,7 +49,7 @@ class Stop:
 
     @property
     def why(self) -> str:
-        """Why, in a line; nothing for a step that went as far as was asked."""
+        """The reason in a line; empty for a completed step."""
         if self.text:
             return self.text.partition("\n")[0]
         if self.breakpoints:

@@ -1,4 +1,4 @@
-"""What a run stops at: breakpoints, watchpoints and catchpoints, with their conditions."""
+"""Breakpoints, watchpoints and catchpoints of a run, with their conditions."""
 
 from __future__ import annotations
 
@@ -7,83 +7,81 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
+from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.locations import Place, find_place
-from crs_cc.debug.view import View
-from crs_cc.debug.watch import KINDS, MOST
-from crs_cc.debug.watch import Kind as Access
-from crs_cc.debug.watchpoints import same_activation, told, watchpoint
-from crs_cc.debug.world.events import checked_kind
+from crs_cc.debug.locations import BreakpointLocation, find_location
+from crs_cc.debug.watch import KINDS, MAX, AccessKind
+from crs_cc.debug.watchpoints import change_text, same_activation, watchpoint
+from crs_cc.debug.world.events import check_event_kind
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.run import Run
+    from crs_cc.debug.view import View
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
-class Points(View):
-    """A run with all that the user wants it to stop at.
+class StopPoints:
+    """The breakpoints, watchpoints and catchpoints of a run.
 
     Attributes:
         breakpoints: all breakpoints, watchpoints and catchpoints.
-        say: takes what log points say.
+        say: receives the messages of log points.
     """
 
-    def __init__(self, run: Run) -> None:
-        """Begins without any."""
-        super().__init__(run)
+    def __init__(self, view: View) -> None:
+        self._view = view
+        self._run = view.run
         self.breakpoints = Breakpoints()
         self.say: Callable[[str], None] = _unheard
 
     def add_breakpoint(self, place: str, **options: Any) -> Breakpoint:
-        """Adds a breakpoint.
+        """Add a breakpoint.
 
         Args:
-            place: see `places.find_place`.
+            place: see `locations.find_location`.
             options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
                 `robot`, `log`.
 
         Raises:
-            DebugError: there is no such place, or the condition is no expression there.
+            DebugError: there is no such location, or the condition is invalid there.
         """
         robot = options.get("robot")
-        here = self.current_file(robot)
-        robots = range(len(self.run.programs)) if robot is None else [robot]
-        found = find_place(place, self.run.programs, robots, here)
+        here = self._view.current_file(robot)
+        robots = range(len(self._run.programs)) if robot is None else [robot]
+        found = find_location(place, self._run.programs, robots, here)
         return self._add("breakpoint", place, found, options)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
-        """Adds a catchpoint for a kind of happenings, or for the `exit` of a program.
+        """Add a catchpoint for an event kind, or for the `exit` of a program.
 
         Raises:
             DebugError: there is no such kind.
         """
         if what == "error":
-            raise DebugError("nothing is needed for errors: they always stop the run")
-        kind = what if what == "exit" else checked_kind(what)
+            raise DebugError("runtime errors always stop; no catchpoint is needed")
+        kind = what if what == "exit" else check_event_kind(what)
         return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
-        self, expression: str, kind: Access = "change", **options: Any
+        self, expression: str, kind: AccessKind = "change", **options: Any
     ) -> Breakpoint:
-        """Adds a watchpoint for an object in the memory of a robot.
+        """Add a watchpoint for an object in the memory of a robot.
 
-        Forward, the run stops before the next statement behind an access; backward, before the
+        Forward, the run stops before the next statement after an access; backward, before the
         statement that made it.
 
         Args:
-            expression: what names the object, looked at from where the user is.
+            expression: the object, in the scope of the selected frame.
             kind: which accesses count: `write`, `read`, both (`access`), or those that `change` it.
             options: further attributes of the `Breakpoint`.
 
         Raises:
-            DebugError: it names no object, or there are too many to be watched.
+            DebugError: it names no object, or too many are watched.
         """
-        robot = self.robot if options.get("robot") is None else options["robot"]
+        robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
-            raise DebugError(unknown("kind of access", kind, list(KINDS)))
-        active, evaluator = self._active(robot, None), self.evaluator(robot)
+            raise DebugError(unknown("access kind", kind, list(KINDS)))
+        active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
         if active is not None and options.get("condition"):
             evaluator.check(options["condition"], active.function, active.location)
         made = watchpoint(self.breakpoints.next_number, expression, kind, evaluator, active)
@@ -95,33 +93,37 @@ class Points(View):
         )
 
     def _make_room(self, robot: int) -> None:
-        """Finds out whether one more object can be watched."""
-        if len(self.breakpoints.watched(robot)) >= MOST:
-            name = self.names[robot]
+        """Check that one more object can be watched."""
+        if len(self.breakpoints.watched(robot)) >= MAX:
+            name = self._view.names[robot]
             raise DebugError(
-                f"no more than {MOST} objects of {name} can be watched at once: delete a"
+                f"at most {MAX} objects of {name} can be watched at once: delete a"
                 " watchpoint, or watch a whole struct or array"
             )
 
     def _add(
-        self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
+        self,
+        kind: BreakpointKind,
+        text: str,
+        place: BreakpointLocation | None,
+        options: Mapping[str, Any],
     ) -> Breakpoint:
         self._check(place, options.get("condition", ""))
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
-        """Takes a breakpoint away.
+        """Remove a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.breakpoints.remove(number)
 
     def enable(self, number: int, *, on: bool = True) -> None:
-        """Lets a breakpoint count, or not.
+        """Enable or disable a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         own = self.breakpoints.get(number)
         if on and own.watch and not own.enabled and own.robot is not None:
@@ -129,44 +131,44 @@ class Points(View):
         own.enabled = on
 
     def ignore(self, number: int, count: int) -> None:
-        """Passes over the next hits of a breakpoint.
+        """Ignore the next hits of a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.breakpoints.get(number).ignore = max(0, count)
 
     def set_condition(self, number: int, condition: str) -> None:
-        """Lets a breakpoint stop only where a condition is true; an empty one always is.
+        """Set the condition of a breakpoint; an empty one removes it.
 
         Raises:
-            DebugError: there is no such one, or the condition is no expression there.
+            DebugError: there is no such breakpoint, or the condition is invalid there.
         """
         own = self.breakpoints.get(number)
         self._check(own.place, condition)
         own.condition = condition
 
-    def _check(self, place: Place | None, condition: str) -> None:
-        """Finds out whether a condition will mean something where it is asked for."""
+    def _check(self, place: BreakpointLocation | None, condition: str) -> None:
+        """Check that a condition is valid where it will be evaluated."""
         if not condition or place is None:
             return
         for robot, numbers in place.statements.items():
-            sites = self.run.programs[robot].executable.detail().compiled.statements
+            sites = self._run.programs[robot].executable.detail().compiled.statements
             for number in numbers:
                 site = sites[number]
-                self.evaluator(robot).check(condition, site.function, site.location)
+                self._view.evaluator(robot).check(condition, site.function, site.location)
 
-    def accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
-        """Tells whether a breakpoint that was met stops the run, and what to say then."""
+    def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
+        """Return whether a hit stops the run, and a remark."""
         own = hit.breakpoint
-        if hit.touch and hit.touch.access.what == "return":
+        if hit.watch_hit and hit.watch_hit.access.what == "return":
             return True, ""
         if own.condition:
             try:
                 if not self._holds(own, self._whose(hit)):
                     return False, ""
             except DebugError as error:
-                return True, f"the condition of breakpoint {own.number} has no value: {error}"
+                return True, f"error in the condition of breakpoint {own.number}: {error}"
         if counts:
             own.hits += 1
             if own.ignore:
@@ -176,33 +178,35 @@ class Points(View):
                 self.say(self._logged(own.log, self._whose(hit)))
         return not own.log, ""
 
-    def _whose(self, hit: Hit) -> int:
-        """Gives the robot in whose program a breakpoint's expressions are evaluated."""
+    def _whose(self, hit: BreakpointHit) -> int:
+        """Return the robot in whose program a breakpoint's expressions are evaluated."""
         if hit.robot >= 0:
             return hit.robot
-        own = hit.breakpoint.robot  # what was met is of no robot
-        return self.robot if own is None else own
+        own = hit.breakpoint.robot  # the event belongs to no robot
+        return self._view.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
-        """Tells whether a condition is true: that of a variable's watchpoint in its function."""
+        """Return whether a condition is true; for a local variable's watchpoint, in its frame."""
         frame = own.watch.watched.frame if own.watch else None
-        stack = self.run.stopped(robot).stack if frame else ()
+        stack = self._run.stopped(robot).stack if frame else ()
         same = next((each for each in stack if frame and same_activation(each, frame)), None)
-        return self.evaluator(robot).holds(own.condition, same)
+        return self._view.evaluator(robot).holds(own.condition, same)
 
-    def told_of(self, hit: Hit) -> str:
-        """Says what happened to what is watched."""
-        assert hit.touch is not None
+    def describe_hit(self, hit: BreakpointHit) -> str:
+        """Return a description of an access."""
+        assert hit.watch_hit is not None
         assert hit.breakpoint.watch is not None
-        return told(hit.breakpoint.watch, hit.touch.access, self.evaluator(hit.robot).sight())
+        return change_text(
+            hit.breakpoint.watch, hit.watch_hit.access, self._view.evaluator(hit.robot).inspector()
+        )
 
     def _logged(self, text: str, robot: int) -> str:
-        """Gives a log point's text with the values of the expressions in braces."""
+        """Return a log point's text with the values of the expressions in braces."""
 
         def value(match: re.Match[str]) -> str:
             try:
-                frame = self.first_own_frame(robot)
-                return self.look_up(match[1], robot=robot, frame=frame).text
+                frame = self._view.first_own_frame(robot)
+                return self._view.look_up(match[1], robot=robot, frame=frame).text
             except DebugError as error:
                 return f"<{error}>"
 
@@ -210,4 +214,4 @@ class Points(View):
 
 
 def _unheard(_text: str) -> None:
-    """Takes what nobody wants to hear."""
+    """Discard a message."""

@@ -1,4 +1,4 @@
-"""What the user looks at: a robot, one of its active functions, and what is known of them."""
+"""The selected robot and stack frame of a stopped run."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import SourceNames
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.timeline.run import Run
-from crs_cc.debug.world.state_rows import StateField, state_fields
+from crs_cc.debug.timeline.recorded_run import RecordedRun
+from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
@@ -26,15 +27,15 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
-    """An active function of a program.
+class BacktraceFrame:
+    """A stack frame as the user sees it.
 
     Attributes:
         number: 0 for the innermost.
         function: its name.
-        location: where it stands.
-        is_library: whether it is one of the C library's, whose source nobody looks at.
-        active: what finds its variables.
+        location: its current location.
+        is_library: whether it belongs to the C library, whose source is not shown.
+        active: the frame of the running program.
     """
 
     number: int
@@ -45,28 +46,28 @@ class Frame:
 
 
 class View:
-    """A run that has stopped, seen from one robot and one active function.
+    """A stopped run, seen from a selected robot and frame.
 
     Attributes:
         run: the run.
-        robot: the robot that the user looks at.
-        frame: the number of the active function that he looks at.
-        kept: values that expressions can use as `$name`, and the last one as `$`.
+        robot: the selected robot.
+        frame: the number of the selected frame.
+        convenience_values: the values of `$name` by name; that of `$` has an empty name.
     """
 
-    def __init__(self, run: Run) -> None:
-        """Looks at the first robot."""
+    def __init__(self, run: RecordedRun) -> None:
+        """Select the first robot."""
         self.run = run
         self.robot = 0
         self.frame = 0
-        self.kept: dict[str, Value] = {}
-        self._seen: tuple[Stopped, list[Frame]] | None = None
-        self._names: dict[int, Names] = {}
+        self.convenience_values: dict[str, Value] = {}
+        self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
+        self._names: dict[int, SourceNames] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
     @property
     def session(self) -> Session:
-        """The session; to be looked at only."""
+        """The session; read only."""
         return self.run.session
 
     @property
@@ -76,21 +77,21 @@ class View:
 
     @property
     def position(self) -> Position:
-        """Where the run is."""
+        """The position of the run."""
         return self.run.position
 
     @property
     def time_s(self) -> float:
-        """The clock of the program that is looked at, or the world's when it does not run [s]."""
+        """The clock of the selected robot's program, or the world's if that does not run [s]."""
         return self.run.time_s(self.robot)
 
     @property
     def is_over(self) -> bool:
         """Whether no program is left."""
-        return not self.run.goes_on
+        return not self.run.can_advance
 
-    def frames(self, robot: int | None = None) -> list[Frame]:
-        """Gives a program's active functions, the innermost first."""
+    def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
+        """Return the stack frames of a program, innermost first."""
         robot = self.robot if robot is None else robot
         if not self.session.alive[robot] and not self.run.has_failed(robot):
             return []
@@ -99,37 +100,37 @@ class View:
             self._seen = stopped, self._frames(robot, stopped)
         return self._seen[1]
 
-    def _frames(self, robot: int, stopped: Stopped) -> list[Frame]:
+    def _frames(self, robot: int, stopped: Stopped) -> list[BacktraceFrame]:
         site = self.run.site(robot)
-        frames: list[Frame] = []
+        frames: list[BacktraceFrame] = []
         for active in stopped.stack:
             location, is_library = active.location, in_library(active.location)
             if site is not None and not frames:
                 location = site.location
             name = plain_name(active.function)
-            frames.append(Frame(len(frames), name, location, is_library, active))
+            frames.append(BacktraceFrame(len(frames), name, location, is_library, active))
         while frames and frames[-1].is_library:
             frames.pop()
         return frames
 
-    def current_frame(self) -> Frame | None:
-        """Gives the active function that the user looks at; None when there is none."""
+    def current_frame(self) -> BacktraceFrame | None:
+        """Return the selected frame; None if there is none."""
         frames = self.frames()
         return frames[self.frame] if self.frame < len(frames) else None
 
     def location(self) -> Location | None:
-        """Gives the place in the source that the user looks at."""
+        """Return the location of the selected frame; None without source."""
         frame = self.current_frame()
         return None if frame is None or frame.is_library else frame.location
 
     def current_file(self, robot: int | None = None) -> str:
-        """Gives the file where the user looks, or the first one of a robot's program."""
+        """Return the current file, or the first one of a robot's program."""
         here = self.location()
         robot = self.robot if robot is None else robot
         return here.file if here else str(self.run.programs[robot].paths[0])
 
     def source(self, file: str) -> Sequence[str]:
-        """Gives the lines of a C file; none for a file that is not the user's."""
+        """Return the lines of a C file; none if it is not the user's."""
         for program in self.run.programs:
             lines = program.executable.detail().lines
             if file in lines:
@@ -137,69 +138,79 @@ class View:
         return ()
 
     def select_robot(self, robot: int | str) -> None:
-        """Looks at another robot, by its number or name.
+        """Select a robot by number or name.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         names = self.names
         number = names.index(robot) if robot in names else robot
         if not isinstance(number, int) or not 0 <= number < len(names):
-            known = ", ".join(names[:20])
-            raise DebugError(f"there is no robot '{robot}': there are {known}")
+            raise DebugError(unknown("robot", str(robot), names))
         self.robot = number
         self.frame = self.first_own_frame()
 
     def select_frame(self, number: int) -> None:
-        """Looks at another active function.
+        """Select a frame by number.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if not 0 <= number < len(self.frames()):
-            raise DebugError(f"there is no frame {number}")
+            raise DebugError(f"no frame {number}")
         self.frame = number
 
+    def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
+        """Return a frame by number; by default the selected one."""
+        frames = self.frames(robot)
+        if frame is None:
+            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
+        if not frames:
+            return None
+        if not 0 <= frame < len(frames):
+            raise DebugError(f"no frame {frame}")
+        return frames[frame].active
+
     def first_own_frame(self, robot: int | None = None) -> int:
-        """Gives the number of the innermost active function of the user's own."""
+        """Return the number of the innermost frame of the user's own code."""
         frames = self.frames(robot)
         return next((each.number for each in frames if not each.is_library), 0)
 
     def look_up(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
-        """Evaluates a C expression that must change nothing.
+        """Evaluate a C expression without side effects.
 
         Raises:
-            DebugError: it means nothing here, cannot be evaluated, or changes the program.
+            DebugError: it is invalid here, cannot be evaluated, or has side effects.
         """
         robot = self.robot if robot is None else robot
         evaluator = self.evaluator(robot)
-        found = evaluator.evaluate(text, self._active(robot, frame))
+        found = evaluator.evaluate(text, self.active_frame(robot, frame))
         if found.changed:
             evaluator.undo()
             raise DebugError(f"'{text}' would change the program")
         return found.value
 
     def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first."""
+        """Return the variables of a frame, those of the innermost block first."""
         robot = self.robot if robot is None else robot
-        active = self._active(robot, frame)
+        active = self.active_frame(robot, frame)
         return [] if active is None else self.evaluator(robot).variables(active)
 
     def globals_(self, *, robot: int | None = None) -> list[Variable]:
-        """Gives the global variables of a program, by their names."""
+        """Return the global variables of a program, sorted by name."""
         return self.evaluator(self.robot if robot is None else robot).globals_()
 
-    def told_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
-        """Gives what a program was told in the vendor's `State[]`; nothing when it has it not."""
-        return self.evaluator(self.robot if robot is None else robot).sight().told_state()
+    def vendor_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
+        """Return the vendor's `State[]` as the program has it; empty if it has none."""
+        return self.evaluator(self.robot if robot is None else robot).inspector().vendor_state()
 
     def type_of(self, text: str) -> CType:
-        """Gives the type that an expression has, or that it names.
+        """Return the type of an expression, or the type that it names.
 
         Raises:
             DebugError: it is neither an expression nor a type here.
         """
-        evaluator, frame = self.evaluator(self.robot), self._active(self.robot, None)
+        evaluator, frame = self.evaluator(self.robot), self.active_frame(self.robot, None)
         try:
             return evaluator.type_of(text, frame)
         except DebugError:
@@ -208,33 +219,22 @@ class View:
             raise
 
     def holds(self, condition: str, robot: int) -> bool:
-        """Tells whether a condition is true in the innermost function of a program.
+        """Return whether a condition is true in the innermost frame of a program.
 
         Raises:
-            DebugError: it means nothing there, or cannot be evaluated.
+            DebugError: it is invalid there or cannot be evaluated.
         """
         return self.evaluator(robot).holds(condition)
 
     def evaluator(self, robot: int) -> Evaluator:
-        """Gives what evaluates expressions in a robot's program."""
+        """Return the evaluator of a robot's program."""
         program = self.run.programs[robot]
-        memory = id(self.session.fleet.memory(robot))  # another one in another build
+        memory = id(self.session.fleet.memory(robot))  # differs between builds
         if (robot, memory) not in self._evaluators:
-            names = self._names.setdefault(id(program), Names(program))
+            names = self._names.setdefault(id(program), SourceNames(program))
             stopped = functools.partial(self.run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
-            made = Evaluator(stopped, names, self.kept, fields)
+            made = Evaluator(stopped, names, self.convenience_values, fields)
             self._evaluators[robot, memory] = made
         return self._evaluators[robot, memory]
-
-    def _active(self, robot: int, frame: int | None) -> StackFrame | None:
-        """Gives an active function by its number; by default the one that is looked at."""
-        frames = self.frames(robot)
-        if frame is None:
-            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
-        if not frames:
-            return None
-        if not 0 <= frame < len(frames):
-            raise DebugError(f"there is no frame {frame}")
-        return frames[frame].active

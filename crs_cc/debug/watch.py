@@ -1,21 +1,21 @@
-"""Watches objects in one robot's memory: which accesses there were since the program stopped last.
+"""Watched objects in one robot's memory, and the accesses to them since the last stop.
 
 While something is watched, the robot's program runs in its watching build (`codegen.watchpoints`),
-else in the debug build; the frames are the same, and `Watches.arm` moves it from one to the other.
-What is watched, and what was found, lies outside of the program's state: no snapshot has it, and
-slots are left alone. So `stop_before_all`, `stop_from` and the marks belong to who steps. A program
-that touches what is watched stops before its next statement even if its slot does not ask for that;
-`take` then tells what happened, and nothing when the program has stopped for another reason, or for
-an access that does not count (a `change` that changes nothing): then whoever makes the program run
-lets it go on, unless he wanted to stop there.
+else in the debug build; the frames are the same, and `WatchSet.arm` moves it from one to the other.
+Watched objects and accesses are outside of the program's state: no snapshot has them, and
+slots are not touched. So `stop_before_all`, `stop_from` and the marks belong to stepping. A program
+that accesses a watched object stops before its next statement even if its slot does not ask for it;
+`take` then returns the accesses, and nothing if the program has stopped for another reason, or for
+an access that does not count (a `change` that changes nothing): then the caller
+resumes the program, unless it should stop there anyway.
 
-The program stops before the first statement that begins after the access. So the statement that
-began last, one before, is the place to go back to; where it was the last one of a function whose
-value the access took, `Access.location` tells of the access itself.
+The program stops before the first statement that starts after the access. So the statement that
+started last, one before, is the one to go back to; if it was the last one of a function whose
+value the access used, `MemoryAccess.location` is that of the access itself.
 
-A watch on a variable of a function lasts as long as the function's activation, which is known by
-its frame and by how many statements had begun when it was entered (`StackFrame.entered`). So it is
-there again when the run goes back into it, and waits where the run goes back to before it.
+A watch on a local variable lasts as long as the function's activation, which is identified by
+its frame and by how many statements had started when it was entered (`StackFrame.entered`). So it
+is active again when the run goes back into it, and inactive before it.
 """
 
 from __future__ import annotations
@@ -49,11 +49,11 @@ if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.fleet import Fleet
 
-MOST: Final = RANGES // 2
+MAX: Final = RANGES // 2
 """Most objects of one robot that can be watched at once: each needs a range, some one more."""
 
-Kind = Literal["write", "read", "access", "change"]
-KINDS: Final[dict[Kind, int]] = {
+AccessKind = Literal["write", "read", "access", "change"]
+KINDS: Final[dict[AccessKind, int]] = {
     "write": WRITE,
     "read": READ,
     "access": READ | WRITE,
@@ -65,39 +65,39 @@ Content: TypeAlias = tuple[bytes, bytes]
 
 
 @dataclass(frozen=True, slots=True)
-class Watched:
-    """An object that is watched.
+class WatchedObject:
+    """A watched object.
 
     Attributes:
         number: its number.
         kind: which accesses count.
         address: its first byte.
-        size: [bytes].
-        frame: the activation that it is a variable of; None when it lasts.
+        size: its size [bytes].
+        frame: the activation whose variable it is; None if it is static.
     """
 
     number: int
-    kind: Kind
+    kind: AccessKind
     address: int
     size: int
     frame: StackFrame | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Access:
-    """What happened to an object that is watched.
+class MemoryAccess:
+    """An access to a watched object.
 
     Attributes:
         watched: the object.
-        what: it was written, or only read, or the function that it is a variable of has returned.
-        old: what was there before.
-        new: what is there now.
-        location: the place in the user's files, of the call if the library did it; None if unknown.
+        what: whether it was written, or only read, or its function has returned.
+        old: the bytes before.
+        new: the bytes now.
+        location: the location in the user's files, of the call if the library did it, or None.
         function: the user's function there, by the linker's name; empty if unknown.
-        library: the C name of the library's function that was called there, if it was one.
+        library: the C name of the library function that was called there, or empty.
     """
 
-    watched: Watched
+    watched: WatchedObject
     what: Literal["write", "read", "return"]
     old: Content
     new: Content
@@ -106,18 +106,18 @@ class Access:
     library: str = ""
 
 
-class Watches:
-    """What is watched in one robot's memory."""
+class WatchSet:
+    """The watched objects in one robot's memory."""
 
     def __init__(
         self, fleet: Fleet, robot: int, watching: Callable[[Executable], Executable]
     ) -> None:
-        """Takes the robot with its debug build, and what makes the watching build of that."""
+        """Store the robot with its debug build, and the function that makes the watching build."""
         self._fleet = fleet
         self._robot = robot
         self._plain = fleet.executable(robot)
         self._watching = watching
-        self._wanted: tuple[Watched, ...] = ()
+        self._wanted: tuple[WatchedObject, ...] = ()
         self._over: set[int] = set()
         self._before: dict[int, Content] = {}
         self._rows: dict[
@@ -125,14 +125,14 @@ class Watches:
         ] = {}  # by number, and whether of a header: its range
         self._places: list[tuple[Location, str]] = []
 
-    def arm(self, wanted: Sequence[Watched]) -> None:
-        """Watches these objects and no others; what was found of the same ones before is kept.
+    def arm(self, wanted: Sequence[WatchedObject]) -> None:
+        """Set the watched objects; accesses to unchanged ones are kept.
 
         Raises:
-            DebugError: there are too many, or the system gives no memory.
+            DebugError: there are too many, or memory is exhausted.
         """
-        if len(wanted) > MOST:
-            raise DebugError(f"at most {MOST} objects of a robot's program can be watched at once")
+        if len(wanted) > MAX:
+            raise DebugError(f"at most {MAX} objects of a robot's program can be watched at once")
         if tuple(wanted) == self._wanted:
             return
         self._wanted = tuple(wanted)
@@ -141,11 +141,11 @@ class Watches:
             self._fleet.exchange(self._robot, build)
         except OSError as error:
             self._wanted = ()
-            raise DebugError(f"nothing can be watched: {error.strerror}") from None
+            raise DebugError(f"cannot set watchpoints: {error.strerror}") from None
         self.forget()
 
     def forget(self) -> None:
-        """Begins anew where the program's memory has been changed by others: it was restored."""
+        """Discard accesses and values after the program's memory was restored."""
         if not self._wanted:
             return
         self._over = self._ended()
@@ -153,11 +153,11 @@ class Watches:
         self._enter()
 
     def is_pending(self) -> bool:
-        """Tells whether there is something to `take`."""
+        """Return whether there are accesses to `take`."""
         return bool(self._rows) and bool(self._ranges()["hits"].any())
 
-    def take(self) -> list[Access]:
-        """Gives what happened since the last time, and forgets it."""
+    def take(self) -> list[MemoryAccess]:
+        """Return the accesses since the last call."""
         if not self.is_pending():
             return []
         found = [self._access(each) for each in self._wanted if each.number not in self._over]
@@ -176,7 +176,7 @@ class Watches:
         return ranges[: len(self._rows)]
 
     def _enter(self) -> None:
-        """Writes what is watched to where the program finds it."""
+        """Write the watched ranges to where the program reads them."""
         rows: list[tuple[int, int, int, int]] = []
         self._rows = {}
         for each in self._wanted:
@@ -198,7 +198,7 @@ class Watches:
         self._bound([each[:2] for each in rows])
 
     def _bound(self, parts: Sequence[tuple[int, int]]) -> None:
-        """Writes among which bytes all ranges lie, each by its first address and its size."""
+        """Write the bounds of all ranges, each given by first address and size."""
         watched = self._fleet.watched[self._robot]
         for field in ("first", "span", "lowest", "highest", "grains"):
             watched[field] = 0
@@ -214,24 +214,24 @@ class Watches:
             watched["highest"] = max(first + size for first, size in on_stack)
 
     def _hits(self, number: int, *, header: bool) -> Records | None:
-        """Gives the range of an object, or of its frame's header, if it was hit."""
+        """Return the range of an object, or of its frame's header, if it was hit."""
         at = self._rows.get((number, header))
         row: Records | None = None if at is None else self._ranges()[at]
         return row if row is not None and row["hits"] else None
 
     # -- what happened -------------------------------------------------------------------------
 
-    def _access(self, watched: Watched) -> Access | None:
-        """Gives what happened to an object, None for nothing that counts."""
+    def _access(self, watched: WatchedObject) -> MemoryAccess | None:
+        """Return the access to an object, None if none counts."""
         number, frame = watched.number, watched.frame
         old, new = self._before[number], self._content(watched)
         if frame is not None:
-            if self._begun() <= frame.entered:  # no statement of the function has begun yet
+            if self._begun() <= frame.entered:  # no statement of the function has started yet
                 self._before[number] = new
                 return None
             header = self._hits(number, header=True)
             if header is not None and int(header["hits"]) & RETURN:
-                return Access(watched, "return", old, new, *self._place(header))
+                return MemoryAccess(watched, "return", old, new, *self._place(header))
         row = self._hits(number, header=False)
         if row is None:
             return None
@@ -239,10 +239,10 @@ class Watches:
         if watched.kind == "change" and old == new:
             return None
         what: Literal["write", "read"] = "write" if int(row["hits"]) & WRITE else "read"
-        return Access(watched, what, old, new, *self._place(row))
+        return MemoryAccess(watched, what, old, new, *self._place(row))
 
     def _place(self, row: Records) -> tuple[Location | None, str, str]:
-        """Gives where an access was made: the place, the function, and the library's function."""
+        """Return where an access was made: location, function, and library function."""
         detail = self._plain.detail()
         number = int(row["place"])
         if number:
@@ -264,13 +264,13 @@ class Watches:
     def _begun(self) -> int:
         return int(self._fleet.slots["statements"][self._robot])
 
-    def _content(self, watched: Watched) -> Content:
+    def _content(self, watched: WatchedObject) -> Content:
         part = slice(watched.address, watched.address + watched.size)
         robot = self._robot
         return self._fleet.memory(robot)[part].tobytes(), self._fleet.shadow(robot)[part].tobytes()
 
     def _ended(self) -> set[int]:
-        """Gives the numbers of the variables whose functions have returned."""
+        """Return the numbers of the variables whose functions have returned."""
         own = [each for each in self._wanted if each.frame is not None]
         if not own:
             return set()

@@ -1,7 +1,7 @@
-"""Watchpoints: objects that the user named by an expression, and what to say when they are touched.
+"""Watchpoints: objects given by an expression, and reports of accesses to them.
 
-The expression is evaluated once: `*p` is what `p` points to now. What lies on the stack is watched
-as long as the function lasts whose it is.
+The expression is evaluated once: `*p` is what `p` points to now. An object on the stack is watched
+as long as its function is active.
 """
 
 from __future__ import annotations
@@ -13,69 +13,71 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import Access, Content, Watched
+from crs_cc.debug.watch import Content, MemoryAccess, WatchedObject
 from crs_cc.ir.names import plain_name
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.evaluate import Evaluator
-    from crs_cc.debug.data.memory_inspection import Sight
-    from crs_cc.debug.watch import Kind
+    from crs_cc.debug.data.memory_inspection import MemoryInspector
+    from crs_cc.debug.watch import AccessKind
     from crs_cc.ir.types import CType
     from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
-_DEEPEST: Final = 20
+_MAX_DEPTH: Final = 20
 
 
 @dataclass(frozen=True, slots=True)
 class Watchpoint:
-    """What a watchpoint watches.
+    """The object of a watchpoint.
 
     Attributes:
         text: the expression.
         type: its type.
-        watched: where it lies.
+        watched: its bytes in memory.
     """
 
     text: str
     type: CType
-    watched: Watched
+    watched: WatchedObject
 
     @property
     def note(self) -> str:
-        """Says how long it lasts, if that is not for ever."""
+        """Return a remark on how long it lasts; empty for ever."""
         frame = self.watched.frame
         return f"lasts until '{plain_name(frame.function)}' returns" if frame else ""
 
 
 def watchpoint(
-    number: int, text: str, kind: Kind, evaluator: Evaluator, frame: StackFrame | None
+    number: int, text: str, kind: AccessKind, evaluator: Evaluator, frame: StackFrame | None
 ) -> Watchpoint:
-    """Finds what an expression names.
+    """Resolve the object that an expression names.
 
     Args:
-        number: of the watchpoint.
+        number: the number of the watchpoint.
         text: the expression.
         kind: which accesses count.
-        evaluator: of the robot's program.
-        frame: the active function that it is looked at from.
+        evaluator: the evaluator of the robot's program.
+        frame: the frame whose scope applies.
 
     Raises:
-        DebugError: it names no object that is there.
+        DebugError: it names no existing object.
     """
     place = evaluator.place(text, frame)
     if not place.size:
-        raise DebugError(f"'{text}' has no bytes that could be watched")
-    sight = evaluator.sight()
-    if not sight.is_accessible(place.address, place.size):
-        raise DebugError(sight.explain(place.address, place.size, False))
-    owner = _owner(sight.stopped, place.address)
-    return Watchpoint(text, place.type, Watched(number, kind, place.address, place.size, owner))
+        raise DebugError(f"'{text}' has size 0 and cannot be watched")
+    inspector = evaluator.inspector()
+    if not inspector.is_accessible(place.address, place.size):
+        raise DebugError(inspector.explain(place.address, place.size, False))
+    owner = _owner(inspector.stopped, place.address)
+    return Watchpoint(
+        text, place.type, WatchedObject(number, kind, place.address, place.size, owner)
+    )
 
 
 def _owner(stopped: Stopped, address: int) -> StackFrame | None:
-    """Gives the activation whose variable or parameter lies at an address on the stack."""
+    """Return the activation that owns an address on the stack."""
     if address >= STACK_TOP:
         return None
     for active in stopped.stack:
@@ -86,36 +88,36 @@ def _owner(stopped: Stopped, address: int) -> StackFrame | None:
 
 
 def same_activation(one: StackFrame, other: StackFrame) -> bool:
-    """Tells whether an activation is the same, though it stands elsewhere now."""
+    """Return whether two frames are the same activation."""
     return (one.fp, one.function, one.entered) == (other.fp, other.function, other.entered)
 
 
-def told(watchpoint: Watchpoint, access: Access, sight: Sight) -> str:
-    """Says what happened to what is watched."""
+def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryInspector) -> str:
+    """Return a description of an access."""
     place = access.location
     where = f" at {PurePath(place.file).name}:{place.line}" if place else ""
     by = f" by {access.library}" if access.library else ""
     if access.what == "return":
         function = plain_name(watchpoint.watched.frame.function) if watchpoint.watched.frame else ""
-        return f"{watchpoint.text} is gone: '{function}' has returned{where}"
-    old, new = (_value(sight, watchpoint, each) for each in (access.old, access.new))
+        return f"{watchpoint.text} went out of scope: '{function}' has returned{where}"
+    old, new = (_value(inspector, watchpoint, each) for each in (access.old, access.new))
     if access.what == "read":
         return f"{watchpoint.text} = {new.text}, read{by}{where}"
     if access.old == access.new:
-        return f"{watchpoint.text} = {new.text} as before, written{by}{where}"
+        return f"{watchpoint.text} = {new.text} (unchanged), written{by}{where}"
     name, old, new = _narrowed(watchpoint.text, old, new)
     return f"{name}: {old.text} -> {new.text}, written{by}{where}"
 
 
-def _value(sight: Sight, watchpoint: Watchpoint, content: Content) -> Value:
+def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value:
     there, states = content
-    known = states if states.strip(GONE) else b""  # of a register nobody keeps the states
-    return Value(sight, watchpoint.type, there, known, watchpoint.watched.address)
+    known = states if states.strip(GONE) else b""  # registers have no states
+    return Value(inspector, watchpoint.type, there, known, watchpoint.watched.address)
 
 
 def _narrowed(name: str, old: Value, new: Value) -> tuple[str, Value, Value]:
-    """Gives the only part of an array or struct that has changed, if it is one."""
-    for _ in range(_DEEPEST):
+    """Return the only element or member that has changed, if there is exactly one."""
+    for _ in range(_MAX_DEPTH):
         if not (old.child_count > 1 and old.child_count == new.child_count):
             break
         pairs = zip(old.children(), new.children(), strict=True)

@@ -1,10 +1,10 @@
-"""A control program that is just the statements of its body, put into a function.
+"""Wraps a control program that consists of bare statements in a function.
 
 The report's dialect allows it: "the commands in code running on a real scout can be copied without
-the C headers into the control code class", whose method `runcode` they then make up. Functions may
-stand before the body and behind it; declarations right before its first statement belong to it.
-The function is put in as tokens at the places of the body's first and last token, so that no line
-or column changes.
+the C headers into the control code class", where they become the method `runcode`. There may be
+functions before and after the body; declarations right before its first statement belong to it.
+The function is inserted as tokens at the locations of the body's first and last token, so that no
+line or column changes.
 
 >>> from crs_cc.frontend.parse.lexer import lex
 >>> from crs_cc.core.source import Diagnostics, Location
@@ -42,22 +42,23 @@ _DECLARES: Final = frozenset({
 _TYPES: Final = _DECLARES - {"SEMI"}
 """What may follow the parameters of an old-style definition."""
 
-_BEHIND_DECLARED: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
+_AFTER_DECLARATOR: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
 _CLOSED_BY: Final = {"LPAREN": "RPAREN", "LBRACKET": "RBRACKET", "LBRACE": "RBRACE"}
 
-_HINT: Final = "statements stand in a function; for just the body of a program say --dialect report"
+_HINT: Final = (
+    "statements must be inside a function; for a program without functions use --dialect report"
+)
 
 
 @dataclass(slots=True)
 class Item:
-    """A piece of a file at its outermost level.
+    """An item at the outermost level of a file.
 
     Attributes:
-        kind: what it is, as far as its first tokens and braces tell; a `}` that closes nothing is
-            stray.
+        kind: its kind, judged by its first tokens and braces; an unmatched `}` is stray.
         start: the index of its first token.
-        stop: the index behind its last one.
-        name: of a function its name.
+        stop: the index after its last token.
+        name: the name of a function.
     """
 
     kind: Kind
@@ -67,19 +68,18 @@ class Item:
 
 
 def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> list[Token]:
-    """Gives a file's tokens with the statements at its outermost level put into `runcode`.
+    """Return a file's tokens with the statements at its outermost level wrapped in `runcode`.
 
     Args:
         tokens: the file, its headers included.
         file: the name of the file itself.
-        diagnostics: hears of braces that do not match.
+        diagnostics: receives messages about unmatched braces.
 
     Returns:
-        the tokens; as they were, where there are no such statements or one of `scope.ENTRIES` is
-        defined.
+        The tokens, unchanged if there are no such statements or one of `scope.ENTRIES` is defined.
 
     Raises:
-        GiveUp: when the file is hopeless.
+        GiveUp: too many errors.
     """
     items = list(items_of(tokens))
     statements = [number for number, item in enumerate(items) if item.kind == "statement"]
@@ -99,7 +99,7 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
 
 
 def suggest_dialect(tokens: Sequence[Token], diagnostics: Diagnostics) -> None:
-    """Adds a hint to the first error in a file that looks like the body of a program."""
+    """Add a hint to the first error in a file that looks like the body of a program."""
     items = list(items_of(tokens))
     is_body = any(item.kind == "statement" for item in items)
     first = diagnostics.errors[0]
@@ -109,12 +109,12 @@ def suggest_dialect(tokens: Sequence[Token], diagnostics: Diagnostics) -> None:
 
 
 def _belongs(item: Item, tokens: Sequence[Token], file: str) -> bool:
-    """Tells whether an item right before the body is a part of it."""
+    """Return whether an item right before the body is part of it."""
     return item.kind == "declaration" and tokens[item.start].location.file == file
 
 
 def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
-    """Gives the body without braces that close nothing; reports these, and those left open."""
+    """Return the body with balanced braces; report those that do not match."""
     kept: list[Token] = []
     opened: list[Token] = []
     for token in body:
@@ -122,8 +122,8 @@ def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
             opened.append(token)
         elif token.type == "RBRACE":
             if not opened:
-                text = "this '}' closes nothing"
-                hint = "the statements before it stand in no '{'"
+                text = "extraneous closing brace ('}')"
+                hint = "there is no matching '{'"
                 report(diagnostics, token.location, text, hint)
                 continue
             opened.pop()
@@ -131,13 +131,13 @@ def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
     if opened:
         place = opened[-1].location
         diagnostics.error(
-            body[-1].location, "unexpected end of the file", f"to close the '{{' at {place}"
+            body[-1].location, "unexpected end of file", f"to close the '{{' at {place}"
         )
     return kept + [token.copy("RBRACE", "}") for token in opened]
 
 
 def items_of(tokens: Sequence[Token]) -> Iterator[Item]:
-    """Gives the pieces of a file, one after the other: all tokens, in order."""
+    """Yield the items of a file in order; together they cover all tokens."""
     start = 0
     while start < len(tokens):
         item = _item(tokens, start)
@@ -173,16 +173,16 @@ def _item(tokens: Sequence[Token], start: int) -> Item:
 
 @dataclass(slots=True)
 class _Brackets:
-    """The parentheses, brackets and braces that are open.
+    """The open parentheses, brackets and braces.
 
-    What closes none of its kind counts for nothing; a brace closes what was left open behind it.
+    Unmatched closing ones are ignored; a closing brace also closes what was opened inside it.
     """
 
     opened: list[str] = field(default_factory=list)
     braces: int = 0
 
     def read(self, kind: str) -> None:
-        """Takes the next token."""
+        """Advance by one token of a type."""
         if kind in _CLOSED_BY:
             self.opened.append(kind)
             self.braces += kind == "LBRACE"
@@ -195,7 +195,7 @@ class _Brackets:
 
 
 def _kind(tokens: Sequence[Token], start: int) -> Kind:
-    """Tells what the tokens from one on look like, before any brace is seen."""
+    """Return the kind of the item that starts at a token, before any brace is read."""
     first, *others = (token.type for token in tokens[start : start + 2])
     if first in _DECLARES or tokens[start].value in ("__attribute__", "__auto_type"):
         return "declaration"
@@ -207,14 +207,14 @@ def _kind(tokens: Sequence[Token], start: int) -> Kind:
     while index < len(tokens) and tokens[index].type == "TIMES":
         index += 1
     is_name = index < len(tokens) and tokens[index].type == "ID"
-    behind = tokens[index + 1].type if index + 1 < len(tokens) else ""
-    declares = is_name and (index == start + 1 or behind in _BEHIND_DECLARED)
+    following = tokens[index + 1].type if index + 1 < len(tokens) else ""
+    declares = is_name and (index == start + 1 or following in _AFTER_DECLARATOR)
     return "declaration" if declares else "statement"
 
 
 def _name(tokens: Sequence[Token]) -> str:
-    """Gives the name in front of a function's parameters."""
-    for name, behind in pairwise(tokens):
-        if name.type == "ID" and behind.type == "LPAREN":
+    """Return the name of a function, given its declarator."""
+    for name, following in pairwise(tokens):
+        if name.type == "ID" and following.type == "LPAREN":
             return name.value
     return ""

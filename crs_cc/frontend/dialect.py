@@ -1,7 +1,7 @@
-"""Which dialect a program is written in, where nobody says.
+"""Detection of a program's dialect.
 
-A program that includes the vendor's header, or has a `main`, lives by the vendor's rules; one that
-has a `runcode` instead, and no such header, by those of the CRS report.
+A program that includes the vendor's header or defines `main` is in the vendor's dialect; one that
+defines `runcode` instead, without that header, is in the dialect of the CRS report.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ _VENDORS_GUARDS: Final = frozenset({"_HOST_CLIENT_NCLIENT_H_", "_HOST_CLIENT_H_"
 
 
 def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
-    """Gives the dialect of a program.
+    """Return the dialect of a program.
 
     Args:
         paths: its C files.
-        options: where headers are, and what is defined.
+        options: header directories and macro definitions.
     """
     if not any(_mentions_runcode(path) for path in paths):
         return "nomad"
@@ -36,7 +36,7 @@ def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
 
 
 def form(path: Path, options: Options) -> Dialect | None:
-    """Gives the dialect that a file is in by itself, none for a part that may belong to either."""
+    """Return the dialect of a single file; None if it may belong to either."""
     source = preprocess(path, options, Diagnostics())
     is_vendors = any(Path(file).name.lower() == _VENDORS_HEADER for file in source.files)
     if is_vendors or not _VENDORS_GUARDS.isdisjoint(source.macros):

@@ -1,4 +1,4 @@
-"""Reports errors, and gives a file up after too many of them."""
+"""A limit for the number of errors in a file."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from typing import Final
 
 from crs_cc.core.source import Diagnostics, Location
 
-MOST_ERRORS: Final = 500
-"""After so many errors in one file nothing more is looked for."""
+MAX_ERRORS: Final = 500
+"""Compilation of a file stops after so many errors."""
 
 
-class GiveUp(Exception):  # noqa: N818 - it stops the work, the errors are recorded
-    """Going on makes no sense: there are too many errors, or too deep a nesting."""
+class GiveUp(Exception):  # noqa: N818 - the errors are in the diagnostics
+    """Compilation cannot continue: too many errors, or too deep a nesting."""
 
 
 def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "") -> None:
-    """Records an error; after too many of them gives up.
+    """Record an error.
 
     Raises:
-        GiveUp: when the file is hopeless.
+        GiveUp: there are too many.
     """
     diagnostics.error(place, text, hint)
-    if len(diagnostics.errors) >= MOST_ERRORS:
+    if len(diagnostics.errors) >= MAX_ERRORS:
         raise GiveUp

@@ -1,8 +1,8 @@
-r"""C expressions that stand alone, in the words of a C file: what a user of the debugger writes.
+r"""Compiles single C expressions in the scope of a C file, for the debugger.
 
-The expression becomes a function of its own. The variables of the function that the user looks at
-are passed to it by their addresses, so that it works on the stopped program's memory; all else
-that the file declares, its macros too, means what it means at the file's end.
+The expression becomes a function. The local variables in scope are passed to it by address, so
+that it works on the stopped program's memory; all other names, macros included, have the meaning
+that they have at the end of the file.
 
 >>> import tempfile
 >>> from crs_cc.ir.types import INT
@@ -28,11 +28,12 @@ from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, expression
 from crs_cc.frontend.check.operators import is_lvalue
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
-from crs_cc.frontend.check.tree_parts import everything
+from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.error_limit import GiveUp
-from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.graph import simplify
 from crs_cc.frontend.lower.lowerer import Lowering, effect, place, value, value_type
-from crs_cc.frontend.lower.unit import UnitLowering
+from crs_cc.frontend.lower.rules import RULES
+from crs_cc.frontend.lower.unit_state import UnitState
 from crs_cc.frontend.parse.lexer import lex
 from crs_cc.frontend.parse.parser import parse_expression
 from crs_cc.frontend.preprocess.options import Options
@@ -41,20 +42,20 @@ from crs_cc.ir.program import Block, Function, Operand, Parameter, Program, Retu
 from crs_cc.ir.types import ArrayType, CType, FunctionType, PointerType, RecordType, VoidType
 
 EXPRESSION: Final = "<expression>"
-"""The name of the file that the expression stands in, and of the function that it becomes."""
+"""The name of the expression's file and of the function that it becomes."""
 
 
 @dataclass(frozen=True, slots=True)
 class CompiledExpression:
-    """An expression as a function of the addresses of variables.
+    """An expression, compiled to a function of the addresses of variables.
 
     Attributes:
-        text: what the user wrote.
-        program: the function `EXPRESSION` and the objects that it alone needs: its strings.
+        text: the source text.
+        program: the function `EXPRESSION` and its string literals.
         type: the type of the expression.
-        is_place: whether the function gives the address of the object that the expression names; of
-            a struct it always gives an address. Otherwise it gives the value.
-        variables: the variables whose addresses it takes, in their order.
+        is_place: whether the function returns the address of the object that the expression
+            designates, as it always does for a struct; otherwise it returns the value.
+        variables: the variables whose addresses are its arguments, in order.
     """
 
     text: str
@@ -70,14 +71,14 @@ class CompiledExpression:
 
 
 class FileNames:
-    """What the names in a C file mean at its end.
+    """The names that are visible at the end of a C file.
 
     Attributes:
-        lines: the lines of all files that were read, by their names.
+        lines: the lines of all files that were read, by file name.
     """
 
     def __init__(self, path: Path, options: Options) -> None:
-        """Reads the file.
+        """Read the file.
 
         Raises:
             CompileError: when there are errors in it.
@@ -88,17 +89,17 @@ class FileNames:
         self._locals = {(each.name, each.location): each.type for each in _locals(self._unit)}
 
     def defines(self, function: str) -> bool:
-        """Tells whether the file, or a header that it includes, defines a function."""
+        """Return whether the file, or a header that it includes, defines a function."""
         return any(each.symbol.link_name == function for each in self._unit.functions)
 
     def knows(self, name: str) -> bool:
-        """Tells whether a name means something outside of functions."""
+        """Return whether a name is declared at file scope."""
         return self._unit.scope.find(name) is not None
 
     def type_of(self, variable: Variable) -> CType:
-        """Gives the type of a variable in a function, in terms of this file.
+        """Return the type of a variable in a function, in terms of this file.
 
-        Structs of a program that was compiled at another time are others to C.
+        The structs of a program that was compiled separately are distinct types.
         """
         return self._locals.get((variable.name, variable.location), variable.ctype)
 
@@ -109,16 +110,16 @@ class FileNames:
         variables: Iterable[tuple[str, CType]],
         diagnostics: Diagnostics,
     ) -> CompiledExpression:
-        """Compiles an expression.
+        """Compile an expression.
 
         Args:
             text: the expression.
-            function: the C name of the function that it is looked at in, for `__func__`.
-            variables: its variables, the outermost first: one hides those of the same name before.
-            diagnostics: takes warnings.
+            function: the C name of the function around it, for `__func__`.
+            variables: the variables in scope, the outermost first; later ones hide earlier ones.
+            diagnostics: receives warnings.
 
         Raises:
-            CompileError: when the expression is none, or means nothing here.
+            CompileError: when the expression is invalid here.
         """
         own = Diagnostics()
         unit = replace(self._unit, name=EXPRESSION, diagnostics=own, suggestions=1, unknown=set())
@@ -128,7 +129,7 @@ class FileNames:
         except GiveUp:
             checked = None
         except CheckError as mistake:
-            own.error(mistake.location, mistake.text or "this means nothing here", mistake.hint)
+            own.error(mistake.location, mistake.text or "invalid expression", mistake.hint)
             checked = None
         own.sort()
         if own.errors or checked is None:
@@ -145,7 +146,7 @@ class FileNames:
         report.lines[EXPRESSION] = [text]
         tokens = lex(source.text, source.location, report)
         if not tokens:
-            report.error(Location(EXPRESSION, 1, 1), "there is no expression")
+            report.error(Location(EXPRESSION, 1, 1), "expected an expression")
             return None
         names = unit.scope.names
         types = [name for name, symbol in names.items() if isinstance(symbol, TypedefName)]
@@ -161,17 +162,17 @@ class FileNames:
 
 
 def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
-    """Gives the variables of all functions, parameters and static ones too."""
+    """Yield the variables of all functions, including parameters and static ones."""
     for function in unit.functions:
         yield from function.parameters
-        for node in everything(function.body):
+        for node in walk(function.body):
             if isinstance(node, tree.Declare):
                 yield node.symbol
     yield from (each.symbol for each in unit.objects)
 
 
 def _indirect(name: str, ctype: CType) -> ObjectSymbol:
-    """Gives the symbol of a variable that is passed by its address."""
+    """Return the symbol of a variable that is passed by address."""
     location = Location(EXPRESSION, 1, 1)
     return ObjectSymbol(name, PointerType(ctype), location, is_indirect=True)
 
@@ -179,10 +180,10 @@ def _indirect(name: str, ctype: CType) -> ObjectSymbol:
 def _lowered(
     unit: Unit, text: str, checked: tree.Expression, symbols: dict[str, ObjectSymbol]
 ) -> CompiledExpression:
-    location, shared = Location(EXPRESSION, 1, 1), UnitLowering(unit)
+    location, shared = Location(EXPRESSION, 1, 1), UnitState(unit)
     function, entry = Function(EXPRESSION, location), Block("entry")
     function.blocks.append(entry)
-    low = Lowering(shared, function, entry)
+    low = Lowering(shared, function, RULES, entry)
     for symbol in symbols.values():
         register = low.lasting_register("i32")
         low.places[symbol] = register
@@ -201,7 +202,7 @@ def _lowered(
     else:
         result, function.result = value(low, checked), value_type(ctype)
     low.end(Return(location, result))
-    tidy(function)
+    simplify(function)
     shared.program.functions[EXPRESSION] = function
     return CompiledExpression(text, shared.program, ctype, is_place, tuple(symbols))
 
@@ -211,5 +212,5 @@ def _is_bit_field(checked: tree.Expression) -> bool:
 
 
 def _is_hidden(checked: tree.Expression) -> bool:
-    """Tells whether an expression is the address of a variable, which came as a variable itself."""
+    """Return whether an expression is the hidden pointer to a variable."""
     return isinstance(checked, tree.ObjectName) and checked.symbol.is_indirect

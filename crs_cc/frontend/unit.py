@@ -38,21 +38,21 @@ if TYPE_CHECKING:
 
 Result = TypeVar("Result")
 
-MOST_SHOWN: Final = 20
-"""How many errors of a file are told; the rest are mostly echoes."""
+MAX_SHOWN: Final = 20
+"""How many errors are reported per file; most of the others are consequences."""
 
 _STACK_BYTES: Final = 256 << 20
 _RECURSION_LIMIT: Final = 60_000
-"""Deep enough for thousands of parentheses; Python's own frames are small."""
+"""Enough for thousands of nested parentheses."""
 
 
 def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Program:
-    """Compiles a C file.
+    """Compile a C file.
 
     Args:
         path: the file.
-        options: where to look for headers, and macros to define.
-        diagnostics: takes errors and warnings; the warnings stay there.
+        options: header directories and macro definitions.
+        diagnostics: receives errors and warnings.
 
     Returns:
         The program, not verified yet.
@@ -65,7 +65,7 @@ def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Prog
 
 
 def check_file(path: Path, options: Options, diagnostics: Diagnostics) -> tuple[Unit, Preprocessed]:
-    """Preprocesses and checks a C file; gives what its names mean at its end.
+    """Preprocess and check a C file; return its checked and its preprocessed form.
 
     Raises:
         CompileError: when there are errors in the file.
@@ -80,7 +80,7 @@ def check_file(path: Path, options: Options, diagnostics: Diagnostics) -> tuple[
 
 
 def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostics) -> Program:
-    """Compiles C text as if it stood in the file `name`.
+    """Compile C text as if it were the file `name`.
 
     Raises:
         CompileError: when there are errors in it.
@@ -120,9 +120,9 @@ def _compile(
     except RecursionError:
         unit.diagnostics.error(unit.place, "the program is nested too deeply here")
     except GiveUp:
-        pass  # the reason is among the diagnostics
+        pass  # the reason is in the diagnostics
     diagnostics.sort()
-    diagnostics.shorten(MOST_SHOWN)
+    diagnostics.shorten(MAX_SHOWN)
     if diagnostics.errors:
         if sources:
             add_macro_notes(diagnostics, sources[0], unit.headers)
@@ -161,9 +161,9 @@ def _stop_on_errors(unit: Unit) -> None:
 
 
 def _with_deep_stack(work: Callable[[], None]) -> None:
-    """Runs `work` in a thread whose stack is deep enough for nested programs.
+    """Run `work` in a thread whose stack is large enough for deeply nested programs.
 
-    The thread is joined at once: no result depends on it.
+    The thread is joined at once, so the result is deterministic.
 
     Raises:
         Exception: whatever `work` raised.

@@ -1,11 +1,11 @@
-"""Which variables in registers may be read before they are assigned, and where.
+"""Definite assignment analysis of variables in registers.
 
-A variable whose every read comes after an assignment, on whatever way the program takes, needs
-nothing. For the others a flag is kept beside the register, and the reads that may come too early
-test it. To move such a value, or to store it, is no use of it: flag or state go along.
+A variable that is assigned before every read, on every path, needs no check. Any other gets a flag
+beside its register, which is tested at the reads that may come too early. Moving or storing a value
+is not a read: its flag is moved, or its state is stored, with it.
 
-A debugger may look at a variable wherever the program can stop. Mostly it is known whether it has a
-value there; where that depends on the way that the program took, the variable has a flag, too.
+A debugger may read a variable wherever the program can stop. Where it depends on the path whether
+the variable has a value there, it has a flag, too.
 
 >>> from crs_cc.ir.program import *
 >>> from crs_cc.ir.types import INT
@@ -40,16 +40,16 @@ from crs_cc.ir.program import (
 )
 
 _STOPS: Final = (Statement, Call, Request, SetJump)
-"""Where a program can stop, beside the beginnings of blocks."""
+"""Where a program can stop, beside the starts of blocks."""
 
 
 @dataclass(frozen=True, slots=True)
 class FlagChange:
-    """What becomes of a flag when its register is written.
+    """The change of a flag when its register is written.
 
     Attributes:
         flag: the flag.
-        source: the flag whose value it takes; None when the register now has a value.
+        source: the flag whose value it takes; None if the register now has a value.
     """
 
     flag: Register
@@ -57,19 +57,19 @@ class FlagChange:
 
 
 class Assignments:
-    """The flags that a function needs, and where they are tested and changed.
+    """The flags that a function needs, their tests and their changes.
 
     Attributes:
-        flags: the flag of each register that needs one: not zero when the register has a value.
-        tests: the registers to test before an instruction, each with the variable to blame.
-        changes: what an instruction changes.
-        stored: the flag of the value that a store writes, where it may have none.
-        unset: the variables that surely have no value before an instruction where a debugger may
-            look at them.
+        flags: the flag of each register that needs one: not zero if the register has a value.
+        tests: the registers to test before an instruction, each with the variable to report.
+        changes: the changes by an instruction.
+        stored: the flag of the value that a store writes, if it may have none.
+        unset: the variables that never have a value before an instruction where a debugger may
+            read them.
     """
 
     def __init__(self, function: Function, *, steps: bool = False) -> None:
-        """Looks through a function; `steps` if a debugger may stop in it."""
+        """Analyse a function; `steps` if a debugger may stop in it."""
         self.flags: dict[Register, Register] = {}
         self.tests: dict[Instruction, list[tuple[Register, Variable]]] = {}
         self.changes: dict[Instruction, FlagChange] = {}
@@ -91,7 +91,7 @@ class Assignments:
     def _look(
         self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
     ) -> None:
-        """Finds what a debugger sees, and wants flags for what is not known beforehand."""
+        """Find what a debugger can read, and add flags where the state is unknown."""
         assigned = _assigned(function)
         for block in function.blocks:
             unset, given = at_start[block], assigned[block]
@@ -104,12 +104,12 @@ class Assignments:
                     ]
                     self.unset[it] = frozenset(each for each, doubt in seen if not doubt)
                     wanted.update((each, None) for each, doubt in seen if doubt)
-                unset, given = _behind(it, unset), given | _written(it)
+                unset, given = _after(it, unset), given | _written(it)
 
     def _find(
         self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
     ) -> None:
-        """Collects the reads that may come too early, and all that leads to them."""
+        """Collect the reads that may come too early, and the moves that lead to them."""
         moves: dict[Instruction, Register] = {}
         for block in function.blocks:
             unset = at_start[block]
@@ -121,7 +121,7 @@ class Assignments:
                 source = _moved(it)
                 if source is not None and unset >> source.index & 1:
                     self._move(it, source, moves, wanted)
-                unset = _behind(it, unset)
+                unset = _after(it, unset)
         _add_sources(moves, wanted)
         self.flags = {register: Register(-1, "i32") for register in wanted}
         for it, source in moves.items():
@@ -141,7 +141,7 @@ class Assignments:
         moves: dict[Instruction, Register],
         wanted: dict[Register, None],
     ) -> None:
-        """Notes that a value which may not be there is moved to another register, or stored."""
+        """Record that a value that may be undefined is moved to another register, or stored."""
         moves[it] = source
         target = writes(it)
         if target is None:
@@ -151,7 +151,7 @@ class Assignments:
 
 
 def _add_sources(moves: dict[Instruction, Register], wanted: dict[Register, None]) -> None:
-    """Wants the sources of all moves to what is wanted."""
+    """Add flags for the sources of all moves to registers with flags."""
     grown = True
     while grown:
         grown = False
@@ -162,14 +162,14 @@ def _add_sources(moves: dict[Instruction, Register], wanted: dict[Register, None
 
 
 def _moved(it: Instruction) -> Register | None:
-    """Gives the register whose value an instruction moves elsewhere without looking at it."""
+    """Return the register whose value an instruction moves without using it."""
     if isinstance(it, Move | Store) and isinstance(it.source, Register):
         return it.source
     return None
 
 
 def _uses(it: Instruction) -> list[Register]:
-    """Gives the registers whose values an instruction needs."""
+    """Return the registers whose values an instruction uses."""
     used = reads(it)
     source = _moved(it)
     if source is not None:
@@ -177,9 +177,9 @@ def _uses(it: Instruction) -> list[Register]:
     return used
 
 
-def _behind(it: Instruction, unset: int) -> int:
-    """Gives which registers may have no value behind an instruction, from those before it."""
-    for register in _uses(it):  # it has passed the test
+def _after(it: Instruction, unset: int) -> int:
+    """Return the registers that may have no value after an instruction, given those before it."""
+    for register in _uses(it):  # the flag was tested
         unset &= ~(1 << register.index)
     target = writes(it)
     if target is not None:
@@ -192,13 +192,13 @@ def _behind(it: Instruction, unset: int) -> int:
 
 
 def _written(it: Instruction) -> int:
-    """Gives the bit of the register that an instruction writes; 0 for none."""
+    """Return the bit of the register that an instruction writes; 0 if there is none."""
     target = writes(it)
     return 0 if target is None else 1 << target.index
 
 
 def _assigned(function: Function) -> dict[Block, int]:
-    """Gives the bit set of registers that may have been written where each block begins."""
+    """Return the bit set of registers that may have been written at the start of each block."""
     at_start = dict.fromkeys(function.blocks, 0)
     work = list(function.blocks)
     while work:
@@ -214,7 +214,7 @@ def _assigned(function: Function) -> dict[Block, int]:
 
 
 def _solve(function: Function, start: int) -> dict[Block, int]:
-    """Gives the bit set of registers that may have no value where each block begins."""
+    """Return the bit set of registers that may have no value at the start of each block."""
     at_start = dict.fromkeys(function.blocks, 0)
     at_start[function.blocks[0]] = start
     seen: set[Block] = set()
@@ -224,7 +224,7 @@ def _solve(function: Function, start: int) -> dict[Block, int]:
         seen.add(block)
         unset = at_start[block]
         for it in all_instructions(block):
-            unset = _behind(it, unset)
+            unset = _after(it, unset)
         for target in block.successors():
             if target not in seen or unset & ~at_start[target]:
                 at_start[target] |= unset

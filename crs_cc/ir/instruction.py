@@ -1,40 +1,30 @@
-"""The instructions of the IR and what they work on.
+"""The instructions of the IR and their operands.
 
-`ir.program` says how they make up a program; each class here says what its instruction does.
+`ir.program` describes the structure of a program.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Final, Literal, SupportsIndex, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, SupportsIndex, TypeAlias
+
+from crs_cc.ir.value_type import MemoryType, ValueType
 
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
-    from crs_cc.ir.program import Block
     from crs_cc.ir.types import CType
-
-ValueType: TypeAlias = Literal["i32", "i64", "f32", "f64"]
-MemoryType: TypeAlias = Literal["i8", "u8", "i16", "u16", "i32", "i64", "f32", "f64"]
-
-MEMORY_SIZE: Final[dict[MemoryType, int]] = {
-    "i8": 1, "u8": 1, "i16": 2, "u16": 2, "i32": 4, "i64": 8, "f32": 4, "f64": 8,
-}  # fmt: skip
-VALUE_TYPE: Final[dict[MemoryType, ValueType]] = {
-    "i8": "i32", "u8": "i32", "i16": "i32", "u16": "i32",
-    "i32": "i32", "i64": "i64", "f32": "f32", "f64": "f64",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A C variable as its programmer knows it, for debuggers and messages.
+    """A C variable, for debuggers and messages.
 
     Attributes:
-        block: the first and the last place of the block that it is declared in; None for one that
-            the whole function, or file, knows.
-        is_indirect: the name means what this variable, a pointer, points to; so it is with an array
-            whose length is not constant.
+        block: the start and end of the block that it is declared in; None if its scope is the whole
+            function or file.
+        is_indirect: whether the variable is a pointer to the named object; an array of variable
+            length is one.
     """
 
     name: str
@@ -44,16 +34,16 @@ class Variable:
     is_indirect: bool = False
 
     def reaches(self, place: Location) -> bool:
-        """Tells whether a place lies in the block of the variable, be it before its declaration.
+        """Return whether a location is in the variable's block, even before its declaration.
 
-        Nobody knows what a file that is included into a block has to do with it.
+        A location in another file, which may be included in the block, counts as inside.
         """
         if self.block is None or place.file != self.block[0].file:
             return True
         return self.block[0] <= place <= self.block[1]
 
     def is_visible(self, place: Location) -> bool:
-        """Tells whether the name means this variable at a place, if no inner one has it."""
+        """Return whether the variable is visible at a location unless an inner one hides it."""
         is_declared = place.file != self.location.file or self.location <= place
         return is_declared and self.reaches(place)
 
@@ -77,7 +67,7 @@ class Slot:
     variable: Variable | None = None
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> str | tuple[Any, ...]:
-        """Keeps `VARARGS` the one object that it is when a program is pickled."""
+        """Keep the identity of `VARARGS` when a program is pickled."""
         return "VARARGS" if self is VARARGS else object.__reduce_ex__(self, protocol)
 
 
@@ -91,13 +81,13 @@ class Constant:
 
 Operand: TypeAlias = Register | Constant
 VARARGS: Final = Slot("...", 0, 4)
-"""As the base of an `Address`: the first byte behind the named parameters (for `va_start`)."""
+"""As the base of an `Address`: the first byte after the named parameters (for `va_start`)."""
 Base: TypeAlias = Register | Slot | str
 """Where an address starts: a pointer value, a frame slot, or a global object or function."""
 
 
 class ByteState(IntEnum):
-    """What C may do with a byte of memory, as checked builds note it in the shadow memory."""
+    """The state of a byte of memory, which checked builds keep in shadow memory."""
 
     INACCESSIBLE = 0
     WITHOUT_VALUE = 1
@@ -106,14 +96,14 @@ class ByteState(IntEnum):
 
 @dataclass(slots=True, eq=False)
 class Instruction:
-    """What all instructions have: the place in the C source to blame."""
+    """The base of all instructions: the location in the C source, for messages."""
 
     location: Location
 
 
 @dataclass(slots=True, eq=False)
 class Statement(Instruction):
-    """Marks the start of a C statement: no code when running, a stop for the debugger."""
+    """The start of a C statement: no code, but a stop for the debugger."""
 
 
 @dataclass(slots=True, eq=False)
@@ -135,10 +125,10 @@ class Unary(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Binary(Instruction):
-    """`result = left op right`; comparisons give an i32, 0 or 1.
+    """`result = left op right`; the result of a comparison is an i32, 0 or 1.
 
-    A `checked` operation is one of C's that may have no result: a shift, whose count must be below
-    the width of its type, or arithmetic of a signed type, which may overflow.
+    A `checked` operation may have an undefined result in C: a shift, whose count must be less than
+    the width of its type, or signed arithmetic, which may overflow.
     """
 
     result: Register
@@ -150,12 +140,12 @@ class Binary(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Load(Instruction):
-    """`result = *(base + offset)`, widened as `memory` says.
+    """`result = *(base + offset)`, widened from the type `memory`.
 
-    With a slot or a name as base the access must lie inside that object; an access that is not
-    known to do so goes through a register made by `Address`, and is checked while running.
+    With a slot or a name as base the access must be inside that object; an access that is not known
+    to be uses a register from `Address`, and is checked at run time.
 
-    An `unjudged` load may find bytes that were never given a value: they are put back as they are.
+    An `unjudged` load may read uninitialised bytes, which are stored back unchanged.
     """
 
     result: Register
@@ -167,7 +157,7 @@ class Load(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Store(Instruction):
-    """`*(base + offset) = source`, narrowed as `memory` says. Bases as for `Load`."""
+    """`*(base + offset) = source`, narrowed to the type `memory`. Bases as for `Load`."""
 
     base: Base
     offset: int
@@ -177,7 +167,7 @@ class Store(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Address(Instruction):
-    """`result = base + offset`; the name of a function gives its function pointer."""
+    """`result = base + offset`; the address of a function is its function pointer."""
 
     result: Register
     base: Base
@@ -186,7 +176,7 @@ class Address(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Copy(Instruction):
-    """Copies `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
+    """A copy of `size` bytes, as by `memmove`; the operands are i32, both ranges are checked."""
 
     target: Operand
     source: Operand
@@ -204,7 +194,7 @@ class Fill(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Lifetime(Instruction):
-    """The object in a slot begins to exist, without a value, or ends. Other slots always exist."""
+    """The start, without a value, or end of the lifetime of a slot's object. Others always live."""
 
     slot: Slot
     begins: bool
@@ -212,9 +202,9 @@ class Lifetime(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Mark(Instruction):
-    """Says what C may do with `size` bytes at `target`: `state` is one of `ByteState`.
+    """Sets the state of `size` bytes at `target`; `state` is one of `ByteState`.
 
-    It is for the allocator; nothing happens in unchecked builds.
+    It is for the allocator and has no effect in unchecked builds.
     """
 
     target: Operand
@@ -226,8 +216,8 @@ class Mark(Instruction):
 class Callers(Instruction):
     """Writes the numbers of the innermost `count` call sites to `target`, an i32 each.
 
-    It is for the allocator; the first is the call of this function, behind the outermost come
-    zeros. Nothing happens in unchecked builds.
+    It is for the allocator and has no effect in unchecked builds. The first is the call of this
+    function; the outermost is followed by zeros.
     """
 
     target: Operand
@@ -244,14 +234,14 @@ class State(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Jump(Instruction):
-    """Goes to another block."""
+    """A jump to another block."""
 
     target: Block
 
 
 @dataclass(slots=True, eq=False)
 class Branch(Instruction):
-    """Goes to `then` when the i32 `condition` is not zero, else to `otherwise`."""
+    """A jump to `then` if the i32 `condition` is not zero, else to `otherwise`."""
 
     condition: Operand
     then: Block
@@ -260,7 +250,7 @@ class Branch(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Switch(Instruction):
-    """Goes to the block of the case equal to the i32 or i64 `value`, else to `default`."""
+    """A jump to the block of the case equal to the i32 or i64 `value`, else to `default`."""
 
     value: Operand
     cases: list[tuple[int, Block]]
@@ -269,18 +259,18 @@ class Switch(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Return(Instruction):
-    """Leaves the function. Without a value the caller finds an unspecified one."""
+    """A return from the function. Without a value the caller gets an unspecified one."""
 
     value: Operand | None
 
 
 @dataclass(frozen=True, slots=True)
 class Argument:
-    """One argument of a call: a value stored as `memory`, or `size` bytes at address `value`.
+    """An argument of a call: a value stored as `memory`, or `size` bytes at address `value`.
 
     Attributes:
         value: the value; for a struct its address (i32).
-        memory: how the value is stored; None for a struct, which is copied.
+        memory: the type in which the value is stored; None for a struct, which is copied.
         size: size in bytes, before rounding up to 4.
     """
 
@@ -291,9 +281,9 @@ class Argument:
 
 @dataclass(slots=True, eq=False)
 class Call(Instruction):
-    """Calls a function by name, or through a function pointer in a register; goes on at `then`.
+    """A call of a function by name or through a function pointer; continues at `then`.
 
-    `result`, if any, takes the returned value. A struct result is returned through a hidden first
+    `result`, if any, receives the returned value. A struct is returned through a hidden first
     argument that points to the caller's memory.
     """
 
@@ -305,10 +295,10 @@ class Call(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Request(Instruction):
-    """Posts request `code` with the message at address `message`, stops, goes on at `then`.
+    """Posts request `code` with the message at address `message`, waits, continues at `then`.
 
-    The message is `struct __crs_message` (see `crs_cc.requests`); the reply takes its place, and
-    `result` takes the reply's i32 result.
+    The message is `struct __crs_message` (see `crs_cc.requests`); the reply overwrites it, and
+    `result` receives the reply's i32 result.
     """
 
     code: Operand
@@ -319,10 +309,10 @@ class Request(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Stop(Instruction):
-    """Ends the program with an error that the C source asked for or cannot get past.
+    """Ends the program with a run-time error.
 
     `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable"; `value` is the
-    address to blame, if there is one.
+    address at fault, if there is one.
     """
 
     kind: str
@@ -331,11 +321,11 @@ class Stop(Instruction):
 
 @dataclass(slots=True, eq=False)
 class SetJump(Instruction):
-    """C's `setjmp`: gives 0 and goes on at `then`, where a `LongJump` comes back with its value.
+    """C's `setjmp`: continues at `then` with result 0, and later with that of a `LongJump`.
 
-    Stores the number of the place to come back to at `buffer`. Whoever jumps there names this
-    number and the `activation`, which is not 0 and differs from that of all other calls of
-    functions; the register is assigned once, at the function's start.
+    Stores the number of its resume point at `buffer`. A jump needs this number and the
+    `activation`, which is not 0 and identifies the call of the function; the register is assigned
+    once, at the function's start.
     """
 
     buffer: Register
@@ -346,10 +336,10 @@ class SetJump(Instruction):
 
 @dataclass(slots=True, eq=False)
 class LongJump(Instruction):
-    """Leaves all functions up to the one with this `activation`, which goes on at `place`.
+    """Leaves all functions up to the one with this `activation`, which continues at `place`.
 
-    The operands are i32; `value` is what that `SetJump` gives now. When no active function has
-    that activation, the program fails.
+    The operands are i32; `value` becomes the result of that `SetJump`. It is a run-time error if
+    no active function has that activation.
     """
 
     activation: Operand
@@ -358,3 +348,28 @@ class LongJump(Instruction):
 
 
 Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop | SetJump | LongJump
+
+
+@dataclass(slots=True, eq=False)
+class Block:
+    """A basic block. `label` is unique in its function."""
+
+    label: str
+    instructions: list[Instruction] = field(default_factory=list)
+    terminator: Terminator | None = None
+
+    @property
+    def fuel(self) -> int:
+        """The cost of the block: one unit, and one for each instruction that generates code."""
+        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
+
+    def successors(self) -> list[Block]:
+        """Return the blocks that may follow, in a fixed order, each once."""
+        match self.terminator:
+            case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
+                return [block]
+            case Branch(then=then, otherwise=otherwise):
+                return [then] if then is otherwise else [then, otherwise]
+            case Switch(cases=cases, default=default):
+                return list(dict.fromkeys([block for _, block in cases] + [default]))
+        return []

@@ -1,4 +1,4 @@
-"""Which registers an instruction reads and writes, and which are alive where.
+"""The registers that instructions read and write, and liveness analysis.
 
 >>> from crs_cc.core.source import Location
 >>> from crs_cc.ir.program import Binary, Constant, Register
@@ -59,14 +59,14 @@ _OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
     SetJump: ("buffer", "activation"),
     LongJump: ("activation", "place", "value"),
 }
-"""The fields in which an instruction names what it reads, apart from a call's arguments."""
+"""The fields of instructions with the operands that they read, except a call's arguments."""
 
 _ASSIGNING: Final = frozenset({Move, Unary, Binary, Load, Address, State, Call, Request, SetJump})
-"""What has a result; looked up by class, which is faster than `match` and asked very often."""
+"""The instructions with a result; looking up the class is faster than `match`."""
 
 
 def reads(instruction: Instruction) -> list[Register]:
-    """Gives the registers whose values the instruction takes."""
+    """Return the registers that the instruction reads."""
     names = _OPERANDS.get(instruction.__class__, ())
     values = [getattr(instruction, name) for name in names]
     if instruction.__class__ is Call:
@@ -76,7 +76,7 @@ def reads(instruction: Instruction) -> list[Register]:
 
 
 def writes(instruction: Instruction) -> Register | None:
-    """Gives the register that the instruction assigns."""
+    """Return the register that the instruction writes, if any."""
     if instruction.__class__ not in _ASSIGNING:
         return None
     result: Register | None = instruction.result  # type: ignore[attr-defined]
@@ -84,16 +84,16 @@ def writes(instruction: Instruction) -> Register | None:
 
 
 def all_instructions(block: Block) -> list[Instruction]:
-    """Gives the block's instructions with its terminator as the last."""
+    """Return the block's instructions with its terminator as the last."""
     return block.instructions if block.terminator is None else [*block.instructions,
                                                                 block.terminator]  # fmt: skip
 
 
 class Liveness:
-    """What is alive at the start of each block: registers whose values may still be read.
+    """The live registers, whose values may still be read, at the start of each block.
 
     Attributes:
-        shared: bit set (by register index) of registers that are alive across blocks.
+        shared: the bit set (by register index) of registers that are live across blocks.
     """
 
     def __init__(self, function: Function) -> None:
@@ -108,11 +108,11 @@ class Liveness:
             self.shared |= alive
 
     def at_start(self, block: Block) -> int:
-        """Gives the bit set of registers alive where the block begins."""
+        """Return the bit set of registers that are live at the start of the block."""
         return self._alive[block]
 
     def at_end(self, block: Block) -> int:
-        """Gives the bit set of registers alive behind the block's terminator."""
+        """Return the bit set of registers that are live after the block's terminator."""
         alive = 0
         for successor in block.successors():
             alive |= self._alive[successor]
@@ -140,7 +140,7 @@ class Liveness:
 
 
 def alive_before(block: Block, liveness: Liveness) -> list[int]:
-    """Gives the bit set of registers alive before each instruction and before the terminator."""
+    """Return the bit sets of registers that are live before each instruction and the terminator."""
     alive = liveness.at_end(block)
     out = []
     for instruction in reversed(all_instructions(block)):

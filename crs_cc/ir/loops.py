@@ -1,4 +1,4 @@
-"""Finds the blocks at which the loops of a function are counted."""
+"""Loop headers, at which the iterations of loops are counted."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from crs_cc.ir.program import Block, Function
 
 
 def loop_headers(function: Function) -> set[Block]:
-    """Gives some blocks of which at least one lies on every cycle.
+    """Return blocks of which at least one is on every cycle.
 
-    They are the targets of edges that go back in the order of a depth-first walk.
+    They are the targets of back edges in a depth-first traversal.
     """
     headers: set[Block] = set()
     entry = function.blocks[0]

@@ -1,7 +1,7 @@
-"""How names are spelled where the source has none for the whole program.
+"""Linker names of static objects, and of the library.
 
-A static object `count` of `wander.c` is `wander.c:count`, one inside function `turn`
-`wander.c:turn.count`. The C library's own files stand in no folder of the user's.
+A static object `count` of `wander.c` is `wander.c:count`, one inside function `turn` is
+`wander.c:turn.count`.
 """
 
 from __future__ import annotations
@@ -11,19 +11,19 @@ from typing import Final
 from crs_cc.core.source import Location
 
 LIBRARY: Final = "<library>/"
-"""The names of the C library's files begin with it."""
+"""The prefix of the C library's file names."""
 
 REPORT: Final = "__report_"
-"""What `crs/report.h` puts before the names of the CRS report, which mean its own functions."""
+"""The prefix by which `crs/report.h` maps the names of the CRS report to its own functions."""
 
 
 def in_library(location: Location) -> bool:
-    """Tells whether a place is in the C library."""
+    """Return whether a location is in the C library."""
     return location.file.startswith(LIBRARY)
 
 
 def plain_name(function: str) -> str:
-    """Gives a function's name as the programmer knows it.
+    """Return a function's name in the source.
 
     >>> plain_name("wander.c:turn"), plain_name("__report_vm")
     ('turn', 'vm')

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, cast
 
 if TYPE_CHECKING:
-    from crs_cc.ir.program import ValueType
+    from crs_cc.ir.value_type import ValueType
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +26,8 @@ class Operator:
 
     Attributes:
         name: its name in the WebAssembly text format.
-        operands: the types it takes: one for `Unary`, two for `Binary`.
-        result: the type it gives.
+        operands: the types of its operands: one for `Unary`, two for `Binary`.
+        result: the type of its result.
         opcode: its bytes in a WebAssembly module (WebAssembly 2.0, section 5.4.7).
     """
 
@@ -72,7 +72,7 @@ _SATURATING: Final = (
 
 
 def _source_type(conversion: str) -> ValueType:
-    """Gives the type that a conversion takes, which is part of its name."""
+    """Return the operand type of a conversion, which is part of its name."""
     found = next(part for part in conversion.split("_") if part in {"i32", "i64", "f32", "f64"})
     return cast("ValueType", found)
 

@@ -1,23 +1,23 @@
-"""What a compiled program is: functions as graphs of basic blocks, and data.
+"""The intermediate representation of a program: functions as graphs of basic blocks, and data.
 
-A front end makes one `Program` of each C file, `runtime.link` joins them, `runtime.codegen` turns
-the whole into WebAssembly. The rules of the form are checked by `ir.verify`; `ir.text` prints it.
+The front end compiles each C file to a `Program`, `runtime.link` joins them, `runtime.codegen`
+translates the whole to WebAssembly. `ir.verify` checks the rules, `ir.text` prints a program.
 
-The form in short:
+In short:
 
 - A `Register` holds one value of one type and may be assigned many times. Variables whose address
   is not taken are registers; all other variables are `Slot`s in the function's frame in memory.
-- A `Block` is a run of instructions and one terminator. A `Call` and a `Request` are terminators,
-  because a program can be suspended there and go on later: they are resume points.
+- A `Block` is a sequence of instructions and one terminator. A `Call` and a `Request` are
+  terminators because a program can be suspended and resumed there.
 - Operands are registers or `Constant`s. An address is a base (register, slot, or the name of a
   global object or function) and an offset in bytes.
-- Every instruction carries the `Location` of the C source it came from.
-- Calls follow the i386 convention: arguments lie one after the other in memory, each rounded up to
-  4 bytes; the callee finds its parameters there, whatever prototype the caller believed in.
+- Every instruction has the `Location` of the C source it comes from.
+- Calls follow the i386 convention: arguments are consecutive in memory, each rounded up to 4 bytes;
+  the callee reads its parameters there, whatever prototype the caller used.
 
 Names of operators are WebAssembly's (`i32.add`, `f64.convert_i32_s`), with C's meaning where the
-two differ: the division operators and the conversions from floating to integer types never trap
-silently, codegen adds the checks. `ir.instruction` holds the instructions one by one.
+two differ: divisions and conversions from floating-point to integer types do not trap silently,
+codegen adds checks. `ir.instruction` describes each instruction.
 
 >>> from crs_cc.core.source import Location
 >>> here = Location("twice.c", 1, 1)
@@ -38,13 +38,12 @@ from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from crs_cc.ir.instruction import (
-    MEMORY_SIZE,
-    VALUE_TYPE,
     VARARGS,
     Address,
     Argument,
     Base,
     Binary,
+    Block,
     Branch,
     ByteState,
     Call,
@@ -58,7 +57,6 @@ from crs_cc.ir.instruction import (
     Load,
     LongJump,
     Mark,
-    MemoryType,
     Move,
     Operand,
     Register,
@@ -73,9 +71,9 @@ from crs_cc.ir.instruction import (
     Switch,
     Terminator,
     Unary,
-    ValueType,
     Variable,
 )
+from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE, MemoryType, ValueType
 
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
@@ -129,39 +127,14 @@ __all__ = [
 
 
 @dataclass(slots=True, eq=False)
-class Block:
-    """A basic block. `label` is unique in its function."""
-
-    label: str
-    instructions: list[Instruction] = field(default_factory=list)
-    terminator: Terminator | None = None
-
-    @property
-    def fuel(self) -> int:
-        """Gives what running the block costs: one unit for each instruction that does something."""
-        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
-
-    def successors(self) -> list[Block]:
-        """Gives the blocks that may come next, in a fixed order, each once."""
-        match self.terminator:
-            case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
-                return [block]
-            case Branch(then=then, otherwise=otherwise):
-                return [then] if then is otherwise else [then, otherwise]
-            case Switch(cases=cases, default=default):
-                return list(dict.fromkeys([block for _, block in cases] + [default]))
-        return []
-
-
-@dataclass(slots=True, eq=False)
 class Parameter:
     """A parameter, at the next multiple of 4 in the argument area.
 
     Attributes:
-        place: the register it is loaded into at entry, or the slot that lies over it in memory.
-        memory: how it lies in memory; None for a struct.
+        place: the register it is loaded into at entry, or the slot that overlays it in memory.
+        memory: its type in memory; None for a struct.
         size: size in bytes, before rounding up to 4.
-        variable: the C parameter as it is passed, where it becomes another variable.
+        variable: the C parameter as it is passed, if it is converted to another variable.
     """
 
     place: Register | Slot
@@ -175,10 +148,10 @@ class Function:
     """A function. The first block is its entry.
 
     Attributes:
-        name: the linker's name; a static function has its file in front (`wander.c:turn`).
+        name: the linker's name; a static function is prefixed with its file (`wander.c:turn`).
         result: the type of the returned value; None for void and struct results.
         slots: frame slots apart from those of parameters.
-        trusted: whether it works on memory that C may not touch, as the allocator does.
+        trusted: whether it may access memory that C code may not, as the allocator does.
     """
 
     name: str
@@ -193,7 +166,7 @@ class Function:
     trusted: bool = False
 
     def __getstate__(self) -> dict[str, Any]:
-        """Gives the function with blocks by number, so that pickling does not follow jumps."""
+        """Return the state with blocks by number, so that pickling does not recurse along jumps."""
         number = {block: position for position, block in enumerate(self.blocks)}
         state = {each.name: getattr(self, each.name) for each in fields(self)}
         state["blocks"] = [
@@ -214,7 +187,7 @@ class Function:
 
 @dataclass(frozen=True, slots=True)
 class Relocation:
-    """A place in an object's bytes that takes the address `symbol + addend`."""
+    """An offset in an object's bytes where the address `symbol + addend` is stored."""
 
     offset: int
     symbol: str
@@ -226,9 +199,9 @@ class Data:
     """A global object.
 
     Attributes:
-        name: the linker's name; a static object has its file in front.
-        content: initial bytes, as long as `size`; None when all zero.
-        tentative: declared without initialiser, so that other files may define it too.
+        name: the linker's name; a static object is prefixed with its file.
+        content: the initial bytes, as long as `size`; None if all are zero.
+        tentative: whether it is declared without initialiser, so that other files may define it.
     """
 
     name: str
@@ -243,14 +216,14 @@ class Data:
 
 @dataclass(slots=True, eq=False)
 class Program:
-    """What a file, or all files of a program together, define.
+    """The definitions of a file, or of all files of a program.
 
     Attributes:
-        functions: by name.
-        data: by name.
-        undefined: where names that are used but not defined were first used.
-        declared: of names that are used but not defined, as what and where they are declared.
-        weak: names whose definition gives way to another one.
+        functions: the functions by name.
+        data: the global objects by name.
+        undefined: the first use of each name that is used but not defined.
+        declared: the type and location of the declarations of undefined names.
+        weak: the names whose definition can be overridden.
         starts: functions to be called before `main`, with their priority, the lowest first.
         ends: functions to be called after the program's end, the highest priority first.
     """
@@ -265,7 +238,7 @@ class Program:
 
 
 def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:
-    """Gives a copy of a terminator with `change` applied to each of its targets."""
+    """Return a copy of a terminator with `change` applied to each of its targets."""
     match terminator:
         case Jump(target=target):
             return replace(terminator, target=change(target))

@@ -1,32 +1,54 @@
-"""Where the members of structs and unions lie, as gcc lays them out on i386.
+"""The layout of structs and unions, as gcc's on i386.
 
-Bit-fields lie in the lowest free bits, but never across a boundary of their own type, unless they
+Bit-fields are in the lowest free bits, but do not cross a boundary of their own type unless they
 are packed; one of width 0 ends the unit.
-
->>> from crs_cc.ir.types import CHAR, INT, Member
->>> members = [Member("tag", CHAR), Member("low", INT, bit_width=5), Member("n", INT)]
->>> lay_out(members), [(each.offset, each.bit_offset) for each in members]
-((8, 4), [(0, 0), (0, 8), (4, 0)])
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import Protocol
 
-if TYPE_CHECKING:
-    from crs_cc.ir.types import Member
+
+class Sized(Protocol):
+    """The size and alignment of a type [bytes]."""
+
+    @property
+    def size(self) -> int:
+        """Return the size [bytes]."""
+
+    @property
+    def align(self) -> int:
+        """Return the alignment [bytes]."""
+
+
+class Member(Protocol):
+    """The attributes of an `ir.types.Member` that the layout reads and sets."""
+
+    name: str | None
+    offset: int
+    bit_offset: int
+    bit_width: int | None
+    align: int
+    natural: int
+    packed: bool
+    spread: int
+
+    @property
+    def type(self) -> Sized:
+        """Return the member's type."""
 
 
 def lay_out(
-    members: list[Member], is_union: bool = False, align: int = 1, pack: int = 0
+    members: Sequence[Member], is_union: bool = False, align: int = 1, pack: int = 0
 ) -> tuple[int, int]:
-    """Gives every member its place, and the size and alignment of the whole [bytes].
+    """Set the offset of each member, and return the size and alignment of the whole [bytes].
 
     Args:
         members: the members; those of a packed struct are packed.
-        is_union: whether all begin at the same place.
-        align: what the whole is aligned to at least [bytes].
-        pack: what members are aligned to at most [bytes], as `#pragma pack` says; 0 if any.
+        is_union: whether all start at the same offset.
+        align: the minimum alignment of the whole [bytes].
+        pack: the maximum alignment of members [bytes], from `#pragma pack`; 0 if there is none.
     """
     end_bits = size_bits = 0
     for member in members:
@@ -40,7 +62,7 @@ def lay_out(
 
 
 def _wanted(member: Member, pack: int) -> int:
-    """Gives the alignment that a member asks of the whole [bytes]."""
+    """Return the alignment that a member demands of the whole [bytes]."""
     if member.bit_width is not None and member.name is None:
         return 1
     natural = member.natural or member.type.align
@@ -49,7 +71,7 @@ def _wanted(member: Member, pack: int) -> int:
 
 
 def _place(member: Member, start_bits: int, pack: int) -> int:
-    """Puts a member at the first fitting place from `start_bits` on; gives where it ends."""
+    """Place a member at the first suitable offset from `start_bits` on; return its end."""
     unit_bits = 8 * member.type.size
     if member.bit_width is None:
         start_bits = _rounded(start_bits, _wanted(member, pack))
@@ -69,7 +91,7 @@ def _place(member: Member, start_bits: int, pack: int) -> int:
 
 
 def _spread(member: Member, size: int) -> None:
-    """Makes a bit-field one of single bytes if the unit it begins in does not hold it."""
+    """Divide a bit-field into single bytes if the unit it starts in does not contain it."""
     if not member.bit_width:
         return
     end = member.bit_offset + member.bit_width
@@ -80,10 +102,10 @@ def _spread(member: Member, size: int) -> None:
 
 
 def _rounded(bits: int, align: int) -> int:
-    """Gives the next multiple of an alignment [bytes]."""
+    """Return the next multiple of an alignment [bytes]."""
     return -(-bits // (8 * align)) * 8 * align
 
 
 def _least(align: int, pack: int) -> int:
-    """Gives an alignment, cut down to that of `#pragma pack` if there is one."""
+    """Return an alignment, limited to that of `#pragma pack` if there is one."""
     return min(align, pack) if pack else align

@@ -1,7 +1,7 @@
-"""A program as text, to be read and compared; what `crs compile --emit ir` prints.
+"""A readable text form of programs; the output of `crs compile --emit ir`.
 
-Registers are `%name.number`, frame slots `$name.number`, global names `@name`. A comment gives the
-place in the C source where it differs from the line before.
+Registers are `%name.number`, frame slots `$name.number`, global names `@name`. A comment has the
+location in the C source if it differs from that of the line before.
 
 >>> from crs_cc.ir.program import Binary, Block, Constant, Function, Parameter, Register, Return
 >>> from crs_cc.core.source import Location
@@ -70,7 +70,7 @@ _REGISTERS: Final = TextWrapper(92, break_long_words=False, break_on_hyphens=Fal
 
 
 def to_text(program: Program) -> str:
-    """Gives the program's data, functions and undefined names, in the order in which they stand."""
+    """Return the text of the program's data, functions and undefined names, in order."""
     parts = [_data_text(data) for data in program.data.values()]
     parts += [FunctionText(function).render() for function in program.functions.values()]
     names = [_line(f"undefined @{name}", str(at)) for name, at in program.undefined.items()]
@@ -122,7 +122,7 @@ class FunctionText:
         self._place = function.location
 
     def render(self) -> str:
-        """Gives the head, the registers and slots, and the blocks, each line with its place."""
+        """Return the head, the registers and slots, and the blocks, each line with its location."""
         lines = [_line(self._head(), str(self.function.location))]
         for type_ in ("i32", "i64", "f32", "f64"):
             names = [self._operand(each) for each in self.function.registers if each.type == type_]

@@ -1,7 +1,7 @@
-"""Whether two files mean the same by a name that they share (C17 6.2.7p2).
+"""Compatibility of declarations of one name in several files (C17 6.2.7p2).
 
-Said to differ is only what a running program would notice on this machine: `int` and `long` agree,
-and so do pointers to different things.
+Types differ only if a running program would notice it on this machine: `int` and `long` agree, and
+so do pointers to different types.
 
 >>> from crs_cc.ir.types import CHAR, DOUBLE, INT, LONG, ArrayType, PointerType
 >>> agree(INT, LONG), agree(INT, DOUBLE), agree(PointerType(CHAR), ArrayType(CHAR, 9))
@@ -24,7 +24,7 @@ from crs_cc.ir.types import (
 
 
 def agree(left: CType, right: CType) -> bool:
-    """Tells whether an object or function of one type may be used as one of the other."""
+    """Return whether an object or function of one type may be used as one of the other."""
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
         lengths = {left.length, right.length} - {None}
         return len(lengths) < 2 and agree(left.element, right.element)
@@ -34,7 +34,7 @@ def agree(left: CType, right: CType) -> bool:
 
 
 def _parameters_agree(left: FunctionType, right: FunctionType) -> bool:
-    """Compares parameters; a list that is not known agrees with any."""
+    """Compare parameters; an unknown list agrees with any."""
     if left.parameters is None or right.parameters is None:
         return True
     if len(left.parameters) != len(right.parameters) or left.variadic != right.variadic:
@@ -43,7 +43,7 @@ def _parameters_agree(left: FunctionType, right: FunctionType) -> bool:
 
 
 def _kind(ctype: CType) -> str:
-    """Gives what a value of a type is to the machine."""
+    """Return the representation of a type's values."""
     match ctype:
         case IntegerType() | EnumType():
             return "integer"

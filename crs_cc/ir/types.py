@@ -1,9 +1,9 @@
-"""C types as the target machine lays them out: ILP32, little-endian, natural alignment.
+"""C types with the layout of the target: ILP32, little-endian, natural alignment.
 
 `char` is signed and has 8 bits, `short` 16, `int`, `long` and pointers 32, `long long` 64, `float`
-32, `double` and `long double` 64. Types are values: two types are equal when C calls them the
-same. Only a struct, union or enum is known by its definition, which is filled in when the source
-completes it.
+32, `double` and `long double` 64. Types are values: two types are equal if they are the same type
+in C. Structs, unions and enums are compared by the identity of their definition, which is filled in
+when the source completes it.
 
 >>> array_of_pointers = ArrayType(PointerType(CHAR), 3)
 >>> print(array_of_pointers, array_of_pointers.size)
@@ -20,12 +20,12 @@ from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal, TypeAlias, TypeVar
 
-from crs_cc.ir.program import MemoryType
 from crs_cc.ir.record_layout import lay_out
+from crs_cc.ir.value_type import MemoryType
 
 
 class _Type:
-    """What all types share: they are written as C writes them."""
+    """The base of all types, which are printed as in C."""
 
     __slots__ = ()
 
@@ -35,32 +35,32 @@ class _Type:
 
 @dataclass(frozen=True, slots=True)
 class VoidType(_Type):
-    """`void`. Its size is 1, so that pointers to it can be moved (as gcc allows)."""
+    """`void`. Its size is 1, for arithmetic on pointers to it (a GNU extension)."""
 
     const: bool = False
     volatile: bool = False
 
     @property
     def size(self) -> int:
-        """Gives 1 [byte], as gcc does for `sizeof(void)`."""
+        """Return 1 [byte], as gcc's `sizeof(void)` does."""
         return 1
 
     @property
     def align(self) -> int:
-        """Gives 1 [byte]."""
+        """Return 1 [byte]."""
         return 1
 
 
 @dataclass(frozen=True, slots=True)
 class IntegerType(_Type):
-    """An integer type, `_Bool` and `char` among them.
+    """An integer type, including `_Bool` and `char`.
 
     Attributes:
         name: its usual name.
-        size: [bytes], also its alignment.
-        rank: the higher wins in a usual arithmetic conversion (C17 6.3.1.1).
-        memory: how it lies in memory.
-        width: how many bits the values have, when fewer than the size allows (see `bit_field`).
+        size: its size and alignment [bytes].
+        rank: its rank in the usual arithmetic conversions (C17 6.3.1.1).
+        memory: its memory type.
+        width: the width of its values [bits], if it is less than the size (see `bit_field`).
     """
 
     name: str
@@ -74,22 +74,22 @@ class IntegerType(_Type):
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.size
 
     @property
     def bits(self) -> int:
-        """Gives how many bits a value has."""
+        """Return the width of a value [bits]."""
         return 8 * self.size if self.width is None else self.width
 
     @property
     def smallest(self) -> int:
-        """Gives the smallest value."""
+        """Return the smallest value."""
         return -(1 << self.bits - 1) if self.signed else 0
 
     @property
     def largest(self) -> int:
-        """Gives the largest value."""
+        """Return the largest value."""
         if self.name == "_Bool":
             return 1
         return (1 << self.bits - self.signed) - 1
@@ -108,7 +108,7 @@ class FloatType(_Type):
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.size
 
 
@@ -117,8 +117,8 @@ class Enumeration:
     """The definition of an enum: its tag and its constants; None until they are known.
 
     Attributes:
-        integer: the integer type that it behaves as: `unsigned int` unless constants are negative
-            or do not fit, as gcc has it.
+        integer: its integer type: `unsigned int` unless constants are negative or do not fit, as
+            in gcc.
     """
 
     tag: str | None
@@ -126,7 +126,7 @@ class Enumeration:
     integer: IntegerType = field(default_factory=lambda: UINT)
 
     def complete(self, constants: dict[str, int]) -> None:
-        """Gives the enum its constants, and the integer type that can hold them."""
+        """Set the constants, and the integer type that can represent them."""
         self.constants = constants
         types = (INT, LLONG) if min(constants.values(), default=0) < 0 else (UINT, ULLONG)
         is_small = all(types[0].smallest <= each <= types[0].largest for each in constants.values())
@@ -135,7 +135,7 @@ class Enumeration:
 
 @dataclass(frozen=True, slots=True)
 class EnumType(_Type):
-    """An enum: a type of its own that behaves as an integer type does."""
+    """An enum: a distinct type that behaves as an integer type."""
 
     definition: Enumeration
     const: bool = False
@@ -143,37 +143,37 @@ class EnumType(_Type):
 
     @property
     def name(self) -> str:
-        """Gives the name of the integer type."""
+        """Return the name of the integer type."""
         return self.definition.integer.name
 
     @property
     def size(self) -> int:
-        """Gives the size [bytes]."""
+        """Return the size [bytes]."""
         return self.definition.integer.size
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.definition.integer.size
 
     @property
     def bits(self) -> int:
-        """Gives how many bits a value has."""
+        """Return the width of a value [bits]."""
         return self.definition.integer.bits
 
     @property
     def signed(self) -> bool:
-        """Tells whether there are negative values."""
+        """Return whether the integer type is signed."""
         return self.definition.integer.signed
 
     @property
     def rank(self) -> int:
-        """Gives the rank of the integer type."""
+        """Return the rank of the integer type."""
         return self.definition.integer.rank
 
     @property
     def memory(self) -> MemoryType:
-        """Gives how it lies in memory."""
+        """Return its memory type."""
         return self.definition.integer.memory
 
 
@@ -187,26 +187,26 @@ class PointerType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives 4 [bytes]."""
+        """Return 4 [bytes]."""
         return 4
 
     @property
     def align(self) -> int:
-        """Gives 4 [bytes]."""
+        """Return 4 [bytes]."""
         return 4
 
     @property
     def memory(self) -> MemoryType:
-        """Gives how it lies in memory."""
+        """Return its memory type."""
         return "i32"
 
 
 @dataclass(frozen=True, slots=True)
 class ArrayType(_Type):
-    """`length` elements in a row; the length is None while unknown (`int a[]`).
+    """An array of `length` elements; the length is None while unknown (`int a[]`).
 
     Attributes:
-        extent: what the front end knows of a length that only the running program knows.
+        extent: the front end's description of a variable length.
     """
 
     element: CType
@@ -215,23 +215,23 @@ class ArrayType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives the size [bytes], 0 while the length is unknown."""
+        """Return the size [bytes], 0 while the length is unknown."""
         assert self.extent is None, "the program must compute this size"
         return self.element.size * (self.length or 0)
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.element.align
 
     @property
     def const(self) -> bool:
-        """Tells whether the elements are const (C17 6.7.3p9)."""
+        """Return whether the elements are const (C17 6.7.3p9)."""
         return self.element.const
 
     @property
     def volatile(self) -> bool:
-        """Tells whether the elements are volatile."""
+        """Return whether the elements are volatile."""
         return self.element.volatile
 
 
@@ -245,22 +245,22 @@ class FunctionType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives 1 [byte], as gcc does for `sizeof` of a function."""
+        """Return 1 [byte], as gcc's `sizeof` of a function does."""
         return 1
 
     @property
     def align(self) -> int:
-        """Gives 1 [byte]."""
+        """Return 1 [byte]."""
         return 1
 
     @property
     def const(self) -> bool:
-        """Gives False: functions have no qualifiers."""
+        """Return False: functions have no qualifiers."""
         return False
 
     @property
     def volatile(self) -> bool:
-        """Gives False: functions have no qualifiers."""
+        """Return False: functions have no qualifiers."""
         return False
 
 
@@ -270,14 +270,14 @@ class Member:
 
     Attributes:
         name: its name, None for an anonymous struct or union and for an unnamed bit-field.
-        offset: where it starts [bytes]; for a bit-field, where the unit it lies in starts.
-        bit_offset: the number of the lowest bit of a bit-field in its unit.
-        bit_width: width of a bit-field [bits]; None for all other members.
-        align: an alignment that `_Alignas` asks for [bytes], 0 for none.
+        offset: its offset [bytes]; that of its storage unit for a bit-field.
+        bit_offset: the offset of a bit-field in its unit [bits].
+        bit_width: the width of a bit-field [bits]; None for other members.
+        align: the alignment from `_Alignas` [bytes], 0 if there is none.
         natural: the alignment without that [bytes], 0 for the type's own.
-        packed: whether it wants no alignment at all.
-        spread: how many bytes a bit-field lies in, from `offset` on, if there is no unit of its
-            type in the struct that holds it; else 0.
+        packed: whether it has no alignment.
+        spread: the number of bytes, from `offset` on, of a bit-field for which there is no
+            storage unit of its type in the struct; else 0.
     """
 
     name: str | None
@@ -297,13 +297,12 @@ class Record:
 
     Attributes:
         tag: its tag, None when it has none.
-        alias: the first typedef name that stands for it; it is shown in place of a tag that is
-            missing, or the library's own.
-        members: in the order of the source; None until they are known.
-        named: every member that can be named, those of anonymous members among them, with its
-            offset from the start of the whole.
-        size: [bytes].
-        align: [bytes].
+        alias: its first typedef name; it is printed if there is no tag, or one of the library.
+        members: the members in the order of the source; None until they are known.
+        named: all members with names, including those of anonymous members, with their offsets
+            from the start of the whole.
+        size: the size [bytes].
+        align: the alignment [bytes].
     """
 
     kind: Literal["struct", "union"]
@@ -315,12 +314,12 @@ class Record:
     align: int = 1
 
     def complete(self, members: Iterable[Member], align: int = 1, pack: int = 0) -> None:
-        """Gives every member its place, and the whole its size and alignment.
+        """Set the members and lay them out.
 
         Args:
             members: the members; those of a packed struct are packed.
-            align: what the whole is aligned to at least [bytes].
-            pack: what members are aligned to at most [bytes], as `#pragma pack` says; 0 if any.
+            align: the minimum alignment of the whole [bytes].
+            pack: the maximum alignment of members [bytes], from `#pragma pack`; 0 if none.
         """
         self.members = list(members)
         self.size, self.align = lay_out(self.members, self.kind == "union", align, pack)
@@ -345,12 +344,12 @@ class RecordType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives the size [bytes], 0 while incomplete."""
+        """Return the size [bytes], 0 while incomplete."""
         return self.record.size
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.record.align
 
 
@@ -389,11 +388,11 @@ BASIC_TYPES: Final[dict[str, IntegerType | FloatType]] = {
         FLOAT, DOUBLE, LDOUBLE,
     )
 }  # fmt: skip
-"""Every arithmetic type by its name; what `unqualified` gives back."""
+"""The arithmetic types by name."""
 
 
 def bit_field(ctype: IntegerType | EnumType, width: int) -> IntegerType:
-    """Gives the type of the value of a bit-field of 33 to 63 bits, in which gcc calculates."""
+    """Return the type of the value of a bit-field of 33 to 63 bits, as in gcc."""
     name = f"{'long long' if ctype.signed else 'unsigned long long'}:{width}"
     return IntegerType(name, 8, ctype.signed, width, "i64", width=width)
 
@@ -402,7 +401,7 @@ AnyType = TypeVar("AnyType", bound=CType)
 
 
 def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
-    """Adds qualifiers to a type; an array passes them on to its elements (C17 6.7.3p9)."""
+    """Add qualifiers to a type; those of an array belong to its elements (C17 6.7.3p9)."""
     if not (const or volatile) or isinstance(ctype, FunctionType):
         return ctype
     if isinstance(ctype, ArrayType):
@@ -411,7 +410,7 @@ def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
 
 
 def unqualified(ctype: CType) -> CType:
-    """Gives the type without its outermost qualifiers."""
+    """Return the type without its outermost qualifiers."""
     if not (ctype.const or ctype.volatile) or isinstance(ctype, FunctionType):
         return ctype
     if isinstance(ctype, ArrayType):
@@ -422,7 +421,7 @@ def unqualified(ctype: CType) -> CType:
 
 
 def is_complete(ctype: CType) -> bool:
-    """Tells whether an object can have this type (C17 6.2.5p1)."""
+    """Return whether an object can have this type (C17 6.2.5p1)."""
     if isinstance(ctype, ArrayType):
         is_known = ctype.length is not None or ctype.extent is not None
         return is_known and is_complete(ctype.element)
@@ -432,7 +431,7 @@ def is_complete(ctype: CType) -> bool:
 
 
 def is_variably_modified(ctype: CType) -> bool:
-    """Tells whether the type depends on a length that only the running program knows."""
+    """Return whether the type contains a variable length array."""
     while isinstance(ctype, PointerType | ArrayType):
         if isinstance(ctype, ArrayType) and ctype.extent is not None:
             return True
@@ -441,7 +440,7 @@ def is_variably_modified(ctype: CType) -> bool:
 
 
 def spell(ctype: CType, declarator: str = "") -> str:
-    """Writes a type as C does, around a declarator if one is given.
+    """Return a type in C syntax, around a declarator if one is given.
 
     >>> spell(PointerType(FunctionType(INT, (PointerType(CHAR, const=True),), True)), "f")
     'int (*f)(char *const, ...)'

@@ -1,7 +1,7 @@
-"""Accepts a well-formed program and refuses any other, so that mistakes of ours are found early.
+"""The IR verifier, which finds errors of the compiler early.
 
-The code generator takes verified programs only. Whatever C source comes in, the front end must
-give a program that passes; a violation is our fault and never the user's.
+The code generator accepts verified programs only. For any C source, the front end must produce a
+program that passes; a violation is a bug of the compiler.
 
 >>> from crs_cc.ir.program import Block, Branch, Constant, Function, Program
 >>> from crs_cc.core.source import Location
@@ -27,10 +27,10 @@ from crs_cc.ir.verify_block import BlockVerifier
 
 
 def verify(program: Program) -> None:
-    """Checks every rule of the form that `ir.program` states.
+    """Check a program for well-formedness, see `ir.program`.
 
     Raises:
-        InternalError: with one message for each violation, naming function and block.
+        InternalError: with a message for each violation, with function and block.
     """
     violations = [*_names(program), *_all_data(program)]
     for function in program.functions.values():
@@ -47,7 +47,7 @@ def _names(program: Program) -> Iterator[Diagnostic]:
     for table in (program.functions, program.data):
         for name, item in table.items():
             if name != item.name:
-                text = f"is filed under the name '{name}'"
+                text = f"is stored under the name '{name}'"
                 yield _violation(item.location, f"'{item.name}'", text)
     for name, data in program.data.items():
         if name in program.functions:
@@ -69,9 +69,9 @@ def _data(program: Program, data: Data) -> Iterator[str]:
         yield f"has {len(data.content)} bytes of content, but size {data.size}"
     for relocation in data.relocations:
         if not 0 <= relocation.offset <= data.size - 4:
-            yield f"relocation at {relocation.offset} lies outside its {data.size} bytes"
+            yield f"relocation at {relocation.offset} is outside its {data.size} bytes"
         if not _is_known(program, relocation.symbol):
-            yield f"relocation names '{relocation.symbol}', which is unknown"
+            yield f"relocation names '{relocation.symbol}', which is undefined"
 
 
 def _is_known(program: Program, name: str) -> bool:
@@ -112,17 +112,17 @@ def _parameters(function: Function) -> Iterator[str]:
         what = f"parameter {number}"
         if memory is None:
             if not isinstance(place, Slot):
-                yield f"{what} is a struct, but lies in a register"
+                yield f"{what} is a struct, but is in a register"
         elif size != MEMORY_SIZE[memory]:
             yield f"{what} is stored as {memory}, but has size {size}"
         if isinstance(place, Slot):
             if id(place) in slots:
-                yield f"{what} lies in slot '{place.name}', which is listed as a local too"
+                yield f"{what} is in slot '{place.name}', which is also listed as a local"
             if place.size > (size + 3) // 4 * 4:
                 yield f"{what} has size {size}, but its slot {place.size}"
         else:
             if id(place) not in registers:
-                yield f"{what} lies in a register of another function"
+                yield f"{what} is in a register of another function"
             if memory is not None and place.type != VALUE_TYPE[memory]:
                 yield f"{what} is stored as {memory}, but its register has type {place.type}"
 
@@ -143,4 +143,4 @@ def _graph(function: Function) -> Iterator[str]:
             waiting.extend(block.successors())
     for block in function.blocks:
         if id(block) not in reached:
-            yield f"block '{block.label}' cannot be reached"
+            yield f"block '{block.label}' is unreachable"

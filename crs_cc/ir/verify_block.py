@@ -1,7 +1,7 @@
-"""The verifier's rules for one basic block: what each instruction demands.
+"""The verifier's rules for a basic block.
 
-One small method for each kind of instruction yields what is wrong with it; a table by class picks
-the method.
+There is a method for each kind of instruction, which yields its violations, and a table of them by
+class.
 """
 
 from __future__ import annotations
@@ -76,23 +76,26 @@ class BlockVerifier:
         self._slots = set(map(id, [*function.slots, *own]))
 
     def check(self, block: Block) -> Iterator[tuple[Location | None, str]]:
-        """Gives what is wrong with a block, each with its place if that is known."""
+        """Yield the violations in a block, each with its location if that is known."""
         for instruction in block.instructions:
             if isinstance(instruction, get_args(Terminator)):
                 kind = type(instruction).__name__
-                yield instruction.location, f"{kind} stands in the middle of the block"
+                yield instruction.location, f"{kind} is in the middle of the block"
             for what in self._instruction(instruction):
                 yield instruction.location, what
         if block.terminator is None:
             yield None, "has no terminator"
         elif not isinstance(block.terminator, get_args(Terminator)):
-            yield None, f"ends with {type(block.terminator).__name__}, which is no terminator"
+            yield None, f"ends with {type(block.terminator).__name__}, which is not a terminator"
         else:
             for what in self._instruction(block.terminator):
                 yield block.terminator.location, what
             for target in block.successors():
                 if id(target) not in self._blocks:
-                    yield block.terminator.location, f"target '{target.label}' is not in here"
+                    yield (
+                        block.terminator.location,
+                        f"target '{target.label}' is not in this function",
+                    )
 
     def _instruction(self, instruction: Instruction) -> Faults:
         rule = _RULES.get(type(instruction))
@@ -156,7 +159,7 @@ class BlockVerifier:
             size = base.size if isinstance(base, Slot) else None
         if size is not None and not 0 <= offset <= size - MEMORY_SIZE[memory]:
             name = base.name if isinstance(base, Slot) else base
-            yield f"{memory} at {offset} lies outside '{name}' with its {size} bytes"
+            yield f"{memory} at {offset} is outside '{name}', which has {size} bytes"
 
     # Instructions
 
@@ -242,7 +245,7 @@ class BlockVerifier:
         for value, times in Counter(value for value, _ in switch.cases).items():
             yield from self._operand("case", Constant(type_, value))
             if times > 1:
-                yield f"case {value} stands {times} times"
+                yield f"case {value} occurs {times} times"
 
     def _return(self, leave: Return) -> Faults:
         if leave.value is None:

@@ -1,15 +1,15 @@
-"""The door between a control program and everything outside its memory.
+"""The interface between a control program and everything outside its memory.
 
-A program can do one thing to the world: fill in a message, post it with a request code, and stop.
-Whoever runs it finds the message in the program's slot, writes the reply over it, and resumes the
-program. All slots of a fleet lie side by side in one memory that C cannot address; `SLOT` is how
-numpy sees it. `REQUESTS` lists every code; nothing else crosses. `host` has those that a program's
-host computer answers, `robot` those that go to its robot, `device` those of `crs.h`.
+A program has one operation on the world: fill in a message, post it with a request code, and
+suspend. The runtime finds the message in the program's slot, overwrites it with the reply, and
+resumes the program. All slots of a fleet are adjacent in one memory that C cannot address; `SLOT`
+is their numpy dtype. `REQUESTS` lists every code; there is no other interface. `host` has those
+that a program's host computer serves, `robot` those for its robot, `device` those of `crs.h`.
 
 >>> import numpy as np
 >>> slots = np.zeros(2, SLOT)                       # two robots
->>> slots["code"] = [CODES["VM"], CODES["WRITE"]]   # what they asked for
->>> slots["message"]["i"][0, :2] = 100, 80          # robot 0: 10 and 8 inches a second
+>>> slots["code"] = [CODES["VM"], CODES["WRITE"]]   # the requests
+>>> slots["message"]["i"][0, :2] = 100, 80          # robot 0: 10 and 8 inches per second
 >>> REQUESTS[slots["code"][0]].prototype
 'int vm(int trans, int steer, int turret)'
 """
@@ -18,8 +18,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.requests.code import Argument, RequestCode
-from crs_cc.requests.device import DEVICE_REQUESTS
+from crs_cc.requests.device import DEVICE_REQUESTS, device_request
 from crs_cc.requests.door import (
     DATA_SIZE,
     ERROR_KINDS,
@@ -33,7 +32,8 @@ from crs_cc.requests.door import (
     slot_offset,
 )
 from crs_cc.requests.host import HOST_REQUESTS
-from crs_cc.requests.robot import ROBOT_REQUESTS, STATE_REPLIES
+from crs_cc.requests.request import Field, Request
+from crs_cc.requests.robot import ROBOT_REQUESTS
 
 __all__ = [
     "CODES",
@@ -43,20 +43,34 @@ __all__ = [
     "LARGEST",
     "MESSAGE",
     "NUM_STATE",
+    "REGISTERED",
     "REQUESTS",
     "RETURNED",
     "SLOT",
-    "STATE_REPLIES",
     "SUSPENDED",
-    "Argument",
-    "RequestCode",
+    "Field",
+    "Request",
+    "device_request",
+    "register",
     "slot_offset",
 ]
 
 _TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)
 
-REQUESTS: Final[dict[int, RequestCode]] = {request.code: request for request in _TABLE}
+REQUESTS: Final[dict[int, Request]] = {request.code: request for request in _TABLE}
 """Every request by its number."""
 
 CODES: Final[dict[str, int]] = {request.name: request.code for request in _TABLE}
-"""Every request's number by its name."""
+"""Request codes by name."""
+
+REGISTERED: Final = range(300, 512)
+"""The codes of requests to registered devices."""
+
+
+def register(request: Request) -> None:
+    """Add the request of a registered device to the tables."""
+    assert request.code in REGISTERED
+    assert request.code not in REQUESTS
+    assert request.name not in CODES
+    REQUESTS[request.code] = request
+    CODES[request.name] = request.code

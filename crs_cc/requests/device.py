@@ -1,4 +1,4 @@
-"""The requests to devices that the vendor's robots did not have: those of `crs.h`.
+"""Requests to devices that the vendor's robots did not have: those of `crs.h`.
 
 They need no connection, and take the time of a short message on a network.
 """
@@ -7,187 +7,196 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.requests.code import Argument, RequestCode, arguments
+from crs_cc.requests.request import Field, Link, Request, fields
 
 _LENGTH: Final = "0.1 in"
 _WEIGHT: Final = "g"
 _ANGLE: Final = "0.1 deg"
-_DONE: Final = arguments(("result", "1 when done, else 0", "1"))
+_DONE: Final = fields(("done", "result", "1", "1 when done, else 0"))
+_NAMED: Final = fields(
+    ("size", "size", "byte", "length of the name, 0 to look up by number"),
+    ("name", "data", "1", "the name"),
+)
+_FOUND: Final = fields(
+    ("number", "i[0]", "1", "the number"), ("count", "i[1]", "1", "how many there are"),
+    ("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name"),
+)  # fmt: skip
+_THINGS: Final = fields(("things", "i[0]", "1", "how many things lost heat"))
 
 
-def _device(
-    name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
-    *, results: tuple[Argument, ...] = (),
-) -> RequestCode:  # fmt: skip
-    results = (*_DONE, *results)
-    return RequestCode(name, code, "device", prototype, meaning, arguments, results)
+def device_request(
+    name: str, code: int, prototype: str, meaning: str, arguments: tuple[Field, ...] = (),
+    *, results: tuple[Field, ...] = (), link: Link = "network", waits: bool = False,
+) -> Request:  # fmt: skip
+    """Return the request of a device; by default its reply begins with whether it was done."""
+    if not any(result.place == "result" for result in results):
+        results = (*_DONE, *results)
+    return Request(
+        name, code, "device", prototype, meaning, arguments, results, link=link, waits=waits
+    )
 
 
 DEVICE_REQUESTS: Final = (
-    _device(
-        "GPS", 200, "int crs_gps(int *x, int *y)", "tells where the robot is in the world",
-        results=arguments(("i[0]", "x in the world", _LENGTH), ("i[1]", "y", _LENGTH)),
-    ),
-    _device(
+    device_request(
         "CAMERA", 201, "int crs_camera(struct crs_pixel *row, int most)",
-        "lets the camera look, and makes ready what it saw",
-        arguments(("i[0]", "0 for pixels, 1 for blobs", "1")),
-        results=arguments(("i[0]", "how many READINGS has ready", "1")),
+        "takes a picture and keeps it for READINGS",
+        fields(("blobs", "i[0]", "1", "0 for pixels, 1 for blobs")),
+        results=fields(("count", "i[0]", "1", "how many READINGS has ready")),
     ),
-    _device(
+    device_request(
         "READINGS", 202, "int crs_camera(struct crs_pixel *row, int most)",
-        "hands over a page of what the reply before told of",
-        arguments(("i[0]", "the sensor's number", "1"), ("i[1]", "the first reading", "1")),
-        results=arguments(
-            ("result", "how many are in the page", "1"), ("i[0]", "numbers of each", "1"),
-            ("data", "the numbers as int32", "0.1 in, 0.1 deg, 0xRRGGBB"),
+        "returns a page of the readings that an earlier reply announced",
+        fields(
+            ("sensor", "i[0]", "1", "the sensor's number"),
+            ("first", "i[1]", "1", "the first reading"),
         ),
+        results=fields(
+            ("count", "result", "1", "how many are in the page"),
+            ("width", "i[0]", "1", "numbers of each"),
+            ("readings", "data", "0.1 in, 0.1 deg, 0xRRGGBB", "the numbers", "int32"),
+        ),
+        link="none",  # they came with the reply
     ),
-    _device(
-        "SENSE_HEAT", 203, "int crs_heat(int *heat)", "tells how much heat there is around",
-        results=arguments(("i[0]", "the heat", "1")),
+    device_request(
+        "SENSE_HEAT", 203, "int crs_heat(int *heat)", "reads the heat sensor",
+        results=fields(("heat", "i[0]", "1", "the heat")),
     ),
-    _device(
+    device_request(
         "LASER", 204, "int crs_laser(int *ranges, int most)",
-        "lets the laser look, and makes ready what it saw",
-        results=arguments(("i[0]", "how many ranges READINGS has ready", "1")),
+        "scans with the laser and keeps the ranges for READINGS",
+        results=fields(("count", "i[0]", "1", "how many ranges READINGS has ready")),
     ),
-    _device(
+    device_request(
         "PERIOD", 205, "int crs_period(int sensor, int ms)",
         "sets how often a sensor measures by itself",
-        arguments(("i[0]", "the sensor's number", "1"), ("i[1]", "0 for on request", "ms")),
+        fields(
+            ("sensor", "i[0]", "1", "the sensor's number"),
+            ("period_ms", "i[1]", "ms", "the period, 0 for on request"),
+        ),
     ),
-    _device(
-        "AGE", 206, "int crs_age(int sensor)", "tells how long ago a sensor measured",
-        arguments(("i[0]", "the sensor's number", "1")),
-        results=arguments(("i[0]", "the time since then, -1 for never", "ms")),
+    device_request(
+        "AGE", 206, "int crs_age(int sensor)", "returns how long ago a sensor measured",
+        fields(("sensor", "i[0]", "1", "the sensor's number")),
+        results=fields(("age_ms", "i[0]", "ms", "the time since then, -1 for never")),
     ),
-    _device(
-        "SONAR_MODE", 207, "int crs_sonar_mode(int mode)", "lets the sonars work in another mode",
-        arguments(("i[0]", "the mode's number in the definition", "1")),
+    device_request(
+        "SONAR_MODE", 207, "int crs_sonar_mode(int mode)", "selects a mode of the sonars",
+        fields(("mode", "i[0]", "1", "the mode's number in the definition")),
     ),
-    _device(
-        "SONAR_RANGES", 208, "int crs_sonar(int *ranges, int most)",
-        "tells what the sonars heard last",
-        arguments(("i[0]", "0, or else all fire now", "1")),
-        results=arguments(("data", "range of each sonar as int32, -1 for no echo", _LENGTH)),
+    device_request(
+        "SONAR_RANGES", 208, "int crs_sonar(int *ranges, int most)", "reads all sonars",
+        fields(("fire", "i[0]", "1", "0 for the last echoes, else all fire now")),
+        results=fields(
+            ("ranges", "data", _LENGTH, "range of each sonar, -1 for no echo", "int32")
+        ),
     ),
-    _device(
-        "GRIPPER", 220, "int crs_gripper(int what)", "lets the gripper open or close",
-        arguments(("i[0]", "0 to open, 1 to close", "1")),
+    device_request(
+        "GRIPPER", 220, "int crs_gripper(int what)", "opens or closes the gripper",
+        fields(("close", "i[0]", "1", "0 to open, 1 to close")),
     ),
-    _device(
+    device_request(
         "GET_GRIPPER", 221, "int crs_get_gripper(int *opening, int *beam, int *weight)",
-        "tells where the gripper's fingers are and what they hold",
-        results=arguments(
-            ("i[0]", "distance of the fingers", _LENGTH),
-            ("i[1]", "whether anything is between them", "1"),
-            ("i[2]", "weight of what they hold, 0 for nothing", _WEIGHT),
+        "reads the position of the gripper's fingers and what they hold",
+        results=fields(
+            ("opening", "i[0]", _LENGTH, "distance between the fingers"),
+            ("beam", "i[1]", "1", "whether anything is between them"),
+            ("weight", "i[2]", _WEIGHT, "weight of what they hold, 0 for nothing"),
         ),
     ),
-    _device(
-        "ARM", 222, "int crs_arm_move(int shoulder, int elbow)", "lets the joints of the arm turn",
-        arguments(
-            ("i[0]", "0 to angles, else on by angles", "1"),
-            ("i[1]", "shoulder", _ANGLE), ("i[2]", "elbow", _ANGLE),
+    device_request(
+        "ARM", 222, "int crs_arm_move(int shoulder, int elbow)", "turns the joints of the arm",
+        fields(
+            ("relative", "i[0]", "1", "0 to angles, else on by angles"),
+            ("shoulder", "i[1]", _ANGLE, "shoulder"), ("elbow", "i[2]", _ANGLE, "elbow"),
         ),
     ),
-    _device(
+    device_request(
         "GET_ARM", 223, "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
-        "tells where the arm is and what is in its hand",
-        results=arguments(
-            ("i[0]", "shoulder", _ANGLE), ("i[1]", "elbow", _ANGLE),
-            ("i[2]", "tip, ahead of the robot's middle", _LENGTH),
-            ("i[3]", "tip, to the left of it", _LENGTH),
-            ("i[4]", "weight of what is in the hand, 0 for nothing", _WEIGHT),
+        "reads the position of the arm and what is in its hand",
+        results=fields(
+            ("shoulder", "i[0]", _ANGLE, "shoulder"), ("elbow", "i[1]", _ANGLE, "elbow"),
+            ("x", "i[2]", _LENGTH, "tip, ahead of the robot's middle"),
+            ("y", "i[3]", _LENGTH, "tip, to the left of it"),
+            ("weight", "i[4]", _WEIGHT, "weight of what is in the hand, 0 for nothing"),
         ),
     ),
-    _device(
-        "HAND", 224, "int crs_hand(int what)", "lets the hand open or close",
-        arguments(("i[0]", "0 to open, 1 to close", "1")),
+    device_request(
+        "HAND", 224, "int crs_hand(int what)", "opens or closes the hand",
+        fields(("close", "i[0]", "1", "0 to open, 1 to close")),
     ),
-    _device(
-        "LIGHT", 225, "int crs_light(int brightness)", "lets the lamp shine",
-        arguments(("i[0]", "brightness, as read at 1 m", "1")),
+    device_request(
+        "LIGHT", 225, "int crs_light(int brightness)", "sets the brightness of the lamp",
+        fields(("brightness", "i[0]", "1", "brightness, as read at 1 m")),
     ),
-    _device(
-        "SOUND", 226, "int crs_sound(int level, int tone)", "lets the speaker sound",
-        arguments(("i[0]", "level, as read at 1 m", "1"), ("i[1]", "tone, 0 to 7", "1")),
-    ),
-    _device(
-        "GET_LIGHT", 227, "int crs_get_light(int *readings, int most)",
-        "tells what the light sensors read",
-        results=arguments(
-            ("i[0]", "how many sensors there are", "1"), ("data", "readings as int32", "1"),
+    device_request(
+        "SOUND", 226, "int crs_sound(int level, int tone)", "sets the tone of the speaker",
+        fields(
+            ("level", "i[0]", "1", "level, as read at 1 m"), ("tone", "i[1]", "1", "tone, 0 to 7")
         ),
     ),
-    _device(
+    device_request(
+        "GET_LIGHT", 227, "int crs_get_light(int *readings, int most)", "reads the light sensors",
+        results=fields(
+            ("sensors", "i[0]", "1", "how many sensors there are"),
+            ("readings", "data", "1", "readings", "int32"),
+        ),
+    ),
+    device_request(
         "GET_SOUND", 228, "int crs_get_sound(int *levels, int most, int *direction)",
-        "tells how loud all tones are, and where the loudest comes from",
-        results=arguments(
-            ("i[0]", "direction of the loudest, from ahead", _ANGLE),
-            ("data", "levels of the eight tones as int32", "1"),
+        "reads the level of each tone, and the direction of the loudest",
+        results=fields(
+            ("direction", "i[0]", _ANGLE, "direction of the loudest, from ahead"),
+            ("levels", "data", "1", "levels of the eight tones", "int32"),
         ),
     ),
-    _device(
+    device_request(
         "TAKE_HEAT", 229, "int crs_tag(void)", "takes the heat from all things near",
-        results=arguments(("i[0]", "how many things lost heat", "1")),
+        results=_THINGS,
     ),
-    _device(
+    device_request(
         "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",
         "sends a message",
-        arguments(
-            ("i[0]", "the receiver's number, -1 for all, or all of a group", "1"),
-            ("i[1]", "the group, -1 for none", "1"), ("i[2]", "the type", "1"),
-            ("i[3]", "the channel", "1"), ("size", "bytes", "byte"), ("data", "the content", "1"),
+        fields(
+            ("to", "i[0]", "1", "the receiver's number, -1 for all, or all of a group"),
+            ("group", "i[1]", "1", "the group, -1 for none"), ("type", "i[2]", "1", "the type"),
+            ("channel", "i[3]", "1", "the channel"), ("size", "size", "byte", "bytes"),
+            ("content", "data", "1", "the content"),
         ),
     ),
-    _device(
+    device_request(
         "RECEIVE", 241, "int crs_receive(struct crs_message *message, int milliseconds)",
-        "takes the first message out of the inbox, and waits for it if it must",
-        arguments(("i[0]", "how long to wait, below 0 without an end", "ms")),
-        results=arguments(
-            ("i[0]", "the sender's number", "1"), ("i[1]", "whom it was sent to, -1 for all", "1"),
-            ("i[2]", "which group, -1 for none", "1"), ("i[3]", "the type", "1"),
-            ("i[4]", "the channel", "1"), ("f[0]", "when it was sent", "s"),
-            ("f[1]", "when it arrived", "s"), ("size", "bytes", "byte"),
-            ("data", "the content", "1"),
+        "takes the first message out of the inbox, waiting for it if it must",
+        fields(("timeout_ms", "i[0]", "ms", "longest wait, below 0 for no limit")),
+        results=fields(
+            ("sender", "i[0]", "1", "the sender's number"),
+            ("to", "i[1]", "1", "whom it was sent to, -1 for all"),
+            ("group", "i[2]", "1", "which group, -1 for none"), ("type", "i[3]", "1", "the type"),
+            ("channel", "i[4]", "1", "the channel"), ("sent_s", "f[0]", "s", "when it was sent"),
+            ("arrived_s", "f[1]", "s", "when it arrived"), ("size", "size", "byte", "bytes"),
+            ("content", "data", "1", "the content"),
         ),
+        waits=True,
     ),
-    _device(
+    device_request(
         "MESSAGE_COUNT", 242, "int crs_message_count(void)",
-        "tells how many messages lie in the inbox",
-        results=arguments(("i[0]", "how many", "1")),
+        "returns the number of messages in the inbox",
+        results=fields(("messages", "i[0]", "1", "how many")),
     ),
-    _device(
-        "GROUP", 243, "int crs_join_group(int group)", "joins a group, or leaves it",
-        arguments(("i[0]", "the group, 0 to 31", "1"), ("i[1]", "1 to join, 0 to leave", "1")),
+    device_request(
+        "GROUP", 243, "int crs_join_group(int group)", "joins or leaves a group",
+        fields(
+            ("group", "i[0]", "1", "the group, 0 to 31"),
+            ("joins", "i[1]", "1", "1 to join, 0 to leave"),
+        ),
     ),
-    _device(
+    device_request(
         "CHANNEL", 244, "int crs_find_channel(const char *name)", "looks up a channel",
-        arguments(
-            ("size", "length of its name, 0 to ask by number", "byte"), ("data", "the name", "1"),
-            ("i[0]", "its number", "1"),
-        ),
-        results=arguments(
-            ("i[0]", "its number", "1"), ("i[1]", "how many there are", "1"),
-            ("size", "length of its name", "byte"), ("data", "its name", "1"),
-        ),
+        (*_NAMED, *fields(("number", "i[0]", "1", "its number"))), results=_FOUND,
     ),
-    _device(
+    device_request(
         "ROBOT", 245, "int crs_my_number(void)", "looks up a robot",
-        arguments(
-            ("size", "length of its name, 0 to ask by number", "byte"), ("data", "the name", "1"),
-            ("i[0]", "its number, -1 for who asks", "1"),
-        ),
-        results=arguments(
-            ("i[0]", "its number", "1"), ("i[1]", "how many there are", "1"),
-            ("size", "length of its name", "byte"), ("data", "its name", "1"),
-        ),
-    ),
-    _device(
-        "TILT", 290, "int crs_tilt(int *pitch, int *roll)", "tells how the robot is tilted",
-        results=arguments(("i[0]", "pitch, nose up", _ANGLE), ("i[1]", "roll, left up", _ANGLE)),
+        (*_NAMED, *fields(("number", "i[0]", "1", "its number, -1 for the sender's"))),
+        results=_FOUND,
     ),
 )  # fmt: skip
-"""Every request that a device of `crs.h` answers."""
+"""The requests to devices of `crs.h`, except those of the device registry."""

@@ -1,4 +1,4 @@
-"""The message and the slot: what goes through the door, byte for byte.
+"""The message and the slot: the binary interface between program and runtime.
 
 >>> slot_offset("run"), slot_offset("message"), SLOT.itemsize
 (0, 64, 384)
@@ -15,32 +15,32 @@ MESSAGE: Final = np.dtype(
         ("i", "<i4", (8,)),  # integer arguments, then integer results
         ("f", "<f8", (4,)),  # floating arguments, then floating results
         ("size", "<i4"),  # bytes of `data` in use, 0 to 248
-        ("result", "<i4"),  # the reply's result, what `__crs_request` gives
+        ("result", "<i4"),  # the reply's result, returned by `__crs_request`
         ("data", "u1", (248,)),
     ]
 )
-"""The message that a program posts and the reply that it finds in its place: 320 bytes.
+"""The message that a program posts, which the reply overwrites: 320 bytes.
 
-`struct __crs_message` in `crs_request.h` is the same for C; a test holds the two together.
+`struct __crs_message` in `crs_request.h` is its C declaration; a test compares the two.
 """
 
 DATA_SIZE: Final = MESSAGE["data"].shape[0]
 
 LARGEST: Final = 2**31 - 1
-"""The largest number in a message; more is told as this."""
+"""The largest number in a message; larger values are clamped to it."""
 
 SLOT: Final = np.dtype(
     [
         ("run", "<i4"),  # 1: resume the robot in the next round
-        ("status", "<i4"),  # how it came back, one of the STATUS constants
-        ("code", "<i4"),  # the request it posted; 0 when it stopped for another reason
+        ("status", "<i4"),  # why it stopped, one of the STATUS constants
+        ("code", "<i4"),  # the request that it posted; 0 if it stopped for another reason
         ("error_kind", "<i4"),  # index into ERROR_KINDS
-        ("error_site", "<i4"),  # number of the place in the code, see `runtime.codegen`
-        ("error_address", "<u4"),  # the address or value that was refused
-        ("fuel", "<i8"),  # in: fuel it may burn; out: what is left, below 0 when overdrawn
+        ("error_site", "<i4"),  # number of the location in the code, see `runtime.codegen`
+        ("error_address", "<u4"),  # the invalid address or value
+        ("fuel", "<i8"),  # in: fuel that it may use; out: the rest, negative if overdrawn
         ("statements", "<i8"),  # statements begun so far (debug density only)
-        ("stop_from", "<i8"),  # statements that must have begun before one stops (the same)
-        ("error_size", "<u4"),  # bytes of the access that failed; 0 where the code knows
+        ("stop_from", "<i8"),  # number of statements begun before it may stop (the same)
+        ("error_size", "<u4"),  # size of the failed access; 0 if the code implies it
         (
             "stop_before_all",
             "<u4",
@@ -54,7 +54,7 @@ SLOT: Final = np.dtype(
 
 
 def slot_offset(field: str) -> int:
-    """Gives where a field lies in a robot's slot [bytes]."""
+    """Return the offset of a field in a robot's slot [bytes]."""
     return int(SLOT.fields[field][1])  # type: ignore[index]
 
 
@@ -74,9 +74,9 @@ ERROR_KINDS: Final = (
     "uninitialised read",
     "invalid free",
     "double free",
-    "missing argument",  # `va_arg` behind the last argument
-    "no value returned",  # and yet used
-    "mismatched call",  # through a pointer to a function that would misread its arguments
+    "missing argument",  # `va_arg` after the last argument
+    "no value returned",  # but used
+    "mismatched call",  # through a pointer to a function with other parameter types
     "shift out of range",
     "signed overflow",
     "division by zero",
@@ -95,7 +95,7 @@ ERROR_KINDS: Final = (
     "unhandled signal",
     "internal trap",
 )
-"""What can stop a program, by the number in the slot."""
+"""Run-time errors, by their number in the slot."""
 
 NUM_STATE: Final = 45
 """Length of the vendor's `State` array (vendor header `Nclient.h` 1.29)."""

@@ -1,118 +1,130 @@
-"""The requests that a program's host computer answers: streams, time, arguments, files."""
+"""The requests that a program's host computer serves: streams, time, arguments, files."""
 
 from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.requests.code import RequestCode, arguments
+from crs_cc.requests.request import Request, fields
 
 HOST_REQUESTS: Final = (
-    RequestCode(
+    Request(
         "EXIT", 1, "host", "void exit(int status)", "ends the program",
-        arguments(("i[0]", "exit status", "1")),
+        fields(("status", "i[0]", "1", "exit status")),
     ),
-    RequestCode(
+    Request(
         "WRITE", 2, "host", "int write(int fd, const void *bytes, unsigned count)",
         "writes to the standard output (1) or error (2) stream",
-        arguments(("i[0]", "stream", "1"), ("size", "bytes", "byte"), ("data", "the bytes", "1")),
-        arguments(("result", "bytes written, -1 on error", "byte")),
+        fields(
+            ("stream", "i[0]", "1", "stream"),
+            ("size", "size", "byte", "bytes"),
+            ("bytes", "data", "1", "the bytes"),
+        ),
+        fields(("count", "result", "byte", "bytes written, -1 on error")),
     ),
-    RequestCode(
+    Request(
         "READ", 3, "host", "int read(int fd, void *bytes, unsigned count)",
         "reads from the standard input stream (0)",
-        arguments(("i[0]", "stream", "1"), ("i[1]", "bytes wanted", "byte")),
-        arguments(
-            ("result", "bytes read, 0 at the end, -1 on error", "byte"),
-            ("size", "bytes", "byte"), ("data", "the bytes", "1"),
+        fields(("stream", "i[0]", "1", "stream"), ("count", "i[1]", "byte", "bytes wanted")),
+        fields(
+            ("count", "result", "byte", "bytes read, 0 at the end, -1 on error"),
+            ("size", "size", "byte", "bytes"), ("bytes", "data", "1", "the bytes"),
         ),
     ),
-    RequestCode(
+    Request(
         "CLOCK", 4, "host", "int gettimeofday(struct timeval *now, void *zone)",
         "reads the program's simulated clock",
-        (), arguments(("f[0]", "time since the start of the run", "s"),
-                       ("f[1]", "processor time used", "s")),
+        (), fields(("time_s", "f[0]", "s", "time since the start of the run"),
+                       ("cpu_s", "f[1]", "s", "processor time used")),
     ),
-    RequestCode(
+    Request(
         "SLEEP", 5, "host", "int usleep(unsigned microseconds)",
         "lets simulated time pass",
-        arguments(("f[0]", "how long", "s")), arguments(("result", "0", "1")),
+        fields(("duration_s", "f[0]", "s", "how long")), fields(("zero", "result", "1", "0")),
     ),
-    RequestCode(
+    Request(
         "ARGUMENT", 6, "host", "int main(int argc, char **argv)",
         "reads a piece of one of the program's arguments",
-        arguments(("i[0]", "number of the argument", "1"), ("i[1]", "first byte wanted", "byte")),
-        arguments(
-            ("result", "length of the argument, -1 when there is none", "byte"),
-            ("size", "bytes", "byte"), ("data", "the piece", "1"),
+        fields(
+            ("number", "i[0]", "1", "number of the argument"),
+            ("first", "i[1]", "byte", "first byte wanted"),
+        ),
+        fields(
+            ("length", "result", "byte", "length of the argument, -1 when there is none"),
+            ("size", "size", "byte", "bytes"), ("piece", "data", "1", "the piece"),
         ),
     ),
-    RequestCode(
+    Request(
         "FILE_OPEN", 7, "host", "FILE *fopen(const char *name, const char *mode)",
         "opens a file on the robot's own disk, or makes it",
-        arguments(
-            ("i[0]", "flags: O_CREAT, O_EXCL, O_TRUNC, O_TMPFILE of fcntl.h", "1"),
-            ("size", "length of the name", "byte"), ("data", "the name", "1"),
+        fields(
+            ("flags", "i[0]", "1", "flags: O_CREAT, O_EXCL, O_TRUNC, O_TMPFILE of fcntl.h"),
+            ("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name"),
         ),
-        arguments(("result", "the file's number, or -errno", "1")),
+        fields(("number", "result", "1", "the file's number, or -errno")),
     ),
-    RequestCode(
+    Request(
         "FILE_CLOSE", 8, "host", "int close(int fd)", "says that an open file is no longer needed",
-        arguments(("i[0]", "the file's number", "1")), arguments(("result", "0, or -errno", "1")),
+        fields(("number", "i[0]", "1", "the file's number")),
+        fields(("zero", "result", "1", "0, or -errno")),
     ),
-    RequestCode(
+    Request(
         "FILE_READ", 9, "host",
         "size_t fread(void *items, size_t size, size_t count, FILE *stream)",
         "reads from a file",
-        arguments(
-            ("i[0]", "the file's number", "1"), ("i[1]", "first byte wanted", "byte"),
-            ("i[2]", "bytes wanted", "byte"),
+        fields(
+            ("number", "i[0]", "1", "the file's number"),
+            ("first", "i[1]", "byte", "first byte wanted"),
+            ("count", "i[2]", "byte", "bytes wanted"),
         ),
-        arguments(
-            ("result", "bytes read, 0 at the end, or -errno", "byte"),
-            ("size", "bytes", "byte"), ("data", "the bytes", "1"),
+        fields(
+            ("count", "result", "byte", "bytes read, 0 at the end, or -errno"),
+            ("size", "size", "byte", "bytes"), ("bytes", "data", "1", "the bytes"),
         ),
     ),
-    RequestCode(
+    Request(
         "FILE_WRITE", 10, "host",
         "size_t fwrite(const void *items, size_t size, size_t count, FILE *stream)",
         "writes to a file",
-        arguments(
-            ("i[0]", "the file's number", "1"), ("i[1]", "where, -1 for the end", "byte"),
-            ("size", "bytes", "byte"), ("data", "the bytes", "1"),
+        fields(
+            ("number", "i[0]", "1", "the file's number"),
+            ("position", "i[1]", "byte", "where, -1 for the end"),
+            ("size", "size", "byte", "bytes"), ("bytes", "data", "1", "the bytes"),
         ),
-        arguments(("result", "place behind what was written, or -errno", "byte")),
+        fields(("end", "result", "byte", "place behind what was written, or -errno")),
     ),
-    RequestCode(
+    Request(
         "FILE_RESIZE", 11, "host", "int ftruncate(int fd, off_t size)",
         "cuts a file off or fills it up with zeros",
-        arguments(
-            ("i[0]", "the file's number", "1"), ("i[1]", "size, -1 for no change", "byte")
+        fields(
+            ("number", "i[0]", "1", "the file's number"),
+            ("length", "i[1]", "byte", "size, -1 for no change"),
         ),
-        arguments(("result", "size, or -errno", "byte")),
+        fields(("length", "result", "byte", "size, or -errno")),
     ),
-    RequestCode(
+    Request(
         "FILE_REMOVE", 12, "host", "int remove(const char *name)", "takes a file's name away",
-        arguments(("size", "length of the name", "byte"), ("data", "the name", "1")),
-        arguments(("result", "0, or -errno", "1")),
+        fields(("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name")),
+        fields(("zero", "result", "1", "0, or -errno")),
     ),
-    RequestCode(
+    Request(
         "FILE_RENAME", 13, "host", "int rename(const char *from, const char *to)",
         "gives a file another name",
-        arguments(
-            ("i[0]", "length of the old name", "byte"), ("size", "length of both", "byte"),
-            ("data", "the old name, the new name", "1"),
+        fields(
+            ("old_size", "i[0]", "byte", "length of the old name"),
+            ("size", "size", "byte", "length of both"),
+            ("names", "data", "1", "the old name, the new name"),
         ),
-        arguments(("result", "0, or -errno", "1")),
+        fields(("zero", "result", "1", "0, or -errno")),
     ),
-    RequestCode(
+    Request(
         "CLIENT", 14, "host", "int server_is_running(void)",
         "tells which of the vendor's two client libraries ours is to behave like",
-        (), arguments(("result", "0 Nclient, 1 Ndirect", "1")),
+        (), fields(("client", "result", "1", "0 Nclient, 1 Ndirect")),
     ),
-    RequestCode(
+    Request(
         "UNCONNECTED", 15, "host", "int connect_robot(long id, ...)",
         "tells, once, that the program calls its robot without a connection",
-        (), arguments(("result", "0", "1")),
+        (), fields(("zero", "result", "1", "0")),
     ),
 )  # fmt: skip
-"""Every request that the host answers."""
+"""All requests that the host serves."""

@@ -16,9 +16,9 @@ SOURCES: Final = {
     "RWI": "RWI's programs for the Scout",
     "CARMEN": "CARMEN's driver for the Scout",
     "Player": "Player's driver for the Nomad 200",
-    OURS: "chosen by us, nothing tells",
+    OURS: "chosen by us, undocumented",
 }
-"""Where it is known from what a function does."""
+"""Sources of what is known about a function."""
 
 ALL: Final = "State"
 """Refreshes what the mask in use lets through."""

@@ -16,6 +16,7 @@ from crs_cc.frontend.preprocess.includes import digest
 from crs_cc.frontend.preprocess.options import Dialect, Options
 from crs_cc.runtime.executable import Detail, Executable, load_executable
 from crs_cc.session import cache
+from crs_cc.session.device_library import device_sources
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,7 @@ def build_executable(
         undefines,
         standard,
         f"{flags} {dialect}",
+        device_sources(),
     )
     entry = cache.load(key, _Entry)
     if entry is not None and _unchanged(entry):
@@ -86,9 +88,9 @@ def build_executable(
             return known
 
     from crs_cc.frontend.dialect import dialect_of
-    from crs_cc.session.library import HEADERS
+    from crs_cc.session.library import library_options
 
-    options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines), standard)
+    options = library_options(tuple(include_paths), tuple(defines), tuple(undefines), standard)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
         with without_collector():  # saves a fifth of the time

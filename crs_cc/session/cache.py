@@ -24,7 +24,7 @@ from typing import TypeVar
 from crs_cc.session.cache_size import TEMPORARY, StoreQuota
 
 PACKAGE = Path(__file__).parent.parent
-COMPILER = ("core", "requests", "ir", "frontend", "runtime", "session")
+COMPILER = ("core", "requests", "robot_api", "ir", "frontend", "runtime", "session")
 SUFFIXES = {".py", ".c", ".h", ".txt"}
 
 _DIGEST_SIZE = hashlib.sha256().digest_size

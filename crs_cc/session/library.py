@@ -19,9 +19,28 @@ from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.verify import verify
 from crs_cc.runtime import link
 from crs_cc.session import cache
+from crs_cc.session.device_library import (
+    defines,
+    device_headers,
+    device_sources,
+    source,
+    units,
+)
 
 SOURCES = Path(link.__file__).parent / "lib"
 HEADERS = SOURCES / "include"
+
+
+def library_options(
+    include_paths: tuple[Path, ...] = (),
+    defines: tuple[str, ...] = (),
+    undefines: tuple[str, ...] = (),
+    standard: str = "gnu17",
+) -> Options:
+    """Return the options of a program that uses the library's headers; see `Options`."""
+    return Options(
+        include_paths, (HEADERS,), defines, undefines, standard, generated=device_headers()
+    )
 
 
 class CachedLibrary:
@@ -37,6 +56,7 @@ class CachedLibrary:
         for line in (SOURCES / "index.txt").read_text("utf-8").splitlines():
             unit, _, names = line.partition(":")
             self._index |= dict.fromkeys(names.split(), unit)
+        self._index |= {device.function: unit for unit, device in units().items()}
         self._known = frozenset(self._index.values())
 
     def find(self, name: str) -> Function | Data | None:
@@ -83,7 +103,7 @@ def index_of_sources() -> str:
 
 def _load(unit: str) -> Program:
     """Load a unit from the cache, or compile and cache it."""
-    entry = cache.key("library", unit)
+    entry = cache.key("library", unit, device_sources() if unit in units() else "")
     program = cache.load(entry, Program)
     if program is None:
         program = _compile(unit)
@@ -92,11 +112,18 @@ def _load(unit: str) -> Program:
 
 
 def _compile(unit: str) -> Program:
-    path, name = SOURCES / unit, LIBRARY + unit
+    device, name = units().get(unit), LIBRARY + unit
+    path = SOURCES / unit
     diagnostics = Diagnostics()
     try:
-        options = Options(system_paths=(HEADERS, path.parent), trusted=name == link.ALLOCATOR)
-        program = compile_text(path.read_text("utf-8"), name, options, diagnostics)
+        options = Options(
+            system_paths=(HEADERS, path.parent),
+            generated=device_headers(),
+            defines=defines(device) if device else (),
+            trusted=name == link.ALLOCATOR,
+        )
+        text = source(device) if device else path.read_text("utf-8")
+        program = compile_text(text, name, options, diagnostics)
     except CompileError as error:
         raise InternalError(error.diagnostics) from error
     verify(program)

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
-from crs_cc.requests import CODES, REQUESTS, SUSPENDED
+from crs_cc.requests import CODES, REGISTERED, REQUESTS, SUSPENDED
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import Robot, WorldModel
 
-_ON_LINK = np.isin(np.arange(max(REQUESTS) + 2), list(REQUESTS.keys() - HOST_CODES))
+_ON_LINK = np.isin(np.arange(REGISTERED.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *REGISTERED])
 """By code, whether a request is sent over the link; the last stands for all codes beyond."""
 
 

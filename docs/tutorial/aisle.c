@@ -1,5 +1,5 @@
 /*
- * aisle.c - drives down an aisle, and steers away from what stands at its sides.
+ * aisle.c - drives down an aisle, and steers away from obstacles at its sides.
  *
  * The sonars are numbered against the clock: 0 looks ahead, 1 to 4 look to the left, and
  * those that mirror them to the right. The nearer something is at a side, the harder the
@@ -14,19 +14,19 @@
 #define ROBOT_ID    1
 #define N_SONARS    16
 #define NO_ECHO     255
-#define SIDE        4          /* sonars at each side */
+#define SIDE        4          /* sonars on each side */
 
 #define LENGTH      2200       /* of the aisle, 0.1 inch */
-#define SIDE_DIST   20         /* keep this far from all things, inches */
+#define SIDE_DIST   20         /* distance to keep, inches */
 #define SPEED       80         /* 0.1 inch/s */
-#define GAIN        12         /* 0.1 degree/s for each inch that something is too near */
+#define GAIN        12         /* 0.1 degree/s per inch below SIDE_DIST */
 #define MAX_STEPS   1500
 
 static struct {
-    long left, right;          /* the nearest echo there, inches */
+    long left, right;          /* the nearest echo, inches */
 } view;
 
-/* Asks the sonars, and looks for the nearest echo at each side. */
+/* Reads the sonars, and finds the nearest echo on each side. */
 static void look(void)
 {
     long *sonar = &State[STATE_SONAR_0];
@@ -43,13 +43,13 @@ static void look(void)
     }
 }
 
-/* Gives how far something at a side is too near, inches. */
+/* Returns by how much a distance is below SIDE_DIST, inches. */
 static int too_near(long distance)
 {
     return distance < SIDE_DIST ? (int) (SIDE_DIST - distance) : 0;
 }
 
-/* Gives how far the robot is turned to the left from where it looked first, 0.1 degree. */
+/* Returns the heading relative to the start, 0.1 degree. */
 static int turned(void)
 {
     int angle = (int) State[STATE_CONF_STEER];

@@ -1,4 +1,4 @@
--- Neovim's side of `crs debug --dap`, for nvim-dap: lua dofile(".../editors/nvim/crs.lua")
+-- nvim-dap configuration for `crs debug --dap`; load it with: lua dofile(".../editors/nvim/crs.lua")
 
 local dap = require("dap")
 
@@ -20,7 +20,7 @@ table.insert(dap.configurations.c, {
   stopOnEntry = true,
 })
 
--- Forward, and with Shift the same backward.
+-- Function keys run forward, with Shift in reverse.
 vim.keymap.set("n", "<F5>", dap.continue)
 vim.keymap.set("n", "<S-F5>", dap.reverse_continue)
 vim.keymap.set("n", "<F10>", dap.step_over)

@@ -1,19 +1,19 @@
 /*
- * behaviours.c - a stack of behaviours; the uppermost that wants the robot gets it.
+ * behaviours.c - a stack of behaviours; the topmost active one controls the robot.
  *
- * Each behaviour is a pair of functions: wants() looks at the senses and tells
- * whether it has something to do, act() gives the wheels their speeds. The
- * arbiter asks them from the top to the bottom, as the layers of a subsumption
- * architecture (Brooks 1986) suppress those below them:
+ * Each behaviour is a pair of functions: wants() evaluates the sensors and returns
+ * whether it is active, act() sets the wheel speeds. The arbiter tests them from top to
+ * bottom, as the layers of a subsumption architecture (Brooks 1986) suppress those below
+ * them:
  *
  *     escape    a bumper is pressed: back off, then turn
- *     avoid     something is close ahead: turn on the spot to the open side
+ *     avoid     something is close ahead: turn in place to the open side
  *     veer      something comes near at a shoulder: bend away from it
  *     explore   straight on for long enough: take another direction by chance
  *     cruise    always: straight on
  *
- * Whenever another behaviour takes over, a line is written; at the end, how long
- * each had the robot.
+ * Whenever another behaviour takes over, a line is printed; at the end, the total time of
+ * each.
  *
  * Usage:  crs run behaviours.c cluttered.xml             90 seconds
  *         crs run behaviours.c cluttered.xml -- 30 7     30 seconds, chance from 7
@@ -27,10 +27,10 @@
 #include "Nclient.h"
 
 #define ROBOT_ID    1
-#define PERIOD      100000L     /* one decision in so many microseconds */
-#define CLOSE       13          /* ahead: turn away, inches */
-#define OPEN        22          /* ahead: enough to go on, inches */
-#define NEAR        11          /* at a shoulder: bend away, inches */
+#define PERIOD      100000L     /* time per decision, microseconds */
+#define CLOSE       13          /* obstacle ahead: turn away, inches */
+#define OPEN        22          /* free ahead: continue, inches */
+#define NEAR        11          /* obstacle beside: steer away, inches */
 #define CRUISE      80          /* 0.1 inch/s */
 #define SPIN        350         /* 0.1 degree/s */
 
@@ -42,7 +42,7 @@ typedef struct {
 } Senses;
 
 typedef struct {
-    int trans, steer;           /* as scout_vm() has them */
+    int trans, steer;           /* arguments of scout_vm() */
 } Command;
 
 typedef struct {
@@ -55,7 +55,7 @@ typedef struct {
 static int order[16] = { 0, 15, 1, 14, 2, 12, 4, 8, 255 };
 static struct timeval started;
 
-/* ---- what goes on, with the time before it ---- */
+/* ---- log with time stamps ---- */
 
 static double now(void)
 {
@@ -76,7 +76,7 @@ static void say(const char *format, ...)
     putchar('\n');
 }
 
-/* ---- senses ---- */
+/* ---- sensors ---- */
 
 static int nearest(const int *sonars)
 {
@@ -105,7 +105,7 @@ static Senses sense(void)
     return s;
 }
 
-/* ---- behaviours; each remembers for itself what it has begun ---- */
+/* ---- behaviours; each keeps its own state ---- */
 
 static int escape_wants(const Senses *s)
 {
@@ -125,7 +125,7 @@ static Command escape(const Senses *s)
     return steps < 10 && s->behind > 6 ? back : turn;
 }
 
-static int turning;             /* 1 to the left, -1 to the right, 0: avoid does nothing */
+static int turning;             /* 1 to the left, -1 to the right, 0: avoid is inactive */
 
 static int avoid_wants(const Senses *s)
 {
@@ -205,7 +205,7 @@ static Behaviour stack[] = {
 
 #define LAYERS (sizeof stack / sizeof *stack)
 
-/* Gives the uppermost behaviour that wants the robot. */
+/* Returns the topmost active behaviour. */
 static Behaviour *arbitrate(const Senses *s)
 {
     Behaviour *b = stack;

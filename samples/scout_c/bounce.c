@@ -1,13 +1,12 @@
 /*
- * bounce.c - cross a room by touch alone, as the first floor cleaners did.
+ * bounce.c - cross a room with bumpers only, like early cleaning robots.
  *
- * Straight on until a bumper closes; then back a hand's width, turn away from the
- * side that was hit by some angle of chance, and on again. Each contact is told
- * with the bits of State[STATE_BUMPER] and the place where it happened, and at
- * the end how much of the floor was seen: the squares of 10 inches that the
- * middle of the robot has crossed, one bit for each.
+ * The robot drives straight until a bumper closes, backs up a few inches, turns away from
+ * the side that was hit by a random angle, and continues. For each contact it prints the
+ * bits of State[STATE_BUMPER] and the position, and at the end the area covered: the
+ * squares of 10 inches that the robot's centre has crossed, one bit for each.
  *
- * The sonars are off: an order that begins with 255 fires none.
+ * The sonars are off: an order that starts with 255 fires none.
  *
  * Usage:  crs run bounce.c room.xml            12 contacts
  *         crs run bounce.c room.xml -- 5       5 contacts
@@ -24,7 +23,7 @@
 #define BACK       40        /* 0.1 inch */
 #define SWITCHES   8         /* bumpers, 45 degrees apart, counterclockwise from the front */
 #define SQUARE     100       /* 0.1 inch */
-#define SQUARES    64        /* in each direction, from the middle */
+#define SQUARES    64        /* in each direction, from the centre */
 
 /* The motor status word, by name. */
 typedef union {
@@ -63,7 +62,7 @@ static void mark(long x, long y)
     }
 }
 
-/* Writes a bumper mask as a row of switches, the front one first. */
+/* Prints a bumper mask as a row of switches, the front one first. */
 static const char *switches(long mask)
 {
     static char text[SWITCHES + 1];
@@ -74,7 +73,7 @@ static const char *switches(long mask)
     return text;
 }
 
-/* Tells whether a mask has more at the left (switches 1 to 3) than at the right. */
+/* Returns whether a mask has more switches on the left (1 to 3) than on the right. */
 static int hit_left(long mask)
 {
     int balance = 0, i;

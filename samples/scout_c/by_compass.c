@@ -1,12 +1,12 @@
 /*
- * by_compass.c - drives a square by compass, because the wheels cannot be trusted.
+ * by_compass.c - drives a square by compass, because the wheels are unequal.
  *
- * One wheel is a little larger than the other. A robot that is told to go straight on
- * goes in a bow, and its encoders do not know. The compass does: on each side of the
- * square it is held on one heading, and the encoders only tell how far the robot went.
+ * One wheel is slightly larger than the other. When told to drive straight, the robot
+ * drives in a curve, which its encoders do not measure. The compass does: on each side of
+ * the square it holds the heading, and the encoders measure only the distance.
  *
- * The position is kept twice: as the encoders believe, and from way and compass. Both
- * are printed; at the end the robot is where the second one says.
+ * The position is tracked twice: by encoders alone, and by distance and compass. Both are
+ * printed; at the end the second one is correct.
  *
  * Usage:  crs run by_compass.c slippery.xml
  */
@@ -20,21 +20,21 @@
 #define SIDE       600.0        /* 0.1 inch */
 #define SPEED      80           /* of each wheel, 0.1 inch/s */
 #define TURN_MAX   60
-#define STRAIGHT   20           /* so near to its heading it may drive, 0.1 degree */
+#define STRAIGHT   20           /* heading error that allows driving, 0.1 degree */
 #define LOOP       100000       /* microseconds: as often as the compass measures */
 #define MAX_TURNS  1500
 
-static double x, y;             /* from way and compass, 0.1 inch, east along the first side */
+static double x, y;             /* from distance and compass, 0.1 inch, x along the first side */
 static double heading;          /* from the direction of the first side, degrees */
-static double north;            /* what the compass shows in that direction, degrees */
-static long last_x, last_y;     /* where the encoders were */
+static double north;            /* compass reading in that direction, degrees */
+static long last_x, last_y;     /* previous encoder position */
 
 static double between(double degrees)
 {
     return remainder(degrees, 360.0);
 }
 
-/* Reads encoders and compass, goes on by the way since the last time, and gives that way. */
+/* Reads encoders and compass, updates the position, and returns the distance since then. */
 static double look(void)
 {
     double way, before = heading;
@@ -51,7 +51,7 @@ static double look(void)
     return way;
 }
 
-/* Drives with a correction that brings the heading to what is wanted; 0 for just turning. */
+/* Drives, correcting the heading; speed 0 to turn in place. */
 static void steer(int speed, double wanted)
 {
     double aside = 6.0 * between(wanted - heading);

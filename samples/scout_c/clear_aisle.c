@@ -1,9 +1,9 @@
 /*
- * clear_aisle.c - pushes what stands in its way to the end of an aisle.
+ * clear_aisle.c - pushes obstacles to the end of an aisle.
  *
- * The robot drives ahead until a bumper closes, and goes on pushing. Every thirty
- * inches it says how far it has come; what it pushes it feels only by its bumper.
- * Where it gets no further for two seconds, or after MOST inches, it backs off.
+ * The robot drives ahead until a bumper closes, and continues pushing. Every thirty
+ * inches it prints the distance; it detects the object only by its bumper. If it makes no
+ * progress for two seconds, or after MOST inches, it backs off.
  *
  *     crs run clear_aisle.c warehouse.xml
  */
@@ -18,7 +18,7 @@ enum { FREE, PUSHING, STUCK };
 
 static const char *const doing[] = { "free", "pushing", "stuck" };
 
-/* How far it has come, in inches. */
+/* Returns the distance driven, in inches. */
 static long way(void)
 {
     return State[STATE_CONF_X] / 10;

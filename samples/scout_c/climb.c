@@ -1,12 +1,12 @@
 /*
- * climb.c - a robot climbs a ramp by its inclinometer, and lets go half-way.
+ * climb.c - climbs a ramp by inclinometer, with limp wheels half-way up.
  *
- * On a slope a robot is pulled down: limp it rolls back, with its motors on it
- * stays where it is. So on the ramp this one lets its wheels go for a moment,
- * catches itself, and climbs on until the ground is level again.
+ * On a slope a robot is pulled downhill: with limp wheels it rolls back, with its motors
+ * on it holds its position. On the ramp, this robot makes its wheels limp for a moment,
+ * brakes, and climbs on until the ground is level again.
  *
- * How high it got follows from its encoders and the inclinometer: a way s along
- * ground that rises by the angle p leads up by s sin p.
+ * The height follows from encoders and inclinometer: a distance s along a slope of pitch
+ * p raises the robot by s sin p.
  *
  * Usage:  crs run climb.c slope.xml
  */
@@ -20,15 +20,15 @@
 #define ROBOT_ID  1
 #define SPEED     120            /* 0.1 inch/s */
 #define PERIOD    50000          /* microseconds */
-#define STEEP     50             /* 0.1 degree: this is a ramp */
-#define LEVEL     15             /* and this is none */
+#define STEEP     50             /* 0.1 degree: on a ramp */
+#define LEVEL     15             /* on level ground */
 #define HALF_WAY  700            /* 0.1 inch along the ramp */
 #define MAX_TURNS 1200
 
 static double height;            /* inches */
-static long last;                /* where the encoders were, 0.1 inch */
+static long last;                /* previous encoder position, 0.1 inch */
 
-/* Reads encoders and tilt, and counts how high the robot is; gives its pitch. */
+/* Reads encoders and tilt, and updates the height; returns the pitch. */
 static int look(void)
 {
     int pitch = 0, roll = 0;

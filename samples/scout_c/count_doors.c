@@ -1,14 +1,14 @@
 /*
- * count_doors.c - drive along a corridor and count the doors at both sides.
+ * count_doors.c - drive along a corridor and count the doors on both sides.
  *
- * The sonars at 90 degrees look at the walls. While a reading is that of the wall
- * it is averaged into the distance of the wall; where it grows by more than JUMP
- * an opening begins, and ends where it comes back. A sonar hears the nearest
- * thing within its whole beam, so that an opening seems narrower than it is, by
- * the width of the beam at the distance of the wall, and that is added again.
+ * The sonars at 90 degrees measure the walls. Readings of the wall are averaged to get
+ * its distance; where the reading grows by more than JUMP, an opening begins, and ends
+ * where it returns. A sonar detects the nearest object within its whole beam, so an
+ * opening appears narrower than it is, by the width of the beam at the distance of the
+ * wall, which is added again.
  *
- * An opening of MIN_DOOR to MAX_DOOR inches is a door, a wider one a passage, a
- * narrower one just a gap. Where we are along the corridor the encoders tell.
+ * An opening of MIN_DOOR to MAX_DOOR inches is a door, a wider one a passage, a narrower
+ * one a gap. The position along the corridor comes from the encoders.
  *
  * Usage:  crs run count_doors.c corridor.xml
  */
@@ -21,8 +21,8 @@
 #define ROBOT_ID  1
 #define SPEED     60       /* 0.1 inch/s: 6 inches a second */
 #define END       22       /* the end wall is this near: stop, inches */
-#define JUMP      16       /* an opening is this much deeper than the wall, inches */
-#define RIPPLE    6        /* what differs more is not the wall itself, inches */
+#define JUMP      16       /* depth of an opening behind the wall, inches */
+#define RIPPLE    6        /* maximum deviation of the wall, inches */
 #define MIN_DOOR  26       /* inches */
 #define MAX_DOOR  48       /* inches */
 #define BEAM      0.3527   /* 2 tan(10 degrees): width of the beam per inch of distance */
@@ -41,8 +41,8 @@ struct opening {
 
 struct watch {
     const char *name;
-    int sonar;                     /* where its sonar stands in State */
-    double wall;                   /* distance of the wall, inches; 0: none seen yet */
+    int sonar;                     /* index of its sonar in State */
+    double wall;                   /* distance of the wall, inches; 0: unknown */
     double lost_at;                /* where the wall ended, inches */
     int is_open;
 };
@@ -54,7 +54,7 @@ static struct watch watches[SIDES] = {
 
 static struct opening *openings, **end_of_list = &openings;
 
-/* Only what is needed is fired: each of them 5 times a second. */
+/* Fires only the sonars needed, each 5 times per second. */
 static int order[16] = { 4, 12, 0, 255 };
 
 static enum kind kind_of(const struct opening *o)
@@ -81,7 +81,7 @@ static const struct opening *remember(int side, double from, double to)
     return o;
 }
 
-/* Looks at one side from a place along the corridor. */
+/* Evaluates one side at a position along the corridor. */
 static void look(int side, double along)
 {
     struct watch *w = &watches[side];
@@ -112,10 +112,10 @@ static double heading(void)
     return degrees > 180.0 ? degrees - 360.0 : degrees;
 }
 
-/* Keeps to the middle while there is a wall at both sides, else just straight on. */
+/* Keeps to the centre while there are walls on both sides, otherwise straight on. */
 static int steering(void)
 {
-    double aside = 0.0;            /* how far we are right of the middle, inches */
+    double aside = 0.0;            /* offset to the right of the centre, inches */
     double left = State[STATE_SONAR_4], right = State[STATE_SONAR_12];
     double steer;
 

@@ -1,18 +1,18 @@
 /*
- * dead_reckoning.c - three opinions on where the robot is, and which is true.
+ * dead_reckoning.c - three position estimates compared with the truth.
  *
  *     speeds    what this program works out from the speeds of the wheels, read ten
  *               times a second: every reading stands for the whole tenth
  *     encoders  what the robot works out from the turns of its wheels
  *     truth     where the simulator has the robot: get_rpx(). No robot has that
  *
- * The robot drives a square to the left and one to the right (Borenstein and Feng
- * 1994: errors that one of them hides, the other shows), then runs into a wall at
- * an angle and goes on pushing. Its motors stall, and its wheels slip along the
- * wall, of which the encoders feel nothing: from then on they are wrong, for good.
- * That is what walls, doors and other things one knows the place of are for.
+ * The robot drives a square to the left and one to the right (Borenstein and Feng 1994:
+ * errors that one of them hides, the other shows), then hits a wall at an angle and
+ * continues to push. Its motors stall, and its wheels slip along the wall, which the
+ * encoders do not measure: from then on their position is wrong. Landmarks with known
+ * positions could correct it.
  *
- * All places are told in the frame of the start.
+ * All positions are in the frame of the start.
  *
  * Usage:  crs run dead_reckoning.c wall.xml
  */
@@ -31,10 +31,10 @@
 
 typedef struct { double x, y, theta; } Pose;      /* inches, radians */
 
-static Pose speeds;                   /* our own opinion */
+static Pose speeds;                   /* our own estimate */
 static Pose origin;                   /* the true pose at the start, in the world's frame */
 static double last_time;
-static double right_now, left_now;    /* as read the last time, inches/s */
+static double right_now, left_now;    /* previous reading, inches/s */
 
 static double now(void)
 {
@@ -44,7 +44,7 @@ static double now(void)
     return t.tv_sec % 86400 + t.tv_usec / 1e6;
 }
 
-/* Takes the robot to have gone at the mean of two speeds since they were read. */
+/* Integrates the mean of two speed readings. */
 static void integrate(void)
 {
     double time, dt, right, left, way, turn;
@@ -75,7 +75,7 @@ static Pose encoders(void)
     return p;
 }
 
-/* The true pose in the world's frame; FALSE where nobody knows it. */
+/* Reads the true pose in the world's frame; FALSE if it is not available. */
 static int world_pose(Pose *p)
 {
     long robots[1 + 3 * MAX_ROBOTS];
@@ -126,7 +126,7 @@ static void compare(const char *where)
     printf("\n");
 }
 
-/* Keeps adding up until the wheels stand, or time is up. */
+/* Integrates until the wheels have stopped, or time is up. */
 static void watch(double seconds)
 {
     double until = now() + seconds;

@@ -1,9 +1,8 @@
-/* Goes to and fro between two walls by a sonar, and finds out when not to believe it any more.
+/* Drives back and forth between two walls, and detects a faulty sonar.
 
-   While the robot drives straight on, what is ahead comes nearer by just as much as the wheels
-   have turned. A sonar that says otherwise again and again is not believed any more, until what
-   it says fits again, and those beside it take its place; one that has missed an echo is believed
-   all the same. */
+   While the robot drives straight, obstacles ahead approach by exactly the distance driven. A
+   sonar that repeatedly contradicts this is ignored until its readings are consistent again, and
+   its neighbours replace it; a single missed echo is tolerated. */
 
 #include <math.h>
 #include <stdio.h>
@@ -13,17 +12,17 @@
 #include "Nclient.h"
 
 #define SPEED 150          /* 0.1 in/s */
-#define STOP 30.0          /* in before a wall it turns */
-#define NOTHING 255        /* what a sonar says that hears nothing */
-#define FITS 4.0           /* in; readings are up to 0.12 s old */
-#define ENOUGH 4           /* strikes until it is not believed */
+#define STOP 30.0          /* distance from a wall at which it turns, inches */
+#define NOTHING 255        /* reading without an echo */
+#define FITS 4.0           /* inches; readings are up to 0.12 s old */
+#define ENOUGH 4           /* strikes until it is ignored */
 #define LEGS 4
 #define HALF_TURN 213      /* 0.1 in that a wheel runs for it: pi / 2 times the wheel base */
 
 struct sonar {
     int number;
-    double slant;          /* how much of its distance is ahead */
-    double expected;       /* what it should say, 0 for anything */
+    double slant;          /* forward component of its distance */
+    double expected;       /* expected reading, 0 for any */
     int strikes;
     int believed;
 };
@@ -56,13 +55,13 @@ static double way_since(void)
     return way;
 }
 
-/* Compares what a sonar says with what it said before and how far the robot went since. */
+/* Compares a reading with the previous one and the distance driven since. */
 static void judge(struct sonar *s, double way)
 {
     double says = State[STATE_SONAR_0 + s->number];
     double should = s->expected - way / s->slant;
 
-    if (s->expected == 0 || s->expected == NOTHING) {      /* the first echo may say anything */
+    if (s->expected == 0 || s->expected == NOTHING) {      /* the first echo may have any value */
         s->expected = says;
         return;
     }
@@ -84,7 +83,7 @@ static void judge(struct sonar *s, double way)
     }
 }
 
-/* Gives the way to what is ahead, by the first sonar that is believed; -1 when none is. */
+/* Returns the free distance ahead, by the first trusted sonar; -1 if there is none. */
 static double ahead(void)
 {
     struct sonar *s;

@@ -1,16 +1,15 @@
 /*
  * figure_eight.c - two circles at a steady 10 Hz, by gettimeofday() and usleep().
  *
- * A control loop must know how late it is. Each turn begins at a multiple of
- * PERIOD after the start; what is left of it is slept away. A turn that took
- * longer is counted as missed, and the next one begins at once.
+ * A control loop must know its timing errors. Each iteration starts at a multiple of
+ * PERIOD after the start; the program sleeps for the rest of it. An iteration that took
+ * longer is counted as missed, and the next one starts immediately.
  *
- * The robot drives a circle to the left and one to the right. At each moment it
- * should be at a place that can be computed; the distance from there is fed back
- * into the speeds, since wheel speeds are whole 0.1 inches per second, and the
- * circle would not close without that.
+ * The robot drives a circle to the left and one to the right. Its target position at each
+ * time is known; the deviation is fed back to the speeds, since wheel speeds are
+ * multiples of 0.1 inch per second, and the circle would not close without that.
  *
- * The last lines show how regular the loop was.
+ * The last lines show the regularity of the loop.
  *
  * Usage:  crs run figure_eight.c               needs 2 m to the left and to the right
  */
@@ -34,7 +33,7 @@ struct pose { double x, y, heading; };
 struct loop {
     struct timeval start;
     long turns, missed;
-    long least, most, last;     /* microseconds from one turn to the next */
+    long least, most, last;     /* microseconds per iteration */
     double sum, squares;
 };
 
@@ -54,7 +53,7 @@ static void start_loop(struct loop *loop)
     gettimeofday(&loop->start, NULL);
 }
 
-/* Sleeps until the next turn, and gives when that is, in seconds since the start. */
+/* Sleeps until the next iteration; returns its time in seconds since the start. */
 static double next_turn(struct loop *loop)
 {
     long late = microseconds_since(&loop->start) - ++loop->turns * PERIOD;
@@ -86,7 +85,7 @@ static void show_loop(const struct loop *loop)
            loop->least / 1000.0, loop->most / 1000.0);
 }
 
-/* Where the robot should be at a time: on the left circle, then on the right one. */
+/* Returns the target position at a time: on the left circle, then on the right. */
 static struct pose wanted(double seconds)
 {
     double angle = SPEED * seconds / RADIUS;
@@ -110,7 +109,7 @@ static struct pose encoders(void)
     return p;
 }
 
-/* Gives how far the robot is from where it should be, after it has set the wheels. */
+/* Returns the distance of the robot from where it should be, after it has set the wheels. */
 static double steer(struct pose is, struct pose ought, double side)
 {
     double dx = ought.x - is.x, dy = ought.y - is.y;

@@ -1,8 +1,8 @@
 /*
- * follow_red.c - drives to the red thing by what the camera sees: a visual servo.
+ * follow_red.c - drives to a red object by camera: visual servoing.
  *
- * The robot turns until a red blob comes into the picture, then steers so that it
- * stays in the middle, slower the nearer it gets, and stops in front of it.
+ * The robot turns until a red blob is in the picture, then steers to keep it centred,
+ * slows down as it approaches, and stops in front of it.
  *
  * Usage:  crs run follow_red.c gallery.xml
  */
@@ -17,11 +17,11 @@
 #define SPEED      120          /* 0.1 inch/s */
 #define SLOW       40
 #define NEAR       150          /* from the camera, 0.1 inch */
-#define GAIN       4            /* 0.1 degree for each 0.1 inch/s between the wheels */
+#define GAIN       4            /* 0.1 degree per 0.1 inch/s of wheel speed difference */
 #define PERIOD     100000       /* microseconds */
 #define MAX_TURNS  600
 
-/* Finds the widest blob of a colour; gives 0 when there is none. */
+/* Finds the widest blob of a colour; returns 0 if there is none. */
 static int find(int colour, struct crs_blob *found)
 {
     struct crs_blob blobs[MAX_BLOBS];

@@ -1,11 +1,11 @@
 /*
- * follow_wall.c - find a wall and follow it with the right hand.
+ * follow_wall.c - find a wall and follow it on the right.
  *
- * A state machine: each state is a function that looks at the sonars, sets the
- * wheels and gives the state to go on with.
+ * A state machine: each state is a function that evaluates the sonars, sets the wheels
+ * and returns the next state.
  *
  *     seek     drive straight until something is ahead or at the right
- *     align    turn left on the spot until the wall lies at the right
+ *     align    turn left in place until the wall lies at the right
  *     follow   keep DISTANCE with a PID controller on the distance to the wall
  *     corner   the wall ended: swing around its end to the right
  *     escape   a bumper closed: back off, then align
@@ -22,13 +22,13 @@
 #include "Nclient.h"
 
 #define ROBOT_ID   1
-#define DISTANCE   15.0    /* what to keep from the wall, inches */
-#define STOP       14.0    /* a wall this near ahead is the next one to follow, inches */
-#define CLEAR      24.0    /* and this much free way ahead will do to go on */
-#define LOST       32.0    /* no wall at the right within this: it ended */
+#define DISTANCE   15.0    /* distance to keep from the wall, inches */
+#define STOP       14.0    /* distance of a wall ahead to follow next, inches */
+#define CLEAR      24.0    /* free distance ahead needed to continue */
+#define LOST       32.0    /* no wall on the right within this: it ended */
 #define LEAN       0.7     /* weight of the angle to the wall against the distance */
 #define CRUISE     90      /* forward speed, 0.1 inch/s */
-#define CALL       0.0145  /* what a command takes on a line of 38400 baud, seconds */
+#define CALL       0.0145  /* time of a command at 38400 baud, seconds */
 #define LOOKS      5       /* calls of gs() before each decision */
 #define TICK       ((LOOKS + 1) * CALL)   /* time between two decisions, seconds */
 
@@ -41,9 +41,9 @@ typedef struct {
 
 typedef struct {
     double ahead;          /* nearest echo ahead, inches */
-    double side;           /* distance to the wall at the right, inches */
+    double side;           /* distance to the wall on the right, inches */
     double bow;            /* echo of the sonar between the two */
-    double lean;           /* above 0: the wall comes nearer ahead, inches */
+    double lean;           /* positive: the wall approaches ahead, inches */
     double heading;        /* degrees */
     int bumped;
 } Senses;
@@ -74,7 +74,7 @@ static const Mode FOLLOW = { .name = "follow", .step = follow };
 static const Mode CORNER = { .step = corner, .name = "corner" };
 static const Mode ESCAPE = { "escape", escape };
 
-/* Only the sonars ahead and at the right are fired: 7 x 40 ms instead of 16 x 60 ms. */
+/* Only the front and right sonars are fired: 7 x 40 ms instead of 16 x 60 ms. */
 static int order[16] = { 0, 12, 15, 13, 1, 11, 14, 255 };
 
 static double clip(double value, double limit)
@@ -145,7 +145,7 @@ static const Mode *align(Robot *robot)
 {
     if (robot->now.ahead > CLEAR && robot->now.bow > DISTANCE && robot->now.side < LOST)
         return &FOLLOW;
-    if (robot->ticks > 140)          /* nothing at the right in a whole turn */
+    if (robot->ticks > 140)          /* nothing on the right in a full turn */
         return &SEEK;
     drive(robot, 0, 300);
     return &ALIGN;
@@ -178,7 +178,7 @@ static const Mode *corner(Robot *robot)
     }
     if (robot->now.side < DISTANCE + 4.0)
         return &FOLLOW;
-    if (robot->ticks > 100)                      /* round and round: it was a leg of a table */
+    if (robot->ticks > 100)                      /* full circle: it was a table leg */
         return &SEEK;
     drive(robot, CRUISE / 2, -130);
     return &CORNER;

@@ -1,19 +1,18 @@
 /*
  * grid_map.c - draw a map of a room: an occupancy grid from sonar readings.
  *
- * The robot goes along a list of places and stops every STEP inches until each
- * sonar has fired once. A reading of r inches says two things (Moravec and Elfes
- * 1985): the inside of the beam up to r is free, and somewhere on the arc at r
- * there is something. Each cell of the grid keeps the logarithm of the odds that
- * it is occupied, so that evidence is simply added; that for free counts more
- * near the axis of the beam, and that for occupied is shared by the arc: the
- * longer it is, the less each of its cells gets.
+ * The robot drives through a list of points and stops every STEP inches until each sonar
+ * has fired once. A reading of r inches means two things (Moravec and Elfes 1985): the
+ * inside of the beam up to r is free, and somewhere on the arc at r there is an obstacle.
+ * Each cell of the grid stores the logarithm of the odds that it is occupied, so evidence
+ * is simply added; evidence for free is stronger near the axis of the beam, and evidence
+ * for occupied is divided over the arc: the longer the arc, the less for each cell.
  *
  * At the end the grid is printed:  # occupied  . free  + where the robot stopped
  *
  * Usage:  crs run grid_map.c studio.xml
  *
- * The list of places is for the room of studio.xml, from its start.
+ * The list of points is for the room of studio.xml, from its start.
  */
 
 #include <stdio.h>
@@ -29,11 +28,11 @@
 #define STEP       14.0     /* between two stops, inches */
 #define CELL       5.0      /* side of a cell, inches */
 #define BEAM       10.0     /* half width of the beam, degrees */
-#define FAR        70.0     /* farther away we believe nothing: often a glancing wall, inches */
-#define THICK      3.0      /* the arc is so thick, to both sides, inches */
+#define FAR        70.0     /* ignore readings beyond this: often a glancing wall, inches */
+#define THICK      3.0      /* half thickness of the arc, inches */
 #define FREE       20.0     /* evidence on the axis of the beam */
 #define OCCUPIED   260.0    /* evidence for a whole arc */
-#define LIMIT      120      /* the odds end here */
+#define LIMIT      120      /* limit of the odds */
 
 typedef signed char Odds;
 
@@ -92,7 +91,7 @@ static void add(Odds *odds, double evidence)
     *odds = (Odds) (sum > LIMIT ? LIMIT : sum < -LIMIT ? -LIMIT : sum);
 }
 
-/* Gives the first and the last index of cells within a distance of a place. */
+/* Returns the first and the last index of cells within a distance of a point. */
 static void window(double place, double start, double reach, int count, int *first, int *last)
 {
     *first = (int) floor((place - reach - start) / CELL);
@@ -103,7 +102,7 @@ static void window(double place, double start, double reach, int count, int *fir
         *last = count - 1;
 }
 
-/* Enters one reading of a sonar at (x, y) that looks into a direction, in radians. */
+/* Adds one reading of a sonar at (x, y) with a direction, in radians. */
 static void enter(Grid *grid, double x, double y, double direction, double reading)
 {
     double reach = fmin(reading, FAR) + THICK;
@@ -130,7 +129,7 @@ static void enter(Grid *grid, double x, double y, double direction, double readi
         }
 }
 
-/* Stands until each sonar has fired, and enters what they heard. */
+/* Waits until each sonar has fired, and adds the readings. */
 static void scan(Grid *grid)
 {
     double x, y, heading, direction;
@@ -143,7 +142,7 @@ static void scan(Grid *grid)
     heading = State[STATE_CONF_STEER] * M_PI / 1800.0;
     for (i = 0; i < N_SONARS; i++) {
         if (State[STATE_SONAR_0 + i] == NO_ECHO)
-            continue;               /* nothing there, or a wall that glanced it away */
+            continue;               /* nothing there, or a glancing wall */
         direction = heading + i * 2.0 * M_PI / N_SONARS;
         enter(grid, x + SHELL * cos(direction), y + SHELL * sin(direction), direction,
               State[STATE_SONAR_0 + i]);
@@ -160,7 +159,7 @@ static void turn_to(double degrees)
     ws(1, 1, 0, 20);
 }
 
-/* Goes to a place, with a scan every STEP inches; gives the number of scans. */
+/* Drives to a point, with a scan every STEP inches; returns the number of scans. */
 static int go(Grid *grid, Place to, Place *stops)
 {
     double dx, dy, way;

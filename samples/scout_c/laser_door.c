@@ -1,8 +1,8 @@
 /*
- * laser_door.c - finds the way out by the laser: drives through the door in a wall.
+ * laser_door.c - finds a door in a wall by laser and drives through it.
  *
- * A door is where neighbouring beams see much further than those at its sides. The
- * robot goes up to the wall, looks where its door is, and drives through its middle.
+ * In a door, adjacent beams measure a much longer range than at its sides. The robot
+ * drives up to the wall, locates the door, and drives through its centre.
  *
  * Usage:  crs run laser_door.c gallery.xml
  */
@@ -15,10 +15,10 @@
 
 #define BEAMS      181          /* 1 degree apart, from the right to the left */
 #define AHEAD      90           /* the beam straight on */
-#define FAR        2360         /* what is not in range is as far away as this, 0.1 inch */
-#define STEP       300          /* ranges of a door's sides and of what is behind differ so much */
-#define WIDEST     600          /* what is wider is no door, 0.1 inch */
-#define FORWARD    60           /* the laser sits so far ahead, 0.1 inch */
+#define FAR        2360         /* range used where nothing is in range, 0.1 inch */
+#define STEP       300          /* minimum step in range at the sides of a door */
+#define WIDEST     600          /* maximum width of a door, 0.1 inch */
+#define FORWARD    60           /* position of the laser, forward, 0.1 inch */
 #define TIMEOUT    60           /* seconds */
 #define PI         3.14159265358979
 
@@ -37,11 +37,11 @@ static void go(int way)
 }
 
 struct door {
-    double x, y;                /* its middle, ahead of and left of the robot, 0.1 inch */
+    double x, y;                /* its centre, forward and left of the robot, 0.1 inch */
     double width;
 };
 
-/* Finds the door: a run of beams between two jumps. Gives 0 when there is none. */
+/* Finds the door: a run of beams between two jumps. Returns 0 if there is none. */
 static int find_door(const int *ranges, struct door *door)
 {
     int i, first = -1;

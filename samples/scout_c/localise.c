@@ -34,10 +34,10 @@
 #define N_SONARS    16
 #define SHELL       8.0      /* radius of the robot, inches */
 #define PARTICLES   1500
-#define LOST        75       /* so many of them are thrown anywhere each time */
+#define LOST        75       /* number of random particles added each time */
 #define STEPS       16
 #define LONGEST     20.0     /* of a move, inches */
-#define FAR         150.0    /* echoes from farther away do not count, inches */
+#define FAR         150.0    /* ignore echoes beyond this, inches */
 #define SIGMA       4.0      /* error of a beam's end, inches */
 #define CELL        2.0      /* of the field, inches */
 #define MARGIN      20.0     /* around the room, inches */
@@ -61,14 +61,14 @@ static int columns, rows;
 static Particle cloud[PARTICLES], drawn[PARTICLES];
 static int order[N_SONARS] = { 0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8 };
 
-/* ---- chance ---- */
+/* ---- random numbers ---- */
 
 static double uniform(double low, double high)
 {
     return low + (high - low) * rand() / (RAND_MAX + 1.0);
 }
 
-/* A normal deviate: the sum of twelve uniform ones is near enough. */
+/* Returns a normal deviate, approximated by the sum of twelve uniform ones. */
 static double normal(double sigma)
 {
     double sum = -6.0;
@@ -149,7 +149,7 @@ static double wall_distance(const Wall *wall, Point p)
     return hypot(px - along * wx, py - along * wy);
 }
 
-/* On the floor is what has an odd number of walls to its right. */
+/* A point is on the floor if there is an odd number of walls to its right. */
 static int on_floor(Point p)
 {
     const Wall *w;
@@ -185,7 +185,7 @@ static void make_field(void)
         }
 }
 
-/* Gives the distance from a place to the next wall; MARGIN for places that are not in the field. */
+/* Returns the distance from a point to the nearest wall; MARGIN outside the field. */
 static double field_at(double x, double y)
 {
     int column = (int) floor((x - corner.x + MARGIN) / CELL);
@@ -198,7 +198,7 @@ static double field_at(double x, double y)
 
 /* ---- the filter ---- */
 
-/* Puts a particle anywhere on the floor where the robot has room. */
+/* Places a particle at random on the floor where the robot fits. */
 static void throw_anywhere(Particle *particle)
 {
     Point p;
@@ -213,7 +213,7 @@ static void throw_anywhere(Particle *particle)
     particle->weight = 1.0;
 }
 
-/* Moves all particles as the encoders say that the robot went, each with its own error. */
+/* Moves all particles by the encoders' motion, each with its own random error. */
 static void move(double way, double turn)
 {
     Particle *p;
@@ -227,7 +227,7 @@ static void move(double way, double turn)
     }
 }
 
-/* How well the readings of the ring agree with a pose. */
+/* Returns how well the readings of the ring agree with a pose. */
 static double agreement(const Pose *pose)
 {
     double log_sum = 0.0, direction, far, off;
@@ -245,7 +245,7 @@ static double agreement(const Pose *pose)
         off = field_at(pose->x + far * cos(direction), pose->y + far * sin(direction)) / SIGMA;
         log_sum += log(0.95 * exp(-0.5 * off * off) + 0.05);
     }
-    return exp(0.4 * log_sum);      /* neighbours see the same wall: they do not count in full */
+    return exp(0.4 * log_sum);      /* neighbours see the same wall: weigh them less */
 }
 
 static void look(void)
@@ -256,7 +256,7 @@ static void look(void)
         p->weight = agreement(&p->pose);
 }
 
-/* Draws all particles anew, by their weights, with one number of chance (Baker's wheel). */
+/* Resamples all particles by their weights, with one random number (Baker's wheel). */
 static void resample(void)
 {
     double total = 0.0, step, mark, sum;
@@ -288,7 +288,7 @@ static double apart(const Pose *a, const Pose *b)
     return hypot(a->x - b->x, a->y - b->y);
 }
 
-/* The middle of the particles near the best one; *share gets the part of the weight there. */
+/* Returns the mean of the particles near the best one; *share gets their weight. */
 static Pose estimate(double *share)
 {
     const Particle *p, *best = cloud;
@@ -332,7 +332,7 @@ static Pose encoders(void)
     return pose;
 }
 
-/* Where the robot really is; FALSE where nobody knows it. */
+/* Reads the true pose; FALSE if it is not available. */
 static int truth(Pose *pose)
 {
     long robots[1 + 3 * MAX_ROBOTS];
@@ -345,7 +345,7 @@ static int truth(Pose *pose)
     return TRUE;
 }
 
-/* Where encoders say that we are, in the room, when they began at a true start. */
+/* Returns the pose by encoders that started at the true pose. */
 static Pose in_room(const Pose *start, const Pose *moved)
 {
     Pose pose;
@@ -362,7 +362,7 @@ static void print_pose(const Pose *pose)
            DEGREES(remainder(pose->heading, 2.0 * M_PI)));
 }
 
-/* Stands until each sonar has fired. */
+/* Waits until each sonar has fired. */
 static void listen(void)
 {
     usleep(1100000);
@@ -379,7 +379,7 @@ static double room(int sonar)
     return nearest;
 }
 
-/* Turns to where there is room, rather ahead than back, and goes there a little way. */
+/* Turns to a free direction, preferably forward, and drives a short distance. */
 static void drive(void)
 {
     int sonar, best = 0, turn;

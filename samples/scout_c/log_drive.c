@@ -1,13 +1,12 @@
 /*
- * log_drive.c - drive about for a while, log everything to a file, then read the log.
+ * log_drive.c - drive for a while, log everything to a file, then read the log.
  *
  * Ten times a second a record is written to LOG, as one line of numbers:
  *
  *     seconds  x  y  heading  right  left  bumper  16 sonars
  *
- * in inches, degrees, inches/s. After the drive the file is opened again, read
- * with fscanf(), and what it says is summed up: how far the robot went, how fast
- * it was, and the nearest thing that each sonar heard.
+ * in inches, degrees, inches/s. After the drive the file is opened again, read with
+ * fscanf(), and summarised: distance, speed, and the nearest echo of each sonar.
  *
  * Usage:  crs run log_drive.c room.xml --files logs
  *
@@ -28,8 +27,8 @@
 #define LOG       "drive.log"
 #define RECORDS   400
 #define SPEED     80
-#define NEAR      20          /* this near ahead: turn, inches */
-#define FREE      36          /* until so much is free, inches */
+#define NEAR      20          /* obstacle ahead: turn, inches */
+#define FREE      36          /* free distance needed to continue, inches */
 
 struct record {
     double seconds, x, y, heading, right, left;
@@ -71,7 +70,7 @@ static void write_record(FILE *log, double seconds)
         perror(LOG);
 }
 
-/* Gives 1 when a whole record was read. */
+/* Returns 1 if a whole record was read. */
 static int read_record(FILE *log, struct record *r)
 {
     int i;
@@ -96,7 +95,7 @@ static long ahead(void)
     return nearest;
 }
 
-/* Straight on, and to the left where something is ahead. */
+/* Drives straight ahead, and turns left at obstacles. */
 static void drive(FILE *log)
 {
     struct timeval start;
@@ -106,7 +105,7 @@ static void drive(FILE *log)
     for (count = 0; count < RECORDS; count++) {
         turning = ahead() < (turning ? FREE : NEAR);
         if (turning)
-            scout_vm(0, 300);          /* and State is new */
+            scout_vm(0, 300);          /* updates State */
         else
             scout_vm(SPEED, 0);
         write_record(log, seconds_since(&start));

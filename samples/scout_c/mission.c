@@ -1,8 +1,8 @@
 /*
- * mission.c - drive by the commands of a text file.
+ * mission.c - execute the commands of a text file.
  *
  *     forward INCHES      drive so far (negative: backwards)
- *     left DEGREES        turn on the spot; right DEGREES the other way
+ *     left DEGREES        turn in place; right DEGREES the other way
  *     speed INCHES        inches per second from now on, 1 to 20
  *     approach INCHES     drive until something ahead is so near
  *     look                say what is ahead, at the left, behind and at the right
@@ -11,9 +11,8 @@
  *     repeat N ... end    do what stands between N times; may be nested
  *     home INCHES         an error unless the start is so near
  *
- * Whatever goes wrong, deep in whichever command, jumps out to main() with
- * longjmp(): a word that is none of these, a bumper that closes. There the robot
- * is stopped, and the line is told.
+ * Any error, such as an unknown word or a closed bumper, jumps to main() with longjmp()
+ * from any depth. There the robot is stopped, and the line is printed.
  *
  * Usage:  crs run mission.c studio.xml --file samples/scout_c/mission.txt
  *         ... --file other.txt -- other.txt
@@ -39,9 +38,9 @@ typedef struct {
 } Command;
 
 static char lines[MAX_LINES][MAX_TEXT];
-static int n_lines, line_now;              /* the line that runs */
-static jmp_buf trouble;                    /* where to go on when something is wrong */
-static char what[2 * MAX_TEXT];            /* and what it is */
+static int n_lines, line_now;              /* the current line */
+static jmp_buf trouble;                    /* where to continue after an error */
+static char what[2 * MAX_TEXT];            /* the error message */
 static int done;                           /* commands so far */
 
 static int order[16] = { 0, 4, 12, 1, 15, 8, 255 };
@@ -58,7 +57,7 @@ static void fail(const char *format, ...)
 
 /* ---- the commands ---- */
 
-/* Waits for the end of a move; no move may end at an obstacle. */
+/* Waits for the end of a move; fails if it ends at an obstacle. */
 static void finish(void)
 {
     do {
@@ -110,7 +109,7 @@ static long ahead(void)
 
 static void approach(double inches, const char *text)
 {
-    usleep(500000);                        /* what the sonars heard before the turn is old */
+    usleep(500000);                        /* readings from before the turn are outdated */
     gs();
     while (ahead() > inches) {
         int trans = ahead() > inches + 15.0 ? top_speed : 30;
@@ -159,7 +158,7 @@ static const Command commands[] = {
 
 /* ---- the language ---- */
 
-/* Gives the first word of a line, and the rest of it. */
+/* Returns the first word of a line, and the rest of it. */
 static char *split(int line, char *copy, char **rest)
 {
     char *word;
@@ -202,7 +201,7 @@ static void run_command(const char *word, const char *rest)
     fail("'%s' is no command", word);
 }
 
-/* Runs from a line to the "end" that belongs to it, and gives the line behind that. */
+/* Executes a line up to its matching "end"; returns the line after that. */
 static int run_block(int line, int depth, int for_show)
 {
     char copy[MAX_TEXT], *word, *rest;

@@ -1,10 +1,10 @@
 /*
- * mixed.c - one behaviour for robots of several kinds.
+ * mixed.c - one behaviour for several types of robots.
  *
- * The program is told on which robot it runs, and looks up what differs: where
- * its sonars point, how wide it is, and what vm() moves. The rest is the same
- * for all: go ahead, bend away from what comes near, and turn on the spot when
- * the way is blocked. From time to time it says where it is.
+ * The program is passed the type of its robot, and looks up the differences: the
+ * directions of the sonars, the width, and the meaning of vm(). The rest is the same for
+ * all: drive ahead, steer away from obstacles, and turn in place if the way is blocked.
+ * It prints its position regularly.
  *
  * Usage:  crs run mixed.c worlds/mixed.xml      the world names each robot's kind
  *         crs run mixed.c --robot amigobot -- amigobot
@@ -17,14 +17,14 @@
 
 #define DEG     (3.14159265358979 / 180.0)
 #define STEPS   1200
-#define TELL    400                     /* a line each so many steps */
-#define NEAR    36.0                    /* what is nearer counts [in] */
-#define STOP    11.0                    /* what is so near ahead blocks [in] */
-#define FREE    20.0                    /* go on when there is so much again [in] */
+#define TELL    400                     /* steps per output line */
+#define NEAR    36.0                    /* range of obstacles that count [in] */
+#define STOP    11.0                    /* blocked if an obstacle ahead is nearer [in] */
+#define FREE    20.0                    /* free distance needed to continue [in] */
 #define SPEED   80                      /* [0.1 in/s] */
 #define TURN    400                     /* [0.1 deg/s] */
 
-/* The directions of the sonars by their numbers, counter-clockwise from ahead. */
+/* Directions of the sonars by number, counter-clockwise from the front. */
 static const double nomad_ring[16] = {
     0, 22.5, 45, 67.5, 90, 112.5, 135, 157.5, 180, -157.5, -135, -112.5, -90, -67.5, -45, -22.5
 };
@@ -37,7 +37,7 @@ static const struct kind {
     const char *name;
     int sonars;
     const double *direction;
-    double axle;                        /* between the wheels [in]; 0: wheels that are steered */
+    double axle;                        /* wheel base [in]; 0: steered wheels */
 } kinds[] = {
     { "scout", 16, nomad_ring, 13.59 },
     { "nomad200", 16, nomad_ring, 0.0 },
@@ -68,7 +68,7 @@ static void drive(double speed, double turn)
         vm((int)speed, (int)turn, (int)turn);   /* the turret, with the sonars, turns along */
 }
 
-/* The nearest echo within some degrees of ahead [in]. */
+/* Returns the nearest echo within an angle of the front [in]. */
 static double ahead(double degrees)
 {
     double nearest = 255.0;
@@ -80,7 +80,7 @@ static double ahead(double degrees)
     return nearest;
 }
 
-/* How much stands on the left, less what stands on the right; the nearer, the more. */
+/* Returns the obstacles on the left minus those on the right, weighted by nearness. */
 static double crowded_left(void)
 {
     double sum = 0.0;

@@ -1,15 +1,15 @@
 /*
- * plan_path.c - plan a way on a map by a wavefront, and drive it.
+ * plan_path.c - plan a path on a map with a wavefront, and follow it.
  *
- * The map is a grid of characters. All cells too near to something are closed for
- * the middle of the robot. A wave that starts at the goal numbers the cells that
- * are left by their distance (Jarvis 1984), and going down from the start gives a
- * shortest way. Corners that can be cut in a straight line are cut.
+ * The map is a grid of characters. All cells too close to an obstacle are closed for the
+ * robot's centre. A wave that starts at the goal numbers the remaining cells by their
+ * distance (Jarvis 1984), and descending from the start gives a shortest path. Corners
+ * that can be cut in a straight line are cut.
  *
- * Before that a flood fill, a recursive one, tells whether there is a way at all.
+ * Before that, a recursive flood fill determines whether there is a path at all.
  *
- * While driving, the sonars ahead are watched: should something stand in the way
- * that the map does not know, the robot stops and says so.
+ * While driving, the front sonars are monitored: if there is an obstacle that is not on
+ * the map, the robot stops and reports it.
  *
  * Usage:  crs run plan_path.c office.xml --file worlds/office.grid
  *         ... -- MAP X Y           another map or goal, inches on the map
@@ -24,8 +24,8 @@
 
 #define ROBOT_ID   1
 #define MAX_CELLS  128        /* in each direction */
-#define KEEP       12.1       /* the middle of the robot keeps this from a full cell, inches */
-#define BLOCKED    9          /* this near ahead is in the way, inches */
+#define KEEP       12.1       /* clearance of the robot's centre from full cells, inches */
+#define BLOCKED    9          /* obstacle ahead: stop, inches */
 #define FULL       '#'
 #define START_X    39.4       /* where the robot of office.xml starts, inches */
 #define START_Y    167.3
@@ -35,7 +35,7 @@ typedef struct { int column, row; } Cell;
 static char floor_plan[MAX_CELLS][MAX_CELLS + 2];   /* row 0 is y = 0 */
 static char closed[MAX_CELLS][MAX_CELLS];
 static char reached[MAX_CELLS][MAX_CELLS];
-static int wave[MAX_CELLS][MAX_CELLS];              /* steps to the goal, -1: no way */
+static int wave[MAX_CELLS][MAX_CELLS];              /* steps to the goal, -1: unreachable */
 static int columns, rows;
 static double cell_size;
 
@@ -126,7 +126,7 @@ static Cell beside(Cell c, int side)
     return c;
 }
 
-/* Marks all that can be reached from a cell. */
+/* Marks all cells reachable from a cell. */
 static int flood(Cell c)
 {
     int side, count = 1;
@@ -163,7 +163,7 @@ static void spread(Cell goal)
     free(queue);
 }
 
-/* Tells whether all cells on the straight line between two are open. */
+/* Returns whether all cells on the straight line between two cells are open. */
 static int in_sight(Cell from, Cell to)
 {
     int steps = 2 * (abs(to.column - from.column) + abs(to.row - from.row)), i;
@@ -178,7 +178,7 @@ static int in_sight(Cell from, Cell to)
     return 1;
 }
 
-/* Goes down the wave as far as the cell is in sight: the next corner of the way. */
+/* Follows the wave down to the last visible cell: the next corner of the path. */
 static Cell next_corner(Cell from)
 {
     Cell c = from, corner = from, next;
@@ -210,7 +210,7 @@ static double y(void)
     return START_Y + State[STATE_CONF_Y] / 10.0;
 }
 
-/* Drives to a place on the map; gives FALSE when something stands in the way. */
+/* Drives to a point on the map; returns FALSE if it is blocked. */
 static int drive(double to_x, double to_y)
 {
     double heading = atan2(to_y - y(), to_x - x()) * 180.0 / M_PI;

@@ -1,16 +1,15 @@
 /*
- * platoon.c - a convoy by radio: the leader tells where it is, the others follow.
+ * platoon.c - a convoy by radio: the leader broadcasts its position, the others follow.
  *
- * Every robot runs this program; number 0 leads. It drives a course, and
- * broadcasts its position. The others keep these positions: the leader's trail.
- * Robot n drives n gaps behind the leader, along the trail and not straight to
- * the leader, so that it takes every corner where the leader took it. It steers
- * to a point of the trail a little ahead, and its speed makes up for what it is
- * too far behind. Every message has the whole that is needed, so that a lost one
- * costs a point of the trail and nothing more.
+ * Every robot runs this program; number 0 leads. It drives a course, and broadcasts its
+ * position. The others store these positions: the leader's trail. Robot n drives n gaps
+ * behind the leader, along the trail instead of straight to the leader, so that it takes
+ * every corner where the leader did. It steers to a point of the trail slightly ahead,
+ * and its speed corrects its distance. Every message is complete, so a lost one costs
+ * only one point of the trail.
  *
- * All robots reckon in one frame: each sets its own odometry to where it starts.
- * (convoy/ does it with sonars instead, and without a word.)
+ * All robots use one frame: each sets its own odometry to its starting position. (convoy/
+ * does it with sonars instead of messages.)
  *
  * Usage:  crs run platoon.c platoon.xml
  */
@@ -23,12 +22,12 @@
 #include "crs.h"
 
 #define GAP        315       /* from one robot to the next, 0.1 inch: 80 cm */
-#define AHEAD      120       /* of the point to steer to, 0.1 inch */
+#define AHEAD      120       /* look-ahead distance, 0.1 inch */
 #define CRUISE     80        /* 0.1 inch/s */
 #define FASTEST    140
 #define POINTS     2000
 #define PERIOD     200000    /* of the leader's broadcasts, microseconds */
-#define LOST       3000      /* so long without a word of the leader, ms: stop */
+#define LOST       3000      /* time without messages after which to stop, ms */
 
 enum type { POSITION, END };
 
@@ -77,7 +76,7 @@ static void lead(void)
             usleep(PERIOD);
         }
     st();
-    for (n = 0; n < 20; n++)             /* one of them will get through */
+    for (n = 0; n < 20; n++)             /* repeated because messages get lost */
         crs_broadcast(END, NULL, 0);
     printf("the leader told its place %d times\n", sent);
 }
@@ -90,7 +89,7 @@ static void remember(struct point point)
         trail[n_trail++] = point;
 }
 
-/* Gives the point of the trail so far behind its end, or the first one. */
+/* Returns the point of the trail at a distance from its end, or the first one. */
 static struct point behind(double way)
 {
     int i;
@@ -110,7 +109,7 @@ static struct point behind(double way)
     return trail[0];
 }
 
-/* Gives how far behind its end the trail passes nearest to a point. */
+/* Returns the distance from its end at which the trail is nearest to a point. */
 static double way_behind(struct point here)
 {
     double way = 0.0, best = 0.0, nearest = distance(here, trail[n_trail - 1]);
@@ -137,7 +136,7 @@ static int clip(double value, int low, int high)
     return value < low ? low : value > high ? high : (int)value;
 }
 
-/* Drives so as to come, or to stay, so far behind the leader; gives what is missing. */
+/* Drives to keep a distance behind the leader; returns the deviation. */
 static double drive(double gap)
 {
     struct point here = place(), goal;
@@ -196,7 +195,7 @@ int main(void)
     } else {
         int i;
 
-        for (i = number; i > 0; i--) {   /* the trail begins with the row they stand in */
+        for (i = number; i > 0; i--) {   /* the trail starts with the initial row */
             struct point point = { -i * GAP, 0 };
 
             remember(point);

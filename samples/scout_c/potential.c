@@ -30,15 +30,15 @@
 #define ROBOT_ID   1
 #define N_SONARS   16
 #define SHELL      8.0      /* radius of the robot, inches */
-#define RANGE      20.0     /* D: farther things do not push, inches from the shell */
+#define RANGE      20.0     /* D: range of the repulsion, inches from the shell */
 #define STRENGTH   150.0    /* K: against a pull of 1 */
 #define NEAREST    3.0      /* a distance below is taken for this one, inches */
-#define ARRIVED    5.0      /* this near to the goal is there, inches */
+#define ARRIVED    5.0      /* radius of the goal, inches */
 #define TOP_SPEED  80.0     /* 0.1 inch/s */
 #define TOP_STEER  400.0    /* 0.1 degree/s */
 #define STUCK      6.0      /* seconds without coming nearer: a local minimum */
-#define SLIDE      8.0      /* then slide for so many seconds */
-#define LOOP       0.1      /* seconds that a turn of the loop takes, about */
+#define SLIDE      8.0      /* duration of sliding, seconds */
+#define LOOP       0.1      /* approximate duration of an iteration, seconds */
 #define MAX_LOOPS  1500
 
 typedef struct { double x, y; } Vector;
@@ -59,7 +59,7 @@ static double clip(double value, double limit)
     return value > limit ? limit : value < -limit ? -limit : value;
 }
 
-/* Brings an angle into -pi to pi. */
+/* Normalises an angle to -pi to pi. */
 static double normal(double angle)
 {
     return atan2(sin(angle), cos(angle));
@@ -70,7 +70,7 @@ static double distance(Vector a, Vector b)
     return hypot(a.x - b.x, a.y - b.y);
 }
 
-/* Reads the robot, and moves the point of each sonar that has a new reading. */
+/* Reads the robot, and updates the points of sonars with new readings. */
 static void sense(void)
 {
     int i, reading;
@@ -92,7 +92,7 @@ static void sense(void)
     }
 }
 
-/* The push of all echoes on the robot. */
+/* Returns the repulsion of all echoes. */
 static Vector push(void)
 {
     Vector sum = { 0.0, 0.0 };
@@ -113,7 +113,7 @@ static Vector push(void)
     return sum;
 }
 
-/* The unit vector towards the goal. */
+/* Returns the unit vector towards the goal. */
 static Vector pull(Vector goal)
 {
     double far = distance(goal, here);
@@ -122,7 +122,7 @@ static Vector pull(Vector goal)
     return v;
 }
 
-/* Drives towards where a force points. */
+/* Drives in the direction of a force. */
 static void follow(Vector force)
 {
     double turn = normal(atan2(force.y, force.x) - heading);

@@ -1,12 +1,11 @@
 /*
- * relay.c - carry messages around a wall that no radio goes through.
+ * relay.c - carry messages around a wall that blocks radio.
  *
- * Three robots run this program, and each finds its part by its name. "source"
- * reads its sonars now and then, and keeps the readings. "base" wants to have
- * them, but hears nothing: a wall lies between. So "carrier" drives to and fro,
- * calls, takes over what there is to take, and hands it on. A reading is kept
- * by whoever has it until somebody else says to have it, by its number; so none
- * is lost, whatever the radio loses.
+ * Three robots run this program, and each finds its role by its name. "source" reads its
+ * sonars from time to time, and stores the readings. "base" needs them, but is out of
+ * reach: a wall is in between. So "carrier" drives back and forth, calls, receives the
+ * stored readings, and passes them on. A reading is stored until another robot
+ * acknowledges it by its number; so none is lost, whatever the radio loses.
  *
  * Usage:  crs run relay.c radio-shadow.xml
  */
@@ -20,8 +19,8 @@
 
 #define READINGS   10        /* to be made, one each ... */
 #define INTERVAL   5.0       /* seconds */
-#define CALL       300       /* how long an answer may take, ms */
-#define SILENCE    8         /* so many calls without an answer: there is nothing more */
+#define CALL       300       /* timeout of an answer, ms */
+#define SILENCE    8         /* unanswered calls after which to give up */
 
 enum type { HELLO, READING, GOT };      /* of messages: "who is there?", a reading, "I have it" */
 
@@ -33,9 +32,9 @@ struct reading {
 
 static struct reading kept[READINGS];
 static int n_kept;
-static char seen[READINGS];  /* whether a number was ever kept */
+static char seen[READINGS];  /* whether a number was ever stored */
 
-/* Gives the seconds since it was called first. */
+/* Returns the seconds since the first call. */
 static double now(void)
 {
     static long start;
@@ -47,7 +46,7 @@ static double now(void)
     return time.tv_sec - start + time.tv_usec / 1e6;
 }
 
-/* Keeps a reading that is new; tells whether it is. */
+/* Stores a reading if it is new; returns whether it is. */
 static int keep(const struct reading *reading)
 {
     if (reading->number < 0 || reading->number >= READINGS || seen[reading->number])
@@ -57,7 +56,7 @@ static int keep(const struct reading *reading)
     return 1;
 }
 
-/* Takes a reading out of a message, and tells its sender to have it; keeps it if it is new. */
+/* Extracts a reading from a message, acknowledges it, and stores it if it is new. */
 static int accept(const struct crs_message *message, struct reading *reading)
 {
     memcpy(reading, message->data, sizeof *reading);
@@ -65,7 +64,7 @@ static int accept(const struct crs_message *message, struct reading *reading)
     return keep(reading);
 }
 
-/* Drops the reading that somebody else has now. */
+/* Drops a reading that another robot has acknowledged. */
 static void drop(const struct crs_message *got)
 {
     int i, number;
@@ -79,7 +78,7 @@ static void drop(const struct crs_message *got)
         }
 }
 
-/* Hands over what is kept, the oldest first, as far as the other one says to have it. */
+/* Sends the stored readings, oldest first, as long as the other robot acknowledges. */
 static void hand_over(int to)
 {
     struct crs_message answer;
@@ -97,7 +96,7 @@ static void hand_over(int to)
     }
 }
 
-/* Calls, and takes what it is given, until nobody gives any more. */
+/* Calls, and receives readings until there are no more. */
 static int take_over(int from)
 {
     struct crs_message message;
@@ -150,7 +149,7 @@ static void be_base(int source)
     struct crs_message message;
     int got = 0, straight = 0;
 
-    /* When it has them all, it stays for a while: the carrier may not know yet. */
+    /* Stays for a while after the last reading: the carrier may not know yet. */
     while (crs_receive(&message, got < READINGS ? 200000 : 10000)) {
         struct reading reading;
 

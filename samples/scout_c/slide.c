@@ -1,13 +1,14 @@
 /*
- * slide.c - a Nomad 200 slides along a wall, a hand's breadth away, by infrared alone.
+ * slide.c - a Nomad 200 follows a wall closely by infrared alone.
  *
- * Sonars are blind so near; infrared sensors are made for it. Each tells how much of
- * its own light comes back, 0 to 15, about the inches to the surface, and 15 where
- * nothing is near. Number 4 looks to the left, 3 and 5 by 22.5 degrees to its sides.
+ * Sonars cannot measure such short distances; infrared sensors can. Each measures how
+ * much of its own light is reflected, 0 to 15, approximately the inches to the surface,
+ * and 15 if nothing is near. Number 4 points to the left, 3 and 5 by 22.5 degrees to its
+ * sides.
  *
- * The wheels steer by how near the wall is (4) and by how it runs (3 and 5); the base
- * and the turret keep their direction. A dark wall sends back less light, and looks
- * farther away than it is: the robot comes nearer. The program cannot know.
+ * The wheels are steered by the distance of the wall (4) and by its direction (3 and 5);
+ * the base and the turret keep their direction. A dark wall reflects less light, and
+ * appears farther away: the robot gets closer. The program cannot detect this.
  *
  * Usage:  crs run slide.c wavy.xml
  */
@@ -21,7 +22,7 @@
 #define NOTHING    15
 #define SPEED      60           /* 0.1 inch/s */
 #define STEER_MAX  150          /* 0.1 degree/s */
-#define HEADING_MAX 400         /* the wheels turn at most so far from the turret, 0.1 degree */
+#define HEADING_MAX 400         /* maximum angle between wheels and turret, 0.1 degree */
 #define WAY        2500         /* 0.1 inch */
 #define MAX_TURNS  1200
 
@@ -32,7 +33,7 @@ static int limited(int value, int most)
     return value > most ? most : value < -most ? -most : value;
 }
 
-/* Where the wheels point, from where they pointed at the start: 0.1 degree. */
+/* Returns the direction of the wheels relative to the start, 0.1 degree. */
 static int wheels(void)
 {
     int angle = (int) State[STATE_CONF_STEER];
@@ -48,7 +49,7 @@ int main(void)
         fprintf(stderr, "slide: no robot\n");
         return 1;
     }
-    conf_ir(5, order);                     /* half of each reading is the one before */
+    conf_ir(5, order);                     /* average each reading with the previous one */
     conf_tm(5);
     ac(100, 300, 300);
     sp(SPEED, STEER_MAX, 300);

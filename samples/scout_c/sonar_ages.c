@@ -1,20 +1,18 @@
 /*
  * sonar_ages.c - how old are the readings of the sonars, and does it matter?
  *
- * One sonar fires at a time, each rate x 4 ms after the one before, in the order
- * given to conf_sn(), but not before the last one has listened long enough for an
- * echo from afar: a small rate is not as fast as it seems. A reading stays in State until its sonar's next turn: with
- * all sixteen at the usual rate of 15 it is up to 0.96 s old, and the robot has
- * gone on meanwhile.
+ * One sonar fires at a time, each rate x 4 ms after the previous one, in the order given to
+ * conf_sn(), but not before the last one has listened long enough for a distant echo: a small
+ * rate is not as fast as it seems. A reading stays in State until its sonar fires again: with all
+ * sixteen at the usual rate of 15 it is up to 0.96 s old, and the robot has moved on.
  *
- * The sensor board notes for each reading when it was taken and where the robot
- * was (posData). Here the robot drives towards a wall under several settings, and
- * prints for each sonar, in its order,
+ * The sensor board records the time and the robot's position for each reading (posData). Here the
+ * robot drives towards a wall with several settings, and prints for each sonar, in its order,
  *
  *     the age of its reading, in ms, and how far the robot went since, in inches
  *
- * and for the sonar ahead the distance that it reads, and that distance less the
- * way since then: what it would read now.
+ * and for the front sonar the distance that it reads, and that distance minus the distance driven
+ * since: what it would read now.
  *
  * Usage:  crs run sonar_ages.c wall.xml
  */
@@ -56,8 +54,8 @@ static void show(struct setting *s)
     int n = count(s->order), i, age;
 
     conf_sn(s->rate, s->order);
-    usleep(2000000);                   /* all have had their turn since */
-    gs();                              /* brings readings, places and times */
+    usleep(2000000);                   /* all sonars have fired since */
+    gs();                              /* reads distances, positions and times */
     posSonarRingGet(ring);
     time = posTimeGet();
     reading = State[STATE_SONAR_0];

@@ -1,5 +1,5 @@
 /*
- * square.c - drive a Scout around a square and print where it thinks it is.
+ * square.c - drive a Scout around a square and print its odometry.
  *
  * The robot drives one side, turns left by 90 degrees, and so on, four times.
  * pr() only starts a move and ws() waits for its end, so that a pair of them
@@ -22,7 +22,7 @@
 #define SPEED      100    /* speed of each wheel,  0.1 inch/s */
 #define ACCEL      200    /* and its acceleration, 0.1 inch/s/s */
 
-/* Starts a move by (trans, steer) and waits until both wheels stand still. */
+/* Starts a move by (trans, steer) and waits until both wheels have stopped. */
 static void go(int trans, int steer)
 {
     scout_pr(trans, steer);

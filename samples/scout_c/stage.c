@@ -1,11 +1,11 @@
 /*
  * stage.c - the edge of a stage, seen from below and from above.
  *
- * From the floor the edge of a plateau is a wall: the sonar ahead tells how far it
- * is, and the robot stops in front of it. From above there is nothing to see: the
- * sonar looks out over the edge, and only its encoders tell the robot where to stop.
+ * From the floor, the edge of a plateau is a wall: the front sonar measures its distance,
+ * and the robot stops in front of it. From above it is invisible: the sonar's beam passes
+ * over the edge, and only the encoders determine where to stop.
  *
- * The robot goes up by a ramp to the left, whose place it knows.
+ * The robot drives up a ramp to the left, whose position it knows.
  *
  * Usage:  crs run stage.c plateau.xml
  */
@@ -21,7 +21,7 @@
 #define MAX_TURNS 300
 #define TIMEOUT   60             /* seconds */
 #define STAGE     1570           /* from one end of the stage to the other, 0.1 inch */
-#define RAMP      997            /* the ramp along the ground */
+#define RAMP      997            /* length of the ramp along the ground */
 
 static int order[16] = { 0, 1, 15, 255 };
 
@@ -31,7 +31,7 @@ static void go(int way)
     ws(1, 1, 0, TIMEOUT);
 }
 
-/* Turns on the spot by an angle, 0.1 degree. */
+/* Turns in place by an angle, 0.1 degree. */
 static void turn(int angle)
 {
     int way = (int)(angle * 0.118597);
@@ -73,7 +73,7 @@ int main(void)
 
     go(-came);
     turn(900);
-    go(787);                     /* to the middle of the ramp */
+    go(787);                     /* to the centre of the ramp */
     turn(-900);
     go(200 + RAMP);
     printf("on the stage: %d in to what the sonar sees\n", ahead());

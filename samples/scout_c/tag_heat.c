@@ -1,23 +1,22 @@
 /*
- * tag_heat.c - looks for hot things and tags them, in the form of the CRS report.
+ * tag_heat.c - finds hot objects and tags them, in the report's dialect.
  *
- * The robot goes ahead in legs of ten inches. Before each leg it feels for heat:
- * where there is some, it says so and tags, which cools everything within reach.
- * Then it looks ahead with three sonars, and turns towards the freer side while
- * something is near. Several robots can run it in one world: each tags what the
- * others have left.
+ * The robot drives in legs of ten inches. Before each leg it measures the heat: if there
+ * is any, it prints it and tags, which cools everything in range. Then it checks three
+ * front sonars, and turns towards the freer side while an obstacle is near. Several
+ * robots can run it in one world: each tags what the others have left.
  *
  *     crs run tag_heat.c complex-3r.xml
  */
 
-int LEGS = 40;          /* how long to look */
+int LEGS = 40;          /* duration of the search */
 int LEG = 100;          /* 0.1 inch */
 int NEAR = 200;         /* 0.1 inch */
 int TURN = 300;         /* 0.1 degree */
 
-int tagged;             /* the heat that we took away */
+int tagged;             /* the heat removed */
 
-/* What a sonar reads, far away where it hears nothing. */
+/* Returns a sonar reading, a large one if there is no echo. */
 int reading(int sonar)
 {
     int tenths = State[STATE_SONAR_0 + sonar];
@@ -49,7 +48,7 @@ void feel(int leg)
            State[STATE_CONF_X] / 10, State[STATE_CONF_Y] / 10, State[STATE_HEAT]);
 }
 
-/* Turns until there is room ahead. */
+/* Turns until the way ahead is free. */
 void look()
 {
     int left, right, turns;
@@ -75,7 +74,7 @@ void runcode()
         pr(LEG, LEG, 0);
         ws(1, 1, 0, 255);
         get_bp();
-        if (State[STATE_BUMPER]) {              /* into something that no sonar saw */
+        if (State[STATE_BUMPER]) {              /* into an obstacle that no sonar detected */
             pr(-LEG, -LEG, 0);
             ws(1, 1, 0, 255);
         }

@@ -1,15 +1,15 @@
 /*
- * turret.c - a Nomad 200 drives around a pillar and keeps its eye on it.
+ * turret.c - a Nomad 200 drives around a pillar with its turret facing it.
  *
  * The three axes of a Nomad 200 are independent: its wheels drive, all of them are
- * steered alike, and the turret with the sonars turns above them. The base itself
- * never turns. So the robot can look to one side all the time while it drives a
- * course with corners.
+ * steered together, and the turret with the sonars rotates above them. The base itself
+ * never turns. So the robot can face one side all the time while it drives a course with
+ * corners.
  *
- * Where the pillar stands is known; from the encoders follows in which direction it
- * lies, and the turret is held there. Sonar 0, which looks where the turret looks,
- * should then read the distance to the pillar, less the two radii. Both are printed,
- * and at the end how far they were apart.
+ * The position of the pillar is known; its direction follows from the encoders, and the
+ * turret is held there. Sonar 0, which points where the turret points, should then read
+ * the distance to the pillar, minus the two radii. Both are printed, and at the end their
+ * difference.
  *
  * Usage:  crs run turret.c pillar.xml
  */
@@ -26,7 +26,7 @@
 #define PILLAR_Y    50.0
 #define PILLAR_R    6.0
 #define SPEED       80           /* 0.1 inch/s */
-#define NEAR        3.0          /* so near to a corner of the course is there, inches */
+#define NEAR        3.0          /* tolerance at corners of the course, inches */
 #define STEER_RATE  450          /* 0.1 degree/s */
 #define MAX_TURNS   1500
 
@@ -39,7 +39,7 @@ static int order[16] = { 0, 1, 15, 255 };
 static double x(void) { return State[STATE_CONF_X] / 10.0; }
 static double y(void) { return State[STATE_CONF_Y] / 10.0; }
 
-/* From a direction that the encoders tell, in 0.1 degree, to a place: how far to turn, degrees. */
+/* Returns the turn from an encoder direction, in 0.1 degree, to a point, degrees. */
 static double bearing(long from, double to_x, double to_y)
 {
     double degrees = atan2(to_y - y(), to_x - x()) * 180.0 / M_PI;
@@ -54,7 +54,7 @@ static int rate(double degrees)
     return (int) (tenths > STEER_RATE ? STEER_RATE : tenths < -STEER_RATE ? -STEER_RATE : tenths);
 }
 
-/* Turns the wheels and the turret, while the robot stands, and waits for both. */
+/* Turns the wheels and the turret in place, and waits for both. */
 static void aim(double to_x, double to_y)
 {
     double wheels = bearing(State[STATE_CONF_STEER], to_x, to_y);
@@ -74,7 +74,7 @@ int main(void)
         fprintf(stderr, "turret: no robot\n");
         return 1;
     }
-    zr();                                  /* wheels and turret ahead */
+    zr();                                  /* wheels and turret forward */
     ws(1, 1, 1, 20);
     conf_tm(5);
     conf_sn(15, order);
@@ -86,7 +86,7 @@ int main(void)
     printf("     x      y   wheels  turret   off   sonar  should be\n");
     for (corner = 0; corner < 4; corner++) {
         aim(course[corner].x, course[corner].y);
-        usleep(300000);                    /* the sonars fire at what is now ahead of them */
+        usleep(300000);                    /* the sonars fire in the new direction */
         while (hypot(course[corner].x - x(), course[corner].y - y()) > NEAR
                && turns++ < MAX_TURNS && State[STATE_BUMPER] == 0) {
             aside = bearing(State[STATE_CONF_STEER], course[corner].x, course[corner].y);

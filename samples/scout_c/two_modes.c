@@ -1,8 +1,8 @@
 /*
- * two_modes.c - looks far with one mode of the sonars, and near with the other.
+ * two_modes.c - uses one sonar mode for long range, the other for short range.
  *
- * The low frequency hears a column across the hall, to 10 cm; the high one does not
- * hear it at all, but once the robot is there it tells millimetres.
+ * The low frequency detects a column across the hall, with a resolution of 10 cm; the
+ * high one does not detect it from there, but measures millimetres nearby.
  *
  * Usage:  crs run two_modes.c gallery.xml
  */
@@ -14,12 +14,12 @@
 
 #define LF         0            /* the modes, in the order of the robot's definition */
 #define HF         1
-#define ROUND      1000000      /* all sonars have had their turn, microseconds */
-#define BEFORE     400          /* where to stop before it, 0.1 inch */
+#define ROUND      1000000      /* time for all sonars to fire, microseconds */
+#define BEFORE     400          /* distance at which to stop, 0.1 inch */
 #define TIMEOUT    60           /* seconds */
 #define LOOKS      10
 
-/* The range ahead in a mode: 0.1 inch, -1 for no echo. */
+/* Returns the range ahead in a mode: 0.1 inch, -1 for no echo. */
 static int look(int mode)
 {
     int ahead;

@@ -1,8 +1,8 @@
 /*
- * wander.c - let a Scout wander through a room without touching anything.
+ * wander.c - let a Scout wander through a room without collisions.
  *
  * The robot cruises while there is room ahead, slows down and bends away from
- * what comes near on one side, and when the way is blocked turns on the spot
+ * what comes near on one side, and when the way is blocked turns in place
  * until it is free again. If a bumper closes all the same it backs off first.
  * One line is printed when the state changes, and one every 50 steps:
  *
@@ -25,12 +25,12 @@
 # define NO_ECHO      255             /* the longest reading, inches */
 
 /* Distances to obstacles, inches */
-# define STOP_DIST    13              /* too close to go on */
-# define CLEAR_DIST   26              /* free enough to set off again */
+# define STOP_DIST    13              /* too close to continue */
+# define CLEAR_DIST   26              /* free enough to start again */
 # define SLOW_DIST    45              /* begin to slow down */
-# define SIDE_DIST    15              /* keep this far from walls at the side */
+# define SIDE_DIST    15              /* distance to keep from walls beside */
 
-/* Speeds as scout_vm() has them: 0.1 inch/s and 0.1 degree/s */
+/* Speeds, arguments of scout_vm(): 0.1 inch/s and 0.1 degree/s */
 # define MAX_SPEED    150
 # define MIN_SPEED    30
 # define BACK_SPEED   (-60)
@@ -39,7 +39,7 @@
 
 /* Steps of the control loop, each about 23 ms on a line of 38400 baud */
 # define BACK_STEPS   50
-# define PATIENCE     35              /* ask for an inch less after so many */
+# define PATIENCE     35              /* steps after which to require an inch less */
 # define MAX_SPIN     800             /* two full turns */
 
 # define MIN(a,b)     ((a) < (b) ? (a) : (b))
@@ -53,8 +53,8 @@ char *state_name[] = { "cruise", "turn", "back" };
 
 int order[N_SONARS] = { 0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8 };
 int ring[N_SONARS];                   /* the newest reading of each sonar, inches */
-int front, left, right;               /* nearest echo ahead and at each side */
-int state = CRUISE, since;            /* what we do, and since which step */
+int front, left, right;               /* nearest echo ahead and on each side */
+int state = CRUISE, since;            /* current state, and its first step */
 int turn_sign = 1;                    /* 1 turns left, -1 turns right */
 int speed, steer;
 
@@ -69,7 +69,7 @@ copy_ring(from, to)
         *to++ = *from++;
 }
 
-/* Gives the nearest of the sonars first..last, counted counter-clockwise. */
+/* Returns the nearest of the sonars first..last, counted counter-clockwise. */
 nearest(first, last)
 {
     int i, best = NO_ECHO;
@@ -85,7 +85,7 @@ look()
     get_sn();
     copy_ring(&State[STATE_SONAR_0], ring);
     front = nearest(-1, 1);
-    front = MIN(front, 2 * MIN(S(2), S(-2)));   /* the shoulders must pass too */
+    front = MIN(front, 2 * MIN(S(2), S(-2)));   /* leave room for the shoulders */
     left = nearest(2, 5);
     right = nearest(-5, -2);
 }
@@ -125,14 +125,14 @@ cruise(step)
         push -= 25 * (SIDE_DIST - left);
     if (right < SIDE_DIST)
         push += 25 * (SIDE_DIST - right);
-    if (front < SLOW_DIST)            /* bend early, towards the open side */
+    if (front < SLOW_DIST)            /* steer early towards the open side */
         push += S(1) + S(2) > S(-1) + S(-2) ? 80 : -80;
     steer = CLIP(push, MAX_STEER);
     if (MIN(left, right) < SIDE_DIST / 2)
         speed = MIN_SPEED;
 }
 
-/* Turns on the spot until there is room ahead; asks for less room as time goes on. */
+/* Turns in place until the way ahead is free; requires less room over time. */
 turn(step)
 {
     speed = 0;
@@ -144,7 +144,7 @@ turn(step)
         enter(BACK, step);
 }
 
-/* Backs off, unless something stands behind, then turns. */
+/* Backs off, unless the way behind is blocked, then turns. */
 back(step)
 {
     speed = nearest(7, 9) > STOP_DIST / 2 ? BACK_SPEED : 0;

@@ -1,8 +1,8 @@
 /*
- * warmer.c - finds a stove by how warm it is: run and tumble, as bacteria do.
+ * warmer.c - finds a stove by its heat: run and tumble, like bacteria.
  *
- * The heat sensor knows no direction. While it gets warmer the robot runs on; when it
- * gets colder, or something is in the way, it turns and tries another direction.
+ * The heat sensor has no direction. While the heat increases, the robot continues; if it
+ * decreases, or the way is blocked, it turns and tries another direction.
  *
  * Usage:  crs run warmer.c gallery.xml
  */

@@ -1,8 +1,8 @@
 /*
- * waypoints.c - drives from place to place by GPS and compass.
+ * waypoints.c - drives to waypoints by GPS and compass.
  *
- * The receiver measures by its own timer, five times a second. The program asks how
- * old a fix is, and steers by it all the same: at 10 in/s a fix of 0.2 s is 2 in old.
+ * The receiver measures periodically, five times a second. The program reads the age of a
+ * fix, and uses it in any case: at 10 in/s a fix of 0.2 s is 2 in old.
  *
  * Usage:  crs run waypoints.c gallery.xml
  */
@@ -23,7 +23,7 @@ static const struct place {
     int x, y;                   /* 0.1 inch */
 } way[] = { { 900, 400 }, { 2600, 1300 }, { 2300, 1900 } };
 
-/* Gives how far to the left of where the robot points a place is: -pi to pi. */
+/* Returns the direction of a point relative to the robot's heading: -pi to pi. */
 static double bearing(int dx, int dy)
 {
     double angle;

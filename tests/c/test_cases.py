@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 
 import pytest
@@ -28,6 +27,7 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.requests import ERROR_KINDS
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.report import report
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from tests.c.execution import (
     ENDLESS,
@@ -50,95 +50,71 @@ STATEMENT_STEPS = 4000
 """Programs of up to so many statements stop before every one, longer ones so many times."""
 
 
-def valid_cases() -> list[object]:
-    """Gives each valid case once; all but the first of a topic are left out of quick runs."""
-    rows, seen = [], set()
-    for path in cases("valid"):
-        marks = [pytest.mark.slow] if path.parent in seen else []
-        seen.add(path.parent)
-        rows.append(pytest.param(path, id=name(path), marks=marks))
-    return rows
-
-
-def error_cases() -> list[object]:
-    """Gives each wrong case once; all but the first of a kind of error are left out as well."""
-    rows, seen = [], set()
-    for path in cases("errors"):
-        kinds = {each.text for each in expected_errors(path)}
-        marks = [pytest.mark.slow] if kinds <= seen else []
-        seen |= kinds
-        rows.append(pytest.param(path, id=name(path), marks=marks))
-    return rows
-
-
-@pytest.fixture(params=valid_cases(), scope="module")
-def case(request: pytest.FixtureRequest) -> Path:
-    path: Path = request.param
-    return path
-
-
-@cache
-def plain(path: Path) -> Outcome:
-    """Gives what the program does when nothing interrupts it."""
-    return Run(build(path)).to_end()
-
-
 def same(left: Outcome, right: Outcome) -> bool:
-    """Tells whether two runs did the same, instruction for instruction."""
+    """Return whether two runs did the same, instruction for instruction."""
     return (left.output, left.errors, left.status, left.fuel) == (
         right.output, right.errors, right.status, right.fuel,
     )  # fmt: skip
 
 
-def test_a_valid_program_does_what_gcc_says(case: Path) -> None:
-    outcome = plain(case)
+@pytest.mark.parametrize("path", cases("valid"), ids=name)
+def test_a_valid_program_does_what_gcc_says_however_it_is_run(
+    path: Path, subtests: pytest.Subtests
+) -> None:
+    executable = build(path)
+    plain = does_what_gcc_says(path, executable)
+    with subtests.test("running out of fuel everywhere changes nothing"):
+        running_out_of_fuel_everywhere_changes_nothing(executable, plain)
+    with subtests.test("moving to a fresh instance changes nothing"):
+        moving_to_a_fresh_instance_changes_nothing(executable, plain)
+    with subtests.test("stopping before statements changes nothing"):
+        stopping_before_statements_changes_nothing(build(path, debug=True), plain)
+    with subtests.test("leaving out the checks changes nothing"):
+        leaving_out_the_checks_changes_nothing(build(path, checked=False), plain)
+
+
+def does_what_gcc_says(path: Path, executable: Executable) -> Outcome:
+    outcome = Run(executable).to_end()
     assert outcome.failure is None
-    wanted = case.with_suffix(".out").read_bytes()
+    wanted = path.with_suffix(".out").read_bytes()
     assert outcome.output.decode(errors="replace") == wanted.decode(errors="replace")
     assert outcome.output == wanted
-    exit_comment = re.search(r"// exit: (\d+)", case.read_text(encoding="latin-1"))
+    exit_comment = re.search(r"// exit: (\d+)", path.read_text(encoding="latin-1"))
     assert outcome.status == (int(exit_comment[1]) if exit_comment else 0)
+    return outcome
 
 
-def test_running_out_of_fuel_everywhere_changes_nothing(case: Path) -> None:
-    fuel = max(1, plain(case).fuel // FUEL_STEPS)
-    outcome = Run(build(case), Stepping(fuel=fuel)).to_end()
-    assert same(outcome, plain(case))
+def running_out_of_fuel_everywhere_changes_nothing(executable: Executable, plain: Outcome) -> None:
+    fuel = -(-plain.fuel // FUEL_STEPS)
+    assert same(Run(executable, Stepping(fuel=fuel)).to_end(), plain)
 
 
-@pytest.mark.slow
-def test_moving_to_a_fresh_instance_changes_nothing(case: Path) -> None:
-    fuel = plain(case).fuel // 20 + 1
-    outcome = Run(build(case), Stepping(fuel=fuel, restore_every=3)).to_end()
+def moving_to_a_fresh_instance_changes_nothing(executable: Executable, plain: Outcome) -> None:
+    stepping = Stepping(fuel=plain.fuel // 20 + 1, restore_every=3)
+    outcome = Run(executable, stepping).to_end()
     assert outcome.rounds > 3
-    assert same(outcome, plain(case))
+    assert same(outcome, plain)
 
 
-@pytest.mark.slow
-def test_stopping_before_statements_changes_nothing(case: Path) -> None:
-    whole = Run(build(case, debug=True)).to_end()
-    assert same(whole, plain(case))
-    every = whole.statements // STATEMENT_STEPS + 1
-    stepped = Run(build(case, debug=True), Stepping(statements=every)).to_end()
+def stopping_before_statements_changes_nothing(executable: Executable, plain: Outcome) -> None:
+    whole, stepped, every = with_stops(executable)
+    assert same(whole, plain)
     assert same(stepped, whole)
-    assert stepped.statements == whole.statements
     assert stepped.rounds >= whole.statements // every
-    assert stepped.memory == whole.memory
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("path", error_cases())
-def test_stopping_leaves_no_trace_in_a_program_that_fails(path: Path) -> None:
-    whole = Run(build(path, debug=True)).to_end()
+def leaving_out_the_checks_changes_nothing(executable: Executable, plain: Outcome) -> None:
+    assert same(Run(executable).to_end(), plain)
+
+
+def with_stops(executable: Executable) -> tuple[Outcome, Outcome, int]:
+    """Run a debug build whole, and stopping before every so many statements; both must agree."""
+    whole = Run(executable).to_end()
     every = whole.statements // STATEMENT_STEPS + 1
-    stepped = Run(build(path, debug=True), Stepping(statements=every)).to_end()
+    stepped = Run(executable, Stepping(statements=every)).to_end()
     assert stepped.statements == whole.statements
     assert stepped.memory == whole.memory
-
-
-@pytest.mark.slow
-def test_leaving_out_the_checks_changes_nothing(case: Path) -> None:
-    assert same(Run(build(case, checked=False)).to_end(), plain(case))
+    return whole, stepped, every
 
 
 def shown(failure: Failure, folder: Path) -> bytes:
@@ -147,23 +123,30 @@ def shown(failure: Failure, folder: Path) -> bytes:
     return re.sub(r"0x[0-9a-f]{5,}", "0x...", text).encode() + b"\n"
 
 
-@pytest.mark.parametrize("path", error_cases())
-def test_a_run_time_error_is_named_at_its_line(
-    path: Path, check_golden: Callable[[Path, bytes], None]
+@pytest.mark.parametrize("path", cases("errors"), ids=name)
+def test_a_run_time_error_is_named_at_its_line_and_leaves_no_trace_when_stopped_before(
+    path: Path, check_golden: Callable[[Path, bytes], None], subtests: pytest.Subtests
 ) -> None:
+    executable = build(path)
+    for fuel in (ENDLESS, 2000):
+        failure = Run(executable, Stepping(fuel)).to_end().failure
+        assert failure is not None
+        is_named_at_its_line(path, failure)
+        check_golden(path.with_suffix(".report"), shown(failure, path.parent))
+    with subtests.test("stopping before statements leaves no trace"):
+        with_stops(build(path, debug=True))
+
+
+def is_named_at_its_line(path: Path, failure: Failure) -> None:
     (wanted,) = expected_errors(path)
     assert wanted.text in ERROR_KINDS
-    for fuel in (ENDLESS, 2000):
-        failure = Run(build(path), Stepping(fuel)).to_end().failure
-        assert failure is not None
-        assert failure.kind == wanted.text
-        message = report(failure)
-        assert message.text.startswith(wanted.text)
-        if wanted.line:
-            assert Path(message.location.file).name == path.name
-            assert message.location.line == wanted.line
-            assert message.location.column > 0
-        check_golden(path.with_suffix(".report"), shown(failure, path.parent))
+    assert failure.kind == wanted.text
+    message = report(failure)
+    assert message.text.startswith(wanted.text)
+    if wanted.line:
+        assert Path(message.location.file).name == path.name
+        assert message.location.line == wanted.line
+        assert message.location.column > 0
 
 
 @pytest.mark.parametrize("path", cases("refused"), ids=name)

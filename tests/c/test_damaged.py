@@ -14,7 +14,6 @@ DAMAGES = 6
 """Damaged versions of each program."""
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", cases("valid"), ids=name)
 def test_a_damaged_program_is_compiled_or_refused(path: Path) -> None:
     chance = random.Random(name(path))

@@ -25,7 +25,6 @@ def mark(path: Path, title: str) -> str:
     return match[1] if match else ""
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "path", [path for path in cases("valid") if not mark(path, "without gcc")], ids=name
 )

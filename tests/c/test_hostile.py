@@ -18,7 +18,7 @@ from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
 from tests.c.execution import HERE, Outcome, Run, Stepping, build, cases, name
 
-FUEL, ROUNDS = 200_000_000, 4000
+FUEL, ROUNDS = 50_000_000, 4000
 
 HALL = parse_world(
     b"""<world version="1">
@@ -37,7 +37,6 @@ def ending(outcome: Outcome) -> str:
     return "running" if outcome.status is None else f"exit {outcome.status}"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", cases("hostile"), ids=name)
 def test_a_hostile_program_ends_as_it_must(path: Path) -> None:
     match = re.search(r"// ends: (.*)", path.read_text())
@@ -72,7 +71,6 @@ def beside_a_quiet_one() -> tuple[object, ...]:
     return run_beside(HERE / "valid/functions/main_without_return.c", checked=True)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("checked", [True, False], ids=["checked", "unchecked"])
 @pytest.mark.parametrize("path", cases("hostile"), ids=name)
 def test_a_hostile_program_changes_nothing_for_its_neighbour(path: Path, checked: bool) -> None:
@@ -85,7 +83,6 @@ def test_an_endless_loop_changes_nothing_for_its_neighbour() -> None:
     assert run_beside(HERE / "hostile/endless_loop.c", checked=True) == beside_a_quiet_one()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("size", [1000, 40_000])
 def test_random_bytes_are_no_program(tmp_path: Path, size: int) -> None:
     source = tmp_path / "random.c"

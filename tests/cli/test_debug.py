@@ -53,9 +53,7 @@ def test_after_the_end_execution_can_be_reversed(
 ) -> None:
     main(["debug", "--batch", "-ex", "continue", "-ex", "reverse-step", program])
     shown = capfd.readouterr().out.splitlines()
-    end = shown.index(
-        "All programs have ended: robot0 exited with 3. The way leads back from here."
-    )
+    end = shown.index("All programs have ended: robot0 exited with 3. Step back, or quit.")
     assert shown[end - 1] == "3"
     assert shown[-1] == "=>    8      return sum;"
 

@@ -14,7 +14,7 @@ import pytest
 from crs_cc.cli import full_screen
 from crs_cc.cli.debug import read_options
 from crs_cc.cli.main import main
-from tests.debug.debuggee import ROOT
+from tests.debug.debuggers import ROOT
 
 PROGRAM = str(ROOT / "samples" / "scout_c" / "square.c")
 
@@ -57,7 +57,6 @@ def test_a_line_explains_why_it_is_not_shown(
     assert "textual is not installed" in capsys.readouterr().err
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a pseudo-terminal")
 def test_it_starts_on_a_terminal_and_restores_it(tmp_path: Path) -> None:
     import pty

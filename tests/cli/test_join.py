@@ -76,7 +76,7 @@ def test_the_picture_shows_where_they_were(files: list[str], tmp_path: Path):
 @pytest.mark.parametrize(
     ("stay", "message"),
     [
-        ('join="2s" leave="1s"', "the robot leaves before it joins"),
+        ('join="2s" leave="1s"', "leave: must be later than join"),
         ('leave="0s"', "must be greater than 0"),
         ('join="-1s"', "must not be negative"),
         ('join="soon"', "is not a time"),

@@ -67,9 +67,9 @@ def test_check_reports_errors_in_robots_and_included_files(
     )
     Path("x.xml").write_text("<something/>")
     for name, expected in (
-        ("r.xml", "r.xml:1: error: <robot-definition> ends too early; expected <body> in it"),
-        ("d.xml", "d.xml:1: error: material, sonar: '2' must be 0 or more and 1 or less"),
-        ("x.xml", "x.xml:1: error: the outermost element is <something>, not <world>"),
+        ("r.xml", "r.xml:1: error: missing element in <robot-definition>; expected <body>"),
+        ("d.xml", "d.xml:1: error: material, sonar: '2' must be from 0 to 1"),
+        ("x.xml", "x.xml:1: error: the root element must be <world>, not <something>"),
     ):
         assert main(["check", name]) == 122
         assert capfd.readouterr().err.splitlines()[0] == expected
@@ -120,7 +120,7 @@ def test_the_commented_parts_of_the_robot_template_are_valid(
     monkeypatch.chdir(tmp_path)
     main(["new", "robot", "rover"])
     text = Path("rover.xml").read_text()
-    head, _, rest = text.partition("docs/actuators.md tell what they do.\n")
+    head, _, rest = text.partition("docs/actuators.md describe them.\n")
     more, _, tail = rest.partition("  -->\n")
     Path("rover.xml").write_text(f"{head} -->\n{more}{tail}")
     capfd.readouterr()

@@ -18,6 +18,7 @@ from lxml import etree
 
 import crs_cc.sim
 from crs_cc.cli.main import main
+from tests.processes import wait_until_it_waits
 
 PAIR = """<world version="1" name="pair"><area length="6m" width="4m"/>
 <robot id="left" x="1m" y="2m"/><robot id="right" x="5m" y="2m" heading="180deg"/></world>"""
@@ -285,7 +286,6 @@ def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
     assert left["exit_status"] == 0
 
 
-@pytest.mark.slow
 def test_runs_are_reproducible_in_another_process(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
@@ -302,9 +302,7 @@ def test_runs_are_reproducible_in_another_process(
     assert len(results[0]["state_hash"]) == 64
 
 
-@pytest.mark.parametrize(
-    "other", ["loop.c", "null.c", "deep.c", pytest.param("flood.c", marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("other", ["loop.c", "null.c", "deep.c", "flood.c"])
 def test_a_robot_whose_program_misbehaves_changes_nothing_for_the_others(
     other: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -373,7 +371,6 @@ def test_a_picture_that_cannot_be_written_is_refused_before_the_run(
     assert shown.out == ""
 
 
-@pytest.mark.slow
 def test_a_full_disk_for_the_plot_loses_no_results() -> None:
     process = start("run", "drive.c", "--plot", "/dev/full", "--json", "--summary")
     out, err = process.communicate(timeout=60)
@@ -420,7 +417,6 @@ def wait_for(path: Path) -> None:
         time.sleep(0.02)
 
 
-@pytest.mark.slow
 def test_ctrl_c_ends_a_run_with_its_results() -> None:
     Path("talk.c").write_text(TALK)
     with Path("err.txt").open("w") as err:
@@ -435,7 +431,6 @@ def test_ctrl_c_ends_a_run_with_its_results() -> None:
     assert "Traceback" not in Path("err.txt").read_text()
 
 
-@pytest.mark.slow
 def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
     Path("ask.c").write_text(
         '#include <stdio.h>\nint main(void) { fputs("name?\\n", stderr); return getchar(); }\n'
@@ -443,7 +438,7 @@ def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
     with Path("err.txt").open("w") as err:
         process = start("run", "ask.c", "--summary", stdin=subprocess.PIPE, stderr=err)
         wait_for(Path("err.txt"))
-        time.sleep(0.1)
+        wait_until_it_waits(process.pid)
         process.send_signal(signal.SIGINT)
         process.wait(timeout=60)
         process.communicate()
@@ -453,7 +448,6 @@ def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
     assert "Traceback" not in shown
 
 
-@pytest.mark.slow
 def test_a_closed_pipe_ends_the_run_quietly() -> None:
     Path("talk.c").write_text(TALK)
     process = start("run", "talk.c")
@@ -476,7 +470,6 @@ def test_a_closed_pipe_ends_the_run_quietly() -> None:
         ("crs check nothing.c 2>/dev/full", 1, ""),
     ],
 )
-@pytest.mark.slow
 def test_closed_and_full_streams_are_not_internal_errors(
     shell: str, status: int, shown: str
 ) -> None:
@@ -485,7 +478,6 @@ def test_closed_and_full_streams_are_not_internal_errors(
     assert (done.returncode, done.stderr) == (status, shown)
 
 
-@pytest.mark.slow
 def test_on_a_terminal_there_are_colours_progress_and_a_summary() -> None:
     Path("slow.c").write_text("main()\n{\n    for (;;) ;\n}\n")
     screen, terminal = pty.openpty()

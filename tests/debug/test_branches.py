@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 COUNT = """\
 #include <stdio.h>
@@ -27,7 +27,7 @@ int main(void)
 def counting(tmp_path: Path) -> Debugger:
     debugger = debugger_of(COUNT, folder=tmp_path)
     debugger.start()
-    debugger.add_breakpoint("6")
+    debugger.stop_points.add_breakpoint("6")
     debugger.resume()
     debugger.resume()
     return debugger
@@ -37,11 +37,11 @@ def text(debugger: Debugger) -> bytes:
     return debugger.run.console.text()
 
 
-def test_a_change_makes_another_future_and_the_past_stays(counting: Debugger) -> None:
-    counting.add_breakpoint("7")
+def test_a_change_replaces_the_future_and_keeps_the_past(counting: Debugger) -> None:
+    counting.stop_points.add_breakpoint("7")
     here = counting.position
     counting.evaluate("i = 4")
-    counting.enable(1, on=False)
+    counting.stop_points.enable(1, on=False)
     counting.resume()
     assert text(counting) == b"0\n4\n"
     counting.goto_statement(1)
@@ -54,11 +54,11 @@ def test_a_change_makes_another_future_and_the_past_stays(counting: Debugger) ->
     assert text(counting) == b"0\n4\n"
 
 
-def test_a_branch_leaves_the_other_as_it_was(counting: Debugger) -> None:
-    counting.add_breakpoint("7")
+def test_a_branch_does_not_affect_the_other(counting: Debugger) -> None:
+    counting.stop_points.add_breakpoint("7")
     counting.branch("short")
     counting.evaluate("i = 4")
-    counting.enable(1, on=False)
+    counting.stop_points.enable(1, on=False)
     counting.resume()
     assert text(counting) == b"0\n4\n"
     counting.switch("main")
@@ -74,7 +74,7 @@ def test_a_branch_leaves_the_other_as_it_was(counting: Debugger) -> None:
         counting.switch("long")
 
 
-def test_checkpoints_are_gone_back_to_unless_a_change_has_undone_them(counting: Debugger) -> None:
+def test_checkpoints_are_valid_until_an_earlier_change(counting: Debugger) -> None:
     first = counting.checkpoint("first")
     counting.resume()
     second = counting.checkpoint()
@@ -103,11 +103,11 @@ int main(void)
 """
 
 
-def test_branches_are_compared_at_the_same_instant(tmp_path: Path) -> None:
+def test_branches_are_compared_at_the_same_timestep(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path)
-    debugger.add_breakpoint("8")
+    debugger.stop_points.add_breakpoint("8")
     debugger.resume()
-    debugger.enable(1, on=False)
+    debugger.stop_points.enable(1, on=False)
     debugger.branch("fast")
     assert debugger.compare("main") == []
     debugger.evaluate("speed = 100")
@@ -145,7 +145,7 @@ def test_an_edit_of_the_world_is_part_of_the_run(tmp_path: Path) -> None:
         debugger.edit_world("move robot9 to 1 2")
 
 
-def test_back_to_the_very_statement_where_something_was_changed(counting: Debugger) -> None:
+def test_going_back_to_the_statement_of_a_change(counting: Debugger) -> None:
     counting.next()
     changed = counting.evaluate("i = 1") and counting.position
     counting.resume()
@@ -158,10 +158,10 @@ def test_back_to_the_very_statement_where_something_was_changed(counting: Debugg
     assert counting.position == changed
 
 
-def test_to_compare_leaves_what_is_looked_at(tmp_path: Path) -> None:
+def test_compare_keeps_the_selection(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
-    debugger.add_breakpoint("8", robot=1)
+    debugger.stop_points.add_breakpoint("8", robot=1)
     stop = debugger.resume()
     debugger.branch("other")
     debugger.compare("main")
-    assert (debugger.robot, debugger.stop) == (1, stop)
+    assert (debugger.view.robot, debugger.stop) == (1, stop)

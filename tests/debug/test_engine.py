@@ -11,7 +11,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
 from crs_cc.sim.engine.step import Step
-from tests.debug.debuggee import debugger_of, line
+from tests.debug.debuggers import debugger_of, line
 
 LOOP = """\
 #include <stdio.h>
@@ -42,7 +42,7 @@ def loop(tmp_path: Path) -> Debugger:
 
 
 def lines(debugger: Debugger, move: object, most: int = 100) -> list[int]:
-    """Gives the lines that it comes to, until there is no further one."""
+    """Return the lines that it comes to, until there is no further one."""
     found = []
     while len(found) < most and move().reason == "step":  # type: ignore[operator]
         found.append(line(debugger))
@@ -52,18 +52,18 @@ def lines(debugger: Debugger, move: object, most: int = 100) -> list[int]:
 ROUND = [13, 5, 6, 7, 14]
 
 
-def test_step_goes_into_calls_and_next_past_them(loop: Debugger) -> None:
+def test_step_enters_calls_and_next_steps_over_them(loop: Debugger) -> None:
     assert line(loop) == 12
     assert lines(loop, loop.step) == [*ROUND, 12, *ROUND, 12, *ROUND, 12, 16]
     assert loop.stop.reason == "end"
 
 
-def test_next_goes_past_calls(loop: Debugger) -> None:
+def test_next_steps_over_calls(loop: Debugger) -> None:
     assert lines(loop, loop.next) == [13, 14, 12, 13, 14, 12, 13, 14, 12, 16]
 
 
 @pytest.mark.parametrize("verb", ["step", "next", "step_statement"])
-def test_backward_comes_by_the_same_places(loop: Debugger, verb: str) -> None:
+def test_backward_steps_visit_the_same_lines(loop: Debugger, verb: str) -> None:
     move = getattr(loop, verb)
     places = [loop.position]
     while move().reason == "step":
@@ -75,10 +75,10 @@ def test_backward_comes_by_the_same_places(loop: Debugger, verb: str) -> None:
 
 
 def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
-    loop.add_breakpoint("twice")
+    loop.stop_points.add_breakpoint("twice")
     loop.resume()
     before = loop.position
-    assert [each.function for each in loop.frames()] == ["twice", "main"]
+    assert [each.function for each in loop.view.frames()] == ["twice", "main"]
     loop.resume()
     assert loop.finish().text == "twice returned 2"
     assert line(loop) == 14
@@ -87,8 +87,8 @@ def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
     assert line(loop) == 13
 
 
-def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
-    point = loop.add_breakpoint("6")
+def test_breakpoints_stop_forward_and_backward(loop: Debugger) -> None:
+    point = loop.stop_points.add_breakpoint("6")
     places = []
     while loop.resume().reason == "breakpoint":
         assert loop.stop.breakpoints == (point.number,)
@@ -101,16 +101,16 @@ def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
     assert point.hits == 3
 
 
-def test_a_line_without_code_is_the_next_one_with_some(loop: Debugger) -> None:
-    point = loop.add_breakpoint("8")
+def test_a_line_without_code_means_the_next_line_with_code(loop: Debugger) -> None:
+    point = loop.stop_points.add_breakpoint("8")
     assert point.place
-    assert point.place.note == "line 8 has no code; moved to line 12"
+    assert point.place.note == "no code at line 8; moved to line 12"
 
 
-def test_a_breakpoint_that_cannot_be_is_refused(loop: Debugger) -> None:
+def test_invalid_breakpoints_are_refused(loop: Debugger) -> None:
     for place in ("99", "nowhere", "other.c:3", "", "3x", ":", "-1"):
         with pytest.raises(DebugError):
-            loop.add_breakpoint(place)
+            loop.stop_points.add_breakpoint(place)
 
 
 PRINTS = """\
@@ -127,9 +127,7 @@ int main(void)
 
 
 @pytest.mark.parametrize("how", ["timestep", "time", "statement"])
-def test_going_to_where_the_run_has_not_been_shows_what_is_written_on_the_way_once(
-    how: str, tmp_path: Path
-) -> None:
+def test_goto_shows_new_output_once(how: str, tmp_path: Path) -> None:
     shown: list[bytes] = []
 
     def show(_robot: int, _stream: int, content: bytes) -> None:
@@ -151,7 +149,7 @@ def test_going_to_where_the_run_has_not_been_shows_what_is_written_on_the_way_on
     assert b"".join(shown) == written
 
 
-def test_comparing_shows_nothing_of_the_other_branch(tmp_path: Path) -> None:
+def test_compare_shows_no_output_of_the_other_branch(tmp_path: Path) -> None:
     shown: list[bytes] = []
     debugger = debugger_of(
         PRINTS, folder=tmp_path, output=lambda _robot, _stream, content: shown.append(content)
@@ -166,7 +164,7 @@ def test_comparing_shows_nothing_of_the_other_branch(tmp_path: Path) -> None:
 
 
 def test_output_goes_back_with_the_run(loop: Debugger) -> None:
-    loop.add_breakpoint("16")
+    loop.stop_points.add_breakpoint("16")
     loop.resume()
     assert loop.run.console.text() == b"0\n2\n6\n"
     loop.goto_statement(4)
@@ -190,71 +188,71 @@ def test_until_leaves_loops(loop: Debugger) -> None:
     assert line(loop) == 16
 
 
-def test_advance_stops_at_its_place_or_in_the_caller(loop: Debugger) -> None:
+def test_advance_stops_at_its_location_or_in_the_caller(loop: Debugger) -> None:
     loop.advance("6")
     assert line(loop) == 6
-    assert not list(loop.breakpoints)
+    assert not list(loop.stop_points.breakpoints)
     loop.advance("16")
     assert line(loop) == 14
 
 
-def test_a_condition_decides_forward_and_backward(loop: Debugger) -> None:
-    loop.add_breakpoint("6", condition="what == 1 && total < 10")
+def test_conditions_apply_forward_and_backward(loop: Debugger) -> None:
+    loop.stop_points.add_breakpoint("6", condition="what == 1 && total < 10")
     assert loop.resume().reason == "breakpoint"
-    assert loop.look_up("what").number == 1
+    assert loop.view.look_up("what").number == 1
     here = loop.position
     assert loop.resume().reason == "end"
     assert loop.resume(backward=True).position == here
     assert loop.resume(backward=True).reason == "beginning"
 
 
-def test_a_condition_must_mean_something_at_its_place(loop: Debugger) -> None:
+def test_a_condition_must_be_valid_at_its_location(loop: Debugger) -> None:
     with pytest.raises(DebugError):
-        loop.add_breakpoint("6", condition="i == 1")
-    point = loop.add_breakpoint("13", condition="i == 1")
+        loop.stop_points.add_breakpoint("6", condition="i == 1")
+    point = loop.stop_points.add_breakpoint("13", condition="i == 1")
     with pytest.raises(DebugError):
-        loop.set_condition(point.number, "what")
+        loop.stop_points.set_condition(point.number, "what")
     assert loop.resume().reason == "breakpoint"
-    assert loop.look_up("i").number == 1
+    assert loop.view.look_up("i").number == 1
 
 
-def test_hits_are_passed_over_and_log_points_speak(loop: Debugger) -> None:
+def test_ignored_hits_and_log_points(loop: Debugger) -> None:
     said: list[str] = []
-    loop.say = said.append
-    loop.add_breakpoint("14", ignore=1)
-    loop.add_breakpoint("7", log="{what} twice is {result}, not {nothing}")
+    loop.stop_points.say = said.append
+    loop.stop_points.add_breakpoint("14", ignore=1)
+    loop.stop_points.add_breakpoint("7", log="{what} twice is {result}, not {nothing}")
     loop.resume()
-    assert loop.look_up("i").number == 1
+    assert loop.view.look_up("i").number == 1
     assert [text.partition(", ")[0] for text in said] == ["0 twice is 0", "1 twice is 2"]
 
 
-def test_looking_changes_nothing(loop: Debugger) -> None:
+def test_inspection_has_no_side_effects(loop: Debugger) -> None:
     with pytest.raises(DebugError):
-        loop.look_up("total = 3")
-    assert loop.look_up("total").number == 0
+        loop.view.look_up("total = 3")
+    assert loop.view.look_up("total").number == 0
     loop.evaluate("total = 3")
-    assert loop.look_up("total").number == 3
+    assert loop.view.look_up("total").number == 3
 
 
-def test_an_expression_that_is_refused_keeps_no_value(loop: Debugger) -> None:
-    loop.look_up("$old = 7")
+def test_a_refused_expression_sets_no_convenience_variable(loop: Debugger) -> None:
+    loop.view.look_up("$old = 7")
     for name in ("new", "old"):
         with pytest.raises(DebugError):
-            loop.look_up(f"${name} = total = 5")
-    assert loop.look_up("$old").number == 7
+            loop.view.look_up(f"${name} = total = 5")
+    assert loop.view.look_up("$old").number == 7
     with pytest.raises(DebugError):
-        loop.look_up("$new")
+        loop.view.look_up("$new")
 
 
 def test_a_function_of_the_library_stops_before_the_statements_that_call_it(
     loop: Debugger,
 ) -> None:
-    point = loop.add_breakpoint("printf")
+    point = loop.stop_points.add_breakpoint("printf")
     assert loop.resume().breakpoints == (point.number,)
     assert line(loop) == 14
     assert [loop.resume().reason for _ in range(3)] == ["breakpoint", "breakpoint", "end"]
     with pytest.raises(DebugError):
-        loop.add_breakpoint("scanf")
+        loop.stop_points.add_breakpoint("scanf")
 
 
 ENDLESS = """\
@@ -268,7 +266,7 @@ int main(void)
 """
 
 
-def test_an_interrupt_that_came_too_late_can_be_forgotten(tmp_path: Path) -> None:
+def test_a_late_interrupt_can_be_discarded(tmp_path: Path) -> None:
     debugger = debugger_of(PRINTS, folder=tmp_path)
     debugger.start()
     debugger.interrupt()
@@ -285,7 +283,7 @@ def test_an_interrupt_that_came_too_late_can_be_forgotten(tmp_path: Path) -> Non
         lambda debugger: debugger.goto_statement(100_000),
     ],
 )
-def test_whatever_goes_forward_can_be_interrupted(
+def test_all_forward_moves_can_be_interrupted(
     move: Callable[[Debugger], Stop], tmp_path: Path
 ) -> None:
     debugger = debugger_of(ENDLESS, folder=tmp_path)
@@ -307,13 +305,13 @@ def test_whatever_goes_forward_can_be_interrupted(
 
 @pytest.mark.parametrize("verb", ["step", "next", "step_statement"])
 @pytest.mark.parametrize("backward", [False, True])
-def test_an_interrupt_between_two_of_many_steps_is_heard(
+def test_an_interrupt_between_repeated_steps_is_noticed(
     verb: str, backward: bool, loop: Debugger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     loop.goto_statement(8)
-    traveller = loop._traveller
+    navigator = loop.navigator
     way = "backward_to" if backward else "forward"
-    go, moves = getattr(traveller, way), 0
+    go, moves = getattr(navigator, way), 0
 
     def move(*arguments: object) -> Stop:
         nonlocal moves
@@ -323,30 +321,30 @@ def test_an_interrupt_between_two_of_many_steps_is_heard(
             loop.interrupt()  # when the move is done, but before its end is noticed
         return stop
 
-    monkeypatch.setattr(traveller, way, move)
+    monkeypatch.setattr(navigator, way, move)
     stop = getattr(loop, verb)(5, backward=backward)
     assert (stop.reason, moves) == ("interrupt", 2)
     assert not loop.run.interrupted
     assert getattr(loop, verb)(backward=backward).reason == "step"
 
 
-def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debugger) -> None:
-    loop.add_catchpoint("collision")
+def test_backward_from_inside_a_round_with_a_world_event(loop: Debugger) -> None:
+    loop.stop_points.add_catchpoint("collision")
     loop.next(3)
     assert loop.resume(backward=True).reason == "beginning"
 
 
-def test_the_condition_on_what_is_of_no_robot_is_not_of_the_last_robots_program(
+def test_default_robot_for_conditions_of_robot_independent_events(
     tmp_path: Path,
 ) -> None:
     source = "#include <unistd.h>\nint mine = {};\nint main(void) {{ sleep(1); return mine; }}\n"
     sources = [source.format(number) for number in (1, 2, 3)]
     debugger = debugger_of(*sources, folder=tmp_path, world="platoon.xml")
     said: list[str] = []
-    debugger.say = said.append
+    debugger.stop_points.say = said.append
     debugger.start()
-    point = debugger.add_catchpoint("tick", condition="mine == 1")
-    debugger.add_catchpoint("tick", log="{mine}", robot=None)
+    point = debugger.stop_points.add_catchpoint("tick", condition="mine == 1")
+    debugger.stop_points.add_catchpoint("tick", log="{mine}", robot=None)
     assert debugger.tick(1).breakpoints == (point.number,)
     assert said == ["1"]
 
@@ -372,7 +370,7 @@ int main(void)
 """
 
 
-def test_back_from_where_nobody_stands_the_clock_is_that_of_the_instant(tmp_path: Path) -> None:
+def test_the_clock_after_going_back_is_that_of_the_position(tmp_path: Path) -> None:
     debugger = debugger_of(WAITING, folder=tmp_path)
     debugger.start()
     debugger.goto_timestep(5)
@@ -396,10 +394,10 @@ int main(void)
 """
 
 
-def test_a_breakpoint_that_is_met_very_often_is_gone_back_to(tmp_path: Path) -> None:
+def test_backward_to_a_breakpoint_with_very_many_hits(tmp_path: Path) -> None:
     debugger = debugger_of(OFTEN, folder=tmp_path)
-    debugger.add_breakpoint("6", temporary=True)
+    debugger.stop_points.add_breakpoint("6", temporary=True)
     debugger.resume()
-    debugger.add_breakpoint("5")
+    debugger.stop_points.add_breakpoint("5")
     debugger.resume(backward=True)
-    assert (line(debugger), debugger.look_up("i").number) == (5, 19999)
+    assert (line(debugger), debugger.view.look_up("i").number) == (5, 19999)

@@ -13,24 +13,24 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
-from tests.debug.debuggee import debugger_of, line
+from tests.debug.debuggers import debugger_of, line
 
 Move = Callable[[], Stop]
 
 
 def walk(debugger: Debugger, moves: Iterable[Move]) -> list[int]:
-    """Gives the lines that moves lead to."""
+    """Return the lines that moves lead to."""
     return [line(debugger) for move in moves if move()]
 
 
 def functions(debugger: Debugger) -> list[str]:
-    """Gives the user's active functions, the innermost first."""
-    return [each.function for each in debugger.frames() if not each.is_library]
+    """Return the user's active functions, the innermost first."""
+    return [each.function for each in debugger.view.frames() if not each.is_library]
 
 
 def number(debugger: Debugger, text: str) -> object:
-    """Gives the value of an expression."""
-    return debugger.look_up(text).number
+    """Return the value of an expression."""
+    return debugger.view.look_up(text).number
 
 
 RECURSION = """\
@@ -59,7 +59,7 @@ def recursion(tmp_path: Path) -> Debugger:
     return debugger
 
 
-def test_next_stays_in_its_call_however_deep_the_function_calls_itself(
+def test_next_stays_in_its_call_of_a_recursive_function(
     recursion: Debugger,
 ) -> None:
     assert recursion.next().reason == "step"
@@ -67,25 +67,25 @@ def test_next_stays_in_its_call_however_deep_the_function_calls_itself(
     assert number(recursion, "i") == 3
 
 
-def test_next_at_the_end_of_a_call_passes_over_its_sibling_in_the_same_line(
+def test_next_at_the_end_of_a_call_steps_over_a_sibling_call_in_the_line(
     recursion: Debugger,
 ) -> None:
-    recursion.add_breakpoint("4", condition="n == 1", temporary=True)
+    recursion.stop_points.add_breakpoint("4", condition="n == 1", temporary=True)
     recursion.resume()
     assert functions(recursion) == ["fib"] * 4 + ["main"]
     recursion.next()  # fib(0) has its frame where that of fib(1) was
     assert (line(recursion), functions(recursion)) == (10, ["main"])
 
 
-def test_reverse_next_at_the_start_of_a_call_passes_over_its_sibling(recursion: Debugger) -> None:
-    recursion.add_breakpoint("4", condition="n == 0", temporary=True)
+def test_reverse_next_at_the_start_of_a_call_steps_over_its_sibling(recursion: Debugger) -> None:
+    recursion.stop_points.add_breakpoint("4", condition="n == 0", temporary=True)
     recursion.resume()
     assert walk(recursion, [lambda: recursion.next(backward=True)] * 2) == [3, 5]
     assert number(recursion, "n") == 2
     assert functions(recursion) == ["fib"] * 3 + ["main"]
 
 
-def test_finish_tells_what_this_call_returned_and_not_a_later_one(recursion: Debugger) -> None:
+def test_finish_reports_the_value_of_this_call(recursion: Debugger) -> None:
     assert recursion.finish().text == "fib returned 2"
     assert line(recursion) == 10
 
@@ -117,7 +117,7 @@ int main(void)
 """
 
 
-def test_next_over_a_call_that_jumps_out_stops_where_it_comes_out(tmp_path: Path) -> None:
+def test_next_over_a_longjmp_stops_at_its_target(tmp_path: Path) -> None:
     debugger = debugger_of(LONGJMP, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 4) == [13, 14, 13, 17]
@@ -125,10 +125,10 @@ def test_next_over_a_call_that_jumps_out_stops_where_it_comes_out(tmp_path: Path
     assert walk(debugger, [lambda: debugger.next(backward=True)] * 4) == [13, 14, 13, 12]
 
 
-def test_next_and_finish_come_out_of_a_function_that_never_returns(tmp_path: Path) -> None:
+def test_next_and_finish_leave_a_function_that_longjmps(tmp_path: Path) -> None:
     for move in (Debugger.next, Debugger.finish):
         debugger = debugger_of(LONGJMP, folder=tmp_path)
-        debugger.add_breakpoint("6")
+        debugger.stop_points.add_breakpoint("6")
         debugger.resume()
         assert functions(debugger) == ["deep"] * 4 + ["main"]
         stop = move(debugger)
@@ -155,7 +155,7 @@ int main(void)
 """
 
 
-def test_a_callback_of_the_library_is_stepped_into_and_next_goes_past_it(tmp_path: Path) -> None:
+def test_step_enters_a_library_callback_and_next_does_not(tmp_path: Path) -> None:
     debugger = debugger_of(CALLBACK, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 3) == [10, 11, 12]
@@ -194,7 +194,7 @@ int main(void)
 """
 
 
-def test_next_goes_past_a_handler_of_signals_and_step_goes_into_it(tmp_path: Path) -> None:
+def test_step_enters_a_signal_handler_and_next_does_not(tmp_path: Path) -> None:
     debugger = debugger_of(SIGNAL, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 6) == [12, 13, 14, 15, 16, 14]
@@ -206,9 +206,9 @@ def test_next_goes_past_a_handler_of_signals_and_step_goes_into_it(tmp_path: Pat
     assert walk(debugger, back * 3) == [7, 6, 16]
 
 
-def test_finish_leaves_a_handler_for_the_place_that_it_interrupted(tmp_path: Path) -> None:
+def test_finish_returns_from_a_signal_handler(tmp_path: Path) -> None:
     debugger = debugger_of(SIGNAL, folder=tmp_path)
-    debugger.add_breakpoint("ring")
+    debugger.stop_points.add_breakpoint("ring")
     assert debugger.resume().time_s == pytest.approx(1.0, abs=0.01)
     assert functions(debugger) == ["ring", "main"]
     debugger.finish()
@@ -239,12 +239,12 @@ int main(void)
 """
 
 
-def test_exit_in_the_middle_ends_the_run_behind_the_functions_of_atexit(tmp_path: Path) -> None:
+def test_exit_runs_atexit_functions_before_the_end(tmp_path: Path) -> None:
     debugger = debugger_of(LEAVES, folder=tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.step] * 3) == [14, 9, 5]
     assert debugger.step().reason == "end"
-    assert debugger.frames() == []
+    assert debugger.view.frames() == []
     assert walk(debugger, [lambda: debugger.step(backward=True)] * 3) == [5, 9, 14]
     assert debugger.next().reason == "end"
     assert debugger.next(backward=True).reason == "step"
@@ -266,7 +266,7 @@ int main(void)
 """
 
 
-def test_an_error_is_gone_back_from_line_by_line_and_met_again(tmp_path: Path) -> None:
+def test_reverse_steps_from_an_error_and_forward_to_it_again(tmp_path: Path) -> None:
     debugger = debugger_of(FAILS, folder=tmp_path)
     error = debugger.resume()
     assert (error.reason, line(debugger)) == ("error", 3)
@@ -294,7 +294,7 @@ int main(void)
 """
 
 
-def test_what_was_read_is_read_again_and_asked_for_once(tmp_path: Path) -> None:
+def test_input_is_replayed_and_requested_once(tmp_path: Path) -> None:
     asked: list[int] = []
     lines = [b"ab\n", b"cd\n", b"ae\n", b""]
 
@@ -303,12 +303,12 @@ def test_what_was_read_is_read_again_and_asked_for_once(tmp_path: Path) -> None:
         return lines[len(asked) - 1]
 
     debugger = debugger_of(READS, folder=tmp_path, read=read)
-    debugger.add_breakpoint("8")
+    debugger.stop_points.add_breakpoint("8")
     debugger.resume()
     assert (number(debugger, "n"), len(asked)) == (2, 4)
     debugger.goto_statement(2)
     assert walk(debugger, [debugger.next] * 3) == [7, 6, 7]
-    assert debugger.look_up("line").text == '"cd\\n"'
+    assert debugger.view.look_up("line").text == '"cd\\n"'
     assert len(asked) == 4
     debugger.resume()
     assert (number(debugger, "n"), len(asked)) == (2, 4)
@@ -358,21 +358,21 @@ int main(void)
 
 
 def two_robots(folder: Path, more: str = "") -> Debugger:
-    """Gives a robot that calls another one."""
+    """Return a robot that calls another one."""
     (folder / "two.xml").write_text(TWO.format(more=more))
     return debugger_of(CALLER, HEARER, folder=folder, world=str(folder / "two.xml"))
 
 
-def test_each_robot_is_stepped_on_its_own_while_the_others_go_on(tmp_path: Path) -> None:
+def test_each_robot_is_stepped_while_others_run(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path)
     debugger.start()
     assert walk(debugger, [debugger.next] * 3) == [7, 8, 9]
-    debugger.select_robot("hearer")
+    debugger.view.select_robot("hearer")
     sums = []
-    debugger.add_breakpoint("12", robot=1)
+    debugger.stop_points.add_breakpoint("12", robot=1)
     places = []
     while debugger.resume().reason == "breakpoint":
-        assert debugger.robot == 1
+        assert debugger.view.robot == 1
         debugger.next()
         assert line(debugger) == 9
         sums.append(number(debugger, "sum"))
@@ -385,23 +385,23 @@ def test_each_robot_is_stepped_on_its_own_while_the_others_go_on(tmp_path: Path)
     assert debugger.next().position == places[1]
 
 
-def test_a_breakpoint_for_all_stops_whoever_comes_there(tmp_path: Path) -> None:
+def test_a_breakpoint_without_a_robot_stops_any_robot(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path)
-    debugger.add_breakpoint("a.c:main")
-    debugger.add_breakpoint("b.c:main")
+    debugger.stop_points.add_breakpoint("a.c:main")
+    debugger.stop_points.add_breakpoint("b.c:main")
     assert [(debugger.resume().robot, line(debugger)) for _ in range(2)] == [(0, 6), (1, 7)]
-    debugger.add_breakpoint("connect_robot", robot=1)
+    debugger.stop_points.add_breakpoint("connect_robot", robot=1)
     assert (debugger.resume().robot, functions(debugger)) == (1, ["main"])
     assert debugger.resume(backward=True).robot == 1
     assert debugger.resume(backward=True).robot == 0
 
 
-def test_a_program_that_has_ended_is_not_stepped_but_gone_back_into(tmp_path: Path) -> None:
+def test_an_ended_program_can_only_be_stepped_backward(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path)
-    debugger.add_breakpoint("12", robot=1, condition="got == 2")
+    debugger.stop_points.add_breakpoint("12", robot=1, condition="got == 2")
     debugger.resume()
-    debugger.select_robot("caller")
-    assert debugger.frames() == []
+    debugger.view.select_robot("caller")
+    assert debugger.view.frames() == []
     here = debugger.position
     for move in (debugger.step, debugger.next, debugger.step_statement, debugger.finish):
         with pytest.raises(DebugError):
@@ -411,15 +411,15 @@ def test_a_program_that_has_ended_is_not_stepped_but_gone_back_into(tmp_path: Pa
     assert debugger.next().reason == "exit"
 
 
-def test_a_robot_that_comes_later_is_stepped_from_when_it_comes(tmp_path: Path) -> None:
+def test_a_robot_that_joins_later_is_stepped_from_then_on(tmp_path: Path) -> None:
     debugger = two_robots(tmp_path, 'join="0.12s"')
-    debugger.select_robot("hearer")
-    assert debugger.frames() == []
+    debugger.view.select_robot("hearer")
+    assert debugger.view.frames() == []
     stop = debugger.step()
     assert (stop.time_s, line(debugger)) == (pytest.approx(0.15, abs=1e-3), 7)
     assert walk(debugger, [debugger.next] * 2) == [8, 9]
     assert walk(debugger, [lambda: debugger.step(backward=True)] * 2) == [8, 7]
     debugger.goto_timestep(0)
-    debugger.select_robot("hearer")
+    debugger.view.select_robot("hearer")
     assert debugger.goto_statement(3).robot == 1
     assert line(debugger) == 8  # line 7 has two

@@ -21,7 +21,7 @@ def sample(name: str) -> Executable:
 
 
 def state_at(program: Executable, world: str, statements: int, *, first_stop: int) -> str:
-    """Gives the state hash when so many statements have begun.
+    """Return the state hash when so many statements have begun.
 
     Args:
         program: what all robots run.
@@ -47,12 +47,12 @@ def state_at(program: Executable, world: str, statements: int, *, first_stop: in
     ("program", "world", "statements"),
     [
         ("behaviours.c", "cluttered.xml", 900),
-        pytest.param("grid_map.c", "studio.xml", 2500, marks=pytest.mark.slow),
-        pytest.param("wander.c", "pair.xml", 800, marks=pytest.mark.slow),
-        pytest.param("potential.c", "cluttered.xml", 2500, marks=pytest.mark.slow),
+        ("grid_map.c", "studio.xml", 2500),
+        ("wander.c", "pair.xml", 800),
+        ("potential.c", "cluttered.xml", 2500),
     ],
 )
-def test_stops_on_the_way_leave_no_trace(program: str, world: str, statements: int) -> None:
+def test_stopping_leaves_no_trace(program: str, world: str, statements: int) -> None:
     built = sample(program)
     at_once = state_at(built, world, statements, first_stop=statements)
     assert state_at(built, world, statements, first_stop=0) == at_once

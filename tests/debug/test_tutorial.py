@@ -21,7 +21,6 @@ import pytest
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "tutorial-debugging.md"
 _BLOCK = re.compile(r"(?<=^```)(console|diff)\n(.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
-pytestmark = pytest.mark.slow
 _TYPED = ("$ ", "(crs) ", ">")
 
 
@@ -32,7 +31,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def crs(line: str, folder: Path, script: str = "") -> str:
-    """Gives what a command shows, in a terminal of 80 columns."""
+    """Return what a command shows, in a terminal of 80 columns."""
     words = shlex.split(line)[1:]
     if words[0] == "debug":
         (folder / "script.dbg").write_text(script)
@@ -66,7 +65,7 @@ class Reader:
         self._shown: deque[str] = deque()
 
     def read(self, page: str) -> str:
-        """Gives the page with what is shown to him."""
+        """Return the page with what is shown to him."""
         typed = [
             line
             for kind, text in _BLOCK.findall(page)
@@ -98,7 +97,7 @@ class Reader:
         return shown
 
     def _script(self) -> str:
-        """Gives the debugger's commands that come now."""
+        """Return the debugger's commands that come now."""
         commands = []
         for line in self._left:
             if not line.startswith(_TYPED[1:]):
@@ -113,19 +112,18 @@ def test_the_tutorial_shows_what_its_commands_do(
     check_golden(PAGE, Reader(folder).read(PAGE.read_text()).encode())
 
 
-def test_the_program_collides_until_it_is_mended(folder: Path) -> None:
-    program = folder / "aisle.c"
-
-    def collisions() -> int:
-        shown = crs("crs run --json -q aisle.c aisle.xml", folder)
-        result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
-        return int(result["robots"][0]["collisions"])
-
-    assert collisions() == 1
-    mend(program, next(text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff"))
-    assert collisions() == 0
+def collisions(folder: Path, *options: str) -> int:
+    """Return how often the tutorial's robot collides in a run."""
+    shown = crs(
+        shlex.join(["crs", "run", "--json", "-q", "aisle.c", "aisle.xml", *options]), folder
+    )
+    result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
+    return int(result["robots"][0]["collisions"])
 
 
-def test_the_picture_is_that_of_the_run(folder: Path) -> None:
-    crs("crs run aisle.c aisle.xml --plot aisle.svg", folder)
+def test_the_program_collides_as_in_the_picture_until_it_is_mended(folder: Path) -> None:
+    assert collisions(folder, "--plot", "aisle.svg") == 1
     assert (folder / "aisle.svg").read_text() == (DOCS / "images" / "aisle.svg").read_text()
+    change = next(text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff")
+    mend(folder / "aisle.c", change)
+    assert collisions(folder) == 0

@@ -11,7 +11,7 @@ import pytest
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import MOST, Access, Kind, Watched, Watches
+from crs_cc.debug.watch import MAX, AccessKind, MemoryAccess, WatchedObject, WatchSet
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -87,11 +87,11 @@ class Found:
 
     line: str
     begun: int
-    access: Access
+    access: MemoryAccess
 
     @property
     def by(self) -> tuple[str, str, str]:
-        """Gives what made the access: the function, the line, and the library's function."""
+        """Return what made the access: the function, the line, and the library's function."""
         place = self.access.location
         return (
             plain_name(self.access.function),
@@ -101,12 +101,12 @@ class Found:
 
     @property
     def change(self) -> tuple[int, int]:
-        """Gives the number that was there, and the one that is."""
+        """Return the number that was there, and the one that is."""
         return _number(self.access.old[0]), _number(self.access.new[0])
 
 
 def _line(number: int) -> str:
-    """Gives a line of the program."""
+    """Return a line of the program."""
     return ["", *PROGRAM.splitlines()][number].strip()
 
 
@@ -121,12 +121,12 @@ class Watching:
         self.executable = executable
         self.fleet = Fleet([executable])
         self.host = Host([["watched"]], lambda *_: None, lambda *_: b"")
-        self.watches = Watches(self.fleet, 0, build_watching)
+        self.watches = WatchSet(self.fleet, 0, build_watching)
         self.fuel = fuel
         self.ended = False
 
     def run(self) -> bool:
-        """Runs to the next stop; gives False at the end."""
+        """Run to the next stop; return False at the end."""
         slot = self.fleet.slots[0]
         while not self.ended:
             slot["run"], slot["fuel"] = 1, self.fuel
@@ -139,7 +139,7 @@ class Watching:
         return False
 
     def to(self, statement: int) -> None:
-        """Goes to before a statement, by how many have begun, whatever is watched."""
+        """Go to before a statement, by how many have begun, whatever is watched."""
         slot = self.fleet.slots[0]
         slot["stop_before_all"], slot["stop_from"] = 1, statement
         while int(slot["statements"]) < statement:
@@ -148,7 +148,7 @@ class Watching:
         slot["stop_before_all"] = slot["stop_from"] = 0
 
     def to_line(self, line: str) -> None:
-        """Goes to before a line, the next time."""
+        """Go to before a line, the next time."""
         sites = self.executable.detail().compiled.statements
         marks = [number for number, each in enumerate(sites) if _line(each.location.line) == line]
         self.fleet.marks[0][marks] = 1
@@ -161,15 +161,15 @@ class Watching:
 
     @property
     def line(self) -> str:
-        """Gives the line that it has stopped before."""
+        """Return the line that it has stopped before."""
         number = int(self.fleet.slots["stopped"][0]) - 1
         return _line(self.executable.detail().compiled.statements[number].location.line)
 
-    def watch(self, kind: Kind, *names: str) -> None:
+    def watch(self, kind: AccessKind, *names: str) -> None:
         self.watches.arm([self.object(each, kind, n) for n, each in enumerate(names, start=1)])
 
-    def object(self, text: str, kind: Kind, number: int = 1) -> Watched:
-        """Gives an object: `name`, `name+offset:size`, or `function/variable`."""
+    def object(self, text: str, kind: AccessKind, number: int = 1) -> WatchedObject:
+        """Return an object: `name`, `name+offset:size`, or `function/variable`."""
         name, _, part = text.partition("+")
         at, _, size = part.partition(":")
         function, slash, variable = name.partition("/")
@@ -179,16 +179,18 @@ class Watching:
         for each, data in self.executable.program.data.items():
             if plain_name(each) == name:
                 first = compiled.addresses[each] + int(at or 0)
-                return Watched(number, kind, first, int(size or data.size))
+                return WatchedObject(number, kind, first, int(size or data.size))
         raise AssertionError(name)
 
-    def local(self, function: str, variable: str, kind: Kind, number: int = 1) -> Watched:
-        """Gives a variable of the innermost activation of a function."""
+    def local(
+        self, function: str, variable: str, kind: AccessKind, number: int = 1
+    ) -> WatchedObject:
+        """Return a variable of the innermost activation of a function."""
         frame = self.frame(function)
         layout = self.executable.detail().compiled.info(frame.function).frame
         for place, at in layout.offsets.items():
             if place.variable is not None and place.variable.name == variable:
-                return Watched(number, kind, frame.fp - layout.size + at, 4, frame)
+                return WatchedObject(number, kind, frame.fp - layout.size + at, 4, frame)
         raise AssertionError(variable)
 
     def frame(self, function: str) -> StackFrame:
@@ -196,7 +198,7 @@ class Watching:
         return next(each for each in stack if plain_name(each.function) == function)
 
     def found(self) -> Iterator[Found]:
-        """Runs to the end; gives each stop for an access."""
+        """Run to the end; return each stop for an access."""
         while self.run():
             for access in self.watches.take():
                 yield Found(self.line, self.begun, access)
@@ -211,13 +213,13 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Executable:
     return build_executable([path], Diagnostics(), debug=True)
 
 
-def all_found(program: Executable, kind: Kind, name: str) -> list[Found]:
+def all_found(program: Executable, kind: AccessKind, name: str) -> list[Found]:
     run = Watching(program)
     run.watch(kind, name)
     return list(run.found())
 
 
-def test_a_write_is_told_with_what_was_there_before_and_its_place(program: Executable) -> None:
+def test_a_write_is_reported_with_old_value_and_location(program: Executable) -> None:
     found = all_found(program, "write", "total")
     assert [(*each.by[:2], each.line, each.change) for each in found] == [
         ("main", "total += i;", "for (i = 0; i < 3; i++)", (0, 0)),
@@ -231,12 +233,12 @@ def test_a_write_is_told_with_what_was_there_before_and_its_place(program: Execu
     assert {each.access.what for each in found} == {"write"}
 
 
-def test_a_change_is_told_only_where_it_changes_something(program: Executable) -> None:
+def test_change_watchpoints_ignore_equal_writes(program: Executable) -> None:
     found = all_found(program, "change", "total")
     assert [each.change for each in found] == [(0, 1), (1, 3), (3, 5), (5, 6)]
 
 
-def test_reads_are_told_apart_from_writes(program: Executable) -> None:
+def test_reads_are_distinguished_from_writes(program: Executable) -> None:
     reads = all_found(program, "read", "total")
     sprintf = 'sprintf(text, "%d robots", total);'
     assert [each.by[1] for each in reads] == [*["total += i;"] * 3, "other = total;", sprintf]
@@ -244,7 +246,7 @@ def test_reads_are_told_apart_from_writes(program: Executable) -> None:
     assert [each.access.what for each in both] == [*["write"] * 7, "read", "read"]
 
 
-def test_what_the_library_writes_is_told_with_the_call(program: Executable) -> None:
+def test_library_writes_are_reported_at_the_call(program: Executable) -> None:
     *_, sprintf = all_found(program, "write", "text")
     assert sprintf.by == ("main", 'sprintf(text, "%d robots", total);', "sprintf")
     assert sprintf.line == "memset(pairs, 1, sizeof pairs);"
@@ -255,19 +257,19 @@ def test_what_the_library_writes_is_told_with_the_call(program: Executable) -> N
     assert [each.by for each in others] == [("main", "pairs[1].b = 7;", "")]
 
 
-def test_what_the_library_writes_between_calls_of_the_users_is_told(program: Executable) -> None:
+def test_library_writes_around_callbacks_are_reported(program: Executable) -> None:
     found = all_found(program, "change", "order")
     call = "qsort(order, 4, sizeof order[0], less);"
     assert {each.by for each in found} == {("main", call, "qsort")}  # not `abs`, called by `less`
     assert found[-1].access.new[0] == np.array([1, 2, 3, 4], "<i4").tobytes()
 
 
-def test_the_last_write_of_all_is_told_at_the_end(program: Executable) -> None:
+def test_the_last_write_is_reported_at_the_end(program: Executable) -> None:
     last = all_found(program, "write", "other")[-1]
     assert (last.by[1], last.line, last.change) == ("other = 77;", "", (6, 77))
 
 
-def test_overlapping_and_adjacent_objects_are_told_apart(program: Executable) -> None:
+def test_overlapping_and_adjacent_objects_are_distinguished(program: Executable) -> None:
     run = Watching(program)
     parts = "pairs+9:1", "pairs+8:1", "pairs+10:1", "pairs+8:8", "pairs+16:1"
     run.watch("write", *parts)
@@ -290,7 +292,7 @@ def test_a_variable_in_a_register_is_watched(program: Executable) -> None:
     assert (end.access.what, end.line) == ("return", "")
 
 
-def test_one_activation_is_told_from_the_others(program: Executable) -> None:
+def test_activations_are_distinguished(program: Executable) -> None:
     run = Watching(program)
     for _ in range(3):  # n is 3, 2, 1
         run.to_line("if (n > 0)")
@@ -316,7 +318,7 @@ def test_a_watch_ends_when_a_jump_leaves_its_function(program: Executable) -> No
 
 
 def snapshots(run: Watching) -> dict[int, Snapshot]:
-    """Gives a program's state before every statement."""
+    """Return a program's state before every statement."""
     saved = {}
     slot = run.fleet.slots[0]
     slot["stop_before_all"] = 1
@@ -334,7 +336,7 @@ def again_from(run: Watching, saved: Snapshot) -> list[Found]:
     return list(run.found())
 
 
-def test_a_watch_ends_and_is_there_again_wherever_the_run_goes(program: Executable) -> None:
+def test_a_watch_follows_its_activation_when_the_run_moves(program: Executable) -> None:
     run = Watching(program)
     saved = snapshots(run)
     run.fleet.restore(0, saved[0])
@@ -372,7 +374,7 @@ def test_stepping_and_watching_do_not_disturb_each_other(program: Executable) ->
         assert np.array_equal(one, other)
 
 
-def test_hits_survive_that_fuel_runs_out(program: Executable) -> None:
+def test_hits_survive_fuel_exhaustion(program: Executable) -> None:
     whole, pieces = Watching(program), Watching(program, fuel=40)
     for each in (whole, pieces):
         each.watch("change", "order", "text")
@@ -382,23 +384,23 @@ def test_hits_survive_that_fuel_runs_out(program: Executable) -> None:
     assert one == other
 
 
-def test_more_than_can_be_watched_is_refused(program: Executable) -> None:
+def test_too_many_watched_objects_are_refused(program: Executable) -> None:
     run = Watching(program)
-    objects = [run.object("total", "write", number) for number in range(MOST + 1)]
-    with pytest.raises(DebugError, match=f"at most {MOST} objects"):
+    objects = [run.object("total", "write", number) for number in range(MAX + 1)]
+    with pytest.raises(DebugError, match=f"at most {MAX} objects"):
         run.watches.arm(objects)
-    run.watches.arm(objects[:MOST])
-    assert len(list(run.found())) == 7 * MOST
+    run.watches.arm(objects[:MAX])
+    assert len(list(run.found())) == 7 * MAX
 
 
-def test_as_many_variables_of_functions_can_be_watched(program: Executable) -> None:
+def test_the_maximum_of_local_variables_can_be_watched(program: Executable) -> None:
     run = Watching(program)
     run.to_line("if (n > 0)")
-    run.watches.arm([run.local("deep", "mine", "write", number) for number in range(MOST)])
-    assert len(list(run.found())) == 3 * MOST
+    run.watches.arm([run.local("deep", "mine", "write", number) for number in range(MAX)])
+    assert len(list(run.found())) == 3 * MAX
 
 
-def test_without_anything_to_watch_the_debug_build_runs(program: Executable) -> None:
+def test_without_watched_objects_the_debug_build_runs(program: Executable) -> None:
     run = Watching(program)
     run.watch("write", "total")
     assert run.fleet.executable(0) is not program
@@ -408,9 +410,9 @@ def test_without_anything_to_watch_the_debug_build_runs(program: Executable) -> 
 
 
 def changes_by_comparing(
-    program: Executable, objects: Sequence[Watched]
+    program: Executable, objects: Sequence[WatchedObject]
 ) -> list[tuple[object, ...]]:
-    """Gives what changed in some objects, found by looking before every statement."""
+    """Return what changed in some objects, found by looking before every statement."""
     run = Watching(program)
     memory, found = run.fleet.memory(0), []
 
@@ -429,7 +431,7 @@ def changes_by_comparing(
 
 
 def changes_by_watching(
-    program: Executable, objects: Sequence[Watched]
+    program: Executable, objects: Sequence[WatchedObject]
 ) -> list[tuple[object, ...]]:
     run = Watching(program)
     run.watches.arm(objects)
@@ -447,16 +449,16 @@ MOST_STATEMENTS = 3000
 
 
 def compare(program: Executable) -> int:
-    """Compares the changes of all global objects of a program; gives how many there were."""
+    """Compare the changes of all global objects of a program; return how many there were."""
     detail = program.detail()
     objects = [
-        Watched(number, "change", detail.compiled.addresses[name], data.size)
+        WatchedObject(number, "change", detail.compiled.addresses[name], data.size)
         for number, (name, data) in enumerate(detail.program.data.items())
         if data.size and "<library>" not in data.location.file
     ]
     count = 0
-    for first in range(0, len(objects), MOST):
-        some = objects[first : first + MOST]
+    for first in range(0, len(objects), MAX):
+        some = objects[first : first + MAX]
         wanted = changes_by_comparing(program, some)
         assert changes_by_watching(program, some) == wanted
         count += len(wanted)
@@ -467,13 +469,12 @@ def test_hits_are_the_changes_of_memory(program: Executable) -> None:
     assert compare(program) >= 15
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", cases("valid")[::7], ids=case_name)
 def test_hits_are_the_changes_of_memory_in_every_kind_of_program(path: Path) -> None:
     compare(build_executable([path], Diagnostics(), debug=True))
 
 
-def test_without_the_checks_the_same_is_found(
+def test_unchecked_builds_find_the_same_accesses(
     program: Executable, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     path: Path = tmp_path_factory.mktemp("unchecked") / "watch.c"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.debug.watch import MOST, Watched
+from crs_cc.debug.watch import MAX, WatchedObject
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.executable import Executable
@@ -23,8 +23,8 @@ FAR = 600
 """So many statements are followed."""
 
 
-def variables(run: Watching, chance: random.Random) -> list[Watched]:
-    """Gives some variables of one of the functions that are active."""
+def variables(run: Watching, chance: random.Random) -> list[WatchedObject]:
+    """Return some variables of one of the functions that are active."""
     own = [each for each in run.fleet.stopped(0).stack if not in_library(each.location)]
     frame = chance.choice(own)
     layout = run.executable.detail().compiled.info(frame.function).frame
@@ -33,8 +33,8 @@ def variables(run: Watching, chance: random.Random) -> list[Watched]:
         for place, at in layout.offsets.items()
         if place.variable is not None and place.variable.ctype.size
     ]
-    some = chance.sample(places, min(MOST, len(places)))
-    return [Watched(number, "change", *place, frame) for number, place in enumerate(some)]
+    some = chance.sample(places, min(MAX, len(places)))
+    return [WatchedObject(number, "change", *place, frame) for number, place in enumerate(some)]
 
 
 def is_active(run: Watching, frame: StackFrame) -> bool:
@@ -43,8 +43,10 @@ def is_active(run: Watching, frame: StackFrame) -> bool:
     return any((each.fp, each.function, each.entered) == name for each in stack)
 
 
-def by_looking(run: Watching, objects: list[Watched], end: int) -> tuple[list[Change], int | None]:
-    """Gives the changes up to a statement, and the one before which the function had returned."""
+def by_looking(
+    run: Watching, objects: list[WatchedObject], end: int
+) -> tuple[list[Change], int | None]:
+    """Return the changes up to a statement, and the one before which the function had returned."""
     memory, changes = run.fleet.memory(0), list[Change]()
     parts = [slice(each.address, each.address + each.size) for each in objects]
     before = [memory[part].tobytes() for part in parts]
@@ -62,7 +64,9 @@ def by_looking(run: Watching, objects: list[Watched], end: int) -> tuple[list[Ch
     return changes, None
 
 
-def by_watching(run: Watching, objects: list[Watched], end: int) -> tuple[list[Change], int | None]:
+def by_watching(
+    run: Watching, objects: list[WatchedObject], end: int
+) -> tuple[list[Change], int | None]:
     changes = list[Change]()
     run.watches.arm(objects)
     while run.run() and run.begun < end:
@@ -75,7 +79,7 @@ def by_watching(run: Watching, objects: list[Watched], end: int) -> tuple[list[C
 
 
 def compare_variables(program: Executable, chance: random.Random) -> int:
-    """Compares the changes of variables from some statements on; gives how many there were."""
+    """Compare the changes of variables from some statements on; return how many there were."""
     whole = Watching(program)
     whole.run()
     count = 0
@@ -92,7 +96,6 @@ def compare_variables(program: Executable, chance: random.Random) -> int:
     return count
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_hits_are_the_changes_of_memory(seed: int, tmp_path: Path) -> None:
     path = tmp_path / "program.c"

@@ -9,8 +9,8 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import MOST
-from tests.debug.debuggee import debugger_of, line
+from crs_cc.debug.watch import MAX
+from tests.debug.debuggers import debugger_of, line
 
 LOOP = """\
 #include <stdio.h>
@@ -47,7 +47,7 @@ def loop(tmp_path: Path) -> Debugger:
 
 
 def texts(debugger: Debugger, *, backward: bool = False) -> list[str]:
-    """Gives what is said at each stop up to the end, or to the beginning."""
+    """Return what is said at each stop up to the end, or to the beginning."""
     found = []
     while (stop := debugger.resume(backward=backward)).reason == "watchpoint":
         found.append(stop.text)
@@ -56,13 +56,13 @@ def texts(debugger: Debugger, *, backward: bool = False) -> list[str]:
 
 
 def go(debugger: Debugger, place: str) -> None:
-    point = debugger.add_breakpoint(place)
+    point = debugger.stop_points.add_breakpoint(place)
     debugger.resume()
-    debugger.remove(point.number)
+    debugger.stop_points.remove(point.number)
 
 
-def test_a_watchpoint_stops_forward_behind_and_backward_before_what_did_it(loop: Debugger) -> None:
-    point = loop.add_watchpoint("total")
+def test_a_watchpoint_stops_after_a_write_and_in_reverse_before_it(loop: Debugger) -> None:
+    point = loop.stop_points.add_watchpoint("total")
     loop.resume()
     assert loop.stop.text == "total: 0 -> 2, written at a.c:15"
     assert loop.stop.breakpoints == (point.number,)
@@ -71,14 +71,14 @@ def test_a_watchpoint_stops_forward_behind_and_backward_before_what_did_it(loop:
     loop.resume(backward=True)
     assert loop.stop.text == "total: 0 -> 2, written at a.c:15"
     assert loop.evaluate("total").text == "0"
-    assert (loop.current_frame().function, line(loop)) == ("main", 15)  # type: ignore[union-attr]
+    assert (loop.view.current_frame().function, line(loop)) == ("main", 15)  # type: ignore[union-attr]
     loop.resume()
     assert (line(loop), point.hits) == (16, 2)
 
 
 def test_both_directions_find_the_same(loop: Debugger) -> None:
     for what, kind in (("total", "change"), ("goal", "write"), ("flag", "access"), ("i", "write")):
-        loop.add_watchpoint(what, kind)  # type: ignore[arg-type]
+        loop.stop_points.add_watchpoint(what, kind)  # type: ignore[arg-type]
     forward = texts(loop)
     assert forward[:4] == [
         "i: 0 -> 1, written at a.c:14",
@@ -88,36 +88,37 @@ def test_both_directions_find_the_same(loop: Debugger) -> None:
     ]
     assert forward[-2:] == [
         "flag: 0 -> 12, written at a.c:18",
-        "flag: 12 -> 7, written at a.c:22; i is gone: 'main' has returned at a.c:11",
+        "flag: 12 -> 7, written at a.c:22; i went out of scope: 'main' has returned at a.c:11",
     ]
     assert texts(loop, backward=True) == forward[::-1]
     assert texts(loop) == forward
 
 
-def test_backward_finds_what_was_done_just_before(loop: Debugger) -> None:
+def test_backward_finds_the_access_just_before(loop: Debugger) -> None:
     go(loop, "18")
-    loop.add_watchpoint("goal.order[0]")  # the loop's last statement wrote it, but for `i++`
+    # The loop's last statement but for `i++` wrote it.
+    loop.stop_points.add_watchpoint("goal.order[0]")
     loop.step_statement(backward=True)
     assert loop.resume(backward=True).text == "goal.order[0]: 0 -> 3, written at a.c:16"
     assert line(loop) == 16
 
 
-def test_what_was_written_last_of_all_is_found_from_the_end(loop: Debugger) -> None:
-    loop.add_watchpoint("flag")
+def test_backward_from_the_end_finds_the_last_write(loop: Debugger) -> None:
+    loop.stop_points.add_watchpoint("flag")
     loop.goto_timestep(1)
-    assert loop.is_over
+    assert loop.view.is_over
     assert loop.resume(backward=True).text == "flag: 12 -> 7, written at a.c:22"
     assert line(loop) == 22
 
 
-def test_a_watchpoint_lasts_as_long_as_the_function_wherever_the_run_goes(loop: Debugger) -> None:
+def test_a_local_watchpoint_lasts_as_long_as_its_function(loop: Debugger) -> None:
     go(loop, "8")
-    point = loop.add_watchpoint("result", "write")
+    point = loop.stop_points.add_watchpoint("result", "write")
     assert point.watch
     assert point.watch.note == "lasts until 'twice' returns"
     forward = [
         "result: 1 -> 2, written at a.c:8",
-        "result is gone: 'twice' has returned at a.c:9",
+        "result went out of scope: 'twice' has returned at a.c:9",
     ]
     assert texts(loop) == forward
     first = loop.resume(backward=True), loop.resume(backward=True), loop.resume(backward=True)
@@ -127,8 +128,8 @@ def test_a_watchpoint_lasts_as_long_as_the_function_wherever_the_run_goes(loop: 
     assert texts(loop)[1:] == forward
 
 
-def test_stepping_stops_where_something_is_touched(loop: Debugger) -> None:
-    loop.add_watchpoint("goal")
+def test_stepping_stops_at_watchpoints(loop: Debugger) -> None:
+    loop.stop_points.add_watchpoint("goal")
     reasons = []
     while (stop := loop.next()).reason in {"step", "watchpoint"} and line(loop) < 18:
         reasons.append((stop.reason, line(loop)))
@@ -139,39 +140,40 @@ def test_stepping_stops_where_something_is_touched(loop: Debugger) -> None:
 
 def test_conditions_ignored_hits_and_log_points(loop: Debugger) -> None:
     said: list[str] = []
-    loop.say = said.append
-    loop.add_watchpoint("total", condition="total > 2")
-    quiet = loop.add_watchpoint("goal.x", "write", ignore=1)
-    logged = loop.add_watchpoint("goal.order[2]", log="order {goal.order[2]}")
+    loop.stop_points.say = said.append
+    loop.stop_points.add_watchpoint("total", condition="total > 2")
+    quiet = loop.stop_points.add_watchpoint("goal.x", "write", ignore=1)
+    logged = loop.stop_points.add_watchpoint("goal.order[2]", log="order {goal.order[2]}")
     assert texts(loop) == ["total: 2 -> 6, written at a.c:15", "total: 6 -> 12, written at a.c:15"]
     assert (quiet.hits, logged.hits, said) == (0, 1, ["order 2"])
 
 
-def test_the_condition_of_a_variable_is_asked_in_its_function(loop: Debugger) -> None:
+def test_the_condition_of_a_local_watchpoint_is_evaluated_in_its_frame(loop: Debugger) -> None:
     loop.step()
-    loop.add_watchpoint("total", condition="i == 2")  # `i` is main's, and main it is that stops
+    # `i` is a variable of main, and it is main that stops.
+    loop.stop_points.add_watchpoint("total", condition="i == 2")
     assert texts(loop) == ["total: 2 -> 6, written at a.c:15"]
 
 
-def test_what_is_put_out_does_not_stop(loop: Debugger) -> None:
-    point = loop.add_watchpoint("total")
-    loop.enable(point.number, on=False)
+def test_disabled_watchpoints_do_not_stop(loop: Debugger) -> None:
+    point = loop.stop_points.add_watchpoint("total")
+    loop.stop_points.enable(point.number, on=False)
     assert texts(loop) == []
-    loop.enable(point.number)
+    loop.stop_points.enable(point.number)
     assert len(texts(loop, backward=True)) == 3
-    loop.remove(point.number)
+    loop.stop_points.remove(point.number)
     assert texts(loop) == []
 
 
-def test_a_temporary_one_goes_with_its_first_hit(loop: Debugger) -> None:
-    loop.add_watchpoint("total", temporary=True)
+def test_a_temporary_watchpoint_is_deleted_when_hit(loop: Debugger) -> None:
+    loop.stop_points.add_watchpoint("total", temporary=True)
     assert len(texts(loop)) == 1
-    assert not list(loop.breakpoints)
+    assert not list(loop.stop_points.breakpoints)
 
 
-def test_a_change_by_the_user_is_no_access(loop: Debugger) -> None:
+def test_an_assignment_by_the_user_is_not_an_access(loop: Debugger) -> None:
     go(loop, "16")
-    loop.add_watchpoint("total")
+    loop.stop_points.add_watchpoint("total")
     loop.evaluate("total = 50")
     assert texts(loop) == [
         "total: 50 -> 54, written at a.c:15",
@@ -181,33 +183,33 @@ def test_a_change_by_the_user_is_no_access(loop: Debugger) -> None:
     assert texts(loop)[0] == "total: 0 -> 2, written at a.c:15"
 
 
-def test_what_cannot_be_watched_is_refused(loop: Debugger) -> None:
+def test_invalid_watchpoints_are_refused(loop: Debugger) -> None:
     go(loop, "18")
     for wrong in ("total + 1", "*p", "nothing", "", "1", "twice", "main", "goal.order[4]"):
         with pytest.raises(DebugError):
-            loop.add_watchpoint(wrong)
-    with pytest.raises(DebugError, match="kind of access"):
-        loop.add_watchpoint("total", "look")  # type: ignore[arg-type]
-    for _ in range(MOST):
-        loop.add_watchpoint("total")
-    with pytest.raises(DebugError, match=f"no more than {MOST} objects"):
-        loop.add_watchpoint("total")
-    first = next(iter(loop.breakpoints))
-    loop.enable(first.number, on=False)
-    loop.add_watchpoint("total")
-    with pytest.raises(DebugError, match=f"no more than {MOST} objects"):
-        loop.enable(first.number)
+            loop.stop_points.add_watchpoint(wrong)
+    with pytest.raises(DebugError, match="access kind"):
+        loop.stop_points.add_watchpoint("total", "look")  # type: ignore[arg-type]
+    for _ in range(MAX):
+        loop.stop_points.add_watchpoint("total")
+    with pytest.raises(DebugError, match=f"at most {MAX} objects"):
+        loop.stop_points.add_watchpoint("total")
+    first = next(iter(loop.stop_points.breakpoints))
+    loop.stop_points.enable(first.number, on=False)
+    loop.stop_points.add_watchpoint("total")
+    with pytest.raises(DebugError, match=f"at most {MAX} objects"):
+        loop.stop_points.enable(first.number)
 
 
 def test_a_heap_block_is_watched(loop: Debugger) -> None:
     go(loop, "20")
-    loop.add_watchpoint("*p", "write")
+    loop.stop_points.add_watchpoint("*p", "write")
     assert re.fullmatch(r"\*p: .* -> 4, written at a.c:20", texts(loop)[0])
 
 
 def test_before_the_first_statement_global_objects_can_be_watched(tmp_path: Path) -> None:
     debugger = debugger_of(LOOP, folder=tmp_path)
-    debugger.add_watchpoint("total")
+    debugger.stop_points.add_watchpoint("total")
     assert len(texts(debugger)) == 3
 
 
@@ -217,7 +219,7 @@ def test_a_restored_run_is_the_same_with_and_without_watching(loop: Debugger) ->
     loop.goto_timestep(0)
     loop.goto(here)
     state = loop.session.state_hash()
-    loop.add_watchpoint("total", "access")
+    loop.stop_points.add_watchpoint("total", "access")
     texts(loop, backward=True)
     loop.goto(here)
     assert loop.session.state_hash() == state
@@ -250,15 +252,15 @@ def robots(tmp_path: Path) -> Debugger:
     return debugger
 
 
-def test_each_robot_has_its_own(robots: Debugger) -> None:
-    one = robots.add_watchpoint("shared", robot=1)
+def test_each_robot_has_its_own_watchpoints(robots: Debugger) -> None:
+    one = robots.stop_points.add_watchpoint("shared", robot=1)
     found = []
     while robots.resume().reason == "watchpoint":
         found.append((robots.stop.robot, robots.stop.breakpoints, robots.stop.text))
     text = "shared: {} -> {}, written at a.c:9"
     changes = [(0, 1), (1, 3), (3, 6)]
     assert found == [(1, (one.number,), text.format(*each)) for each in changes]
-    other = robots.add_watchpoint("shared", robot=0)
+    other = robots.stop_points.add_watchpoint("shared", robot=0)
     back = []
     while robots.resume(backward=True).reason == "watchpoint":
         back.append((robots.stop.breakpoints, robots.stop.text))
@@ -268,11 +270,11 @@ def test_each_robot_has_its_own(robots: Debugger) -> None:
     )
 
 
-def test_what_robots_do_while_others_wait_is_not_passed_over(robots: Debugger) -> None:
+def test_accesses_of_other_robots_in_a_round_are_reported(robots: Debugger) -> None:
     """All of them wait for replies at once, so that each is in the middle of a statement."""
     for robot in range(2):
-        robots.add_watchpoint("shared", robot=robot)
-        robots.add_watchpoint("State[STATE_CONF_X]", robot=robot)
+        robots.stop_points.add_watchpoint("shared", robot=robot)
+        robots.stop_points.add_watchpoint("State[STATE_CONF_X]", robot=robot)
     found: dict[bool, list[str]] = {}
     for backward in (False, True):
         rows = found[backward] = []
@@ -282,8 +284,8 @@ def test_what_robots_do_while_others_wait_is_not_passed_over(robots: Debugger) -
     assert sorted(found[True]) == sorted(found[False])
 
 
-def test_replies_of_the_world_are_seen_to_be_written(robots: Debugger) -> None:
-    robots.add_watchpoint("State[STATE_CONF_X]")
+def test_replies_of_the_world_count_as_writes(robots: Debugger) -> None:
+    robots.stop_points.add_watchpoint("State[STATE_CONF_X]")
     robots.resume()
     assert re.fullmatch(
         r"State\[STATE_CONF_X\]: 0 -> \d+, written by \w+ at a.c:\d+", robots.stop.text

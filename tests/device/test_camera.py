@@ -143,10 +143,10 @@ def test_noise_grows_with_the_square_of_the_distance(tmp_path):
 @pytest.mark.parametrize(
     ("attribute", "wrong"),
     [
-        ('columns="321"', "camera, columns: '321' is not a whole number, 1 to 320"),
-        ('columns="0"', "camera, columns: '0' is not a whole number, 1 to 320"),
+        ('columns="321"', "camera, columns: '321' is not an integer from 1 to 320"),
+        ('columns="0"', "camera, columns: '0' is not an integer from 1 to 320"),
         ('field-of-view="361deg"', "camera, field-of-view: must be 360deg or less"),
-        ('background="reddish"', "camera, background: 'reddish' is no colour"),
+        ('background="reddish"', "camera, background: unknown colour 'reddish'"),
         ('range="0m"', "camera, range: '0m' must be greater than 0"),
     ],
 )
@@ -187,8 +187,8 @@ def test_the_report_s_element_for_sensors_places_a_camera(tmp_path):
 @pytest.mark.parametrize(
     ("places", "camera", "wrong"),
     [
-        (1, "", "a camera also needs <camera>"),
-        (2, "<camera/>", "a second camera"),
+        (1, "", "missing <camera>"),
+        (2, "<camera/>", "duplicate camera"),
     ],
 )
 def test_a_camera_that_is_placed_wrongly_is_named(tmp_path, places, camera, wrong):
@@ -199,7 +199,7 @@ def test_a_camera_that_is_placed_wrongly_is_named(tmp_path, places, camera, wron
 
 def test_a_sensor_of_another_type_is_refused_with_the_types_there_are(tmp_path):
     path = placed(tmp_path, PLACED.format("0").replace(">camera<", ">gps<"))
-    with pytest.raises(WorldError, match="'gps' is not expected; expected sonar or camera"):
+    with pytest.raises(WorldError, match="invalid value 'gps'; expected sonar or camera"):
         load_robot(path)
 
 

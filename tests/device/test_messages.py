@@ -140,6 +140,18 @@ def test_it_tells_when_it_was_sent_and_when_it_arrived():
     assert arrived - sent == pytest.approx(1001, abs=1)  # 12 bytes at 14.4 kB/s
 
 
+def test_sent_is_when_a_message_was_posted_although_it_waits_in_the_queue():
+    slow = '<channel name="radio" bandwidth="20B/s" delay="0s" jitter="0"/>'
+    things = f"{PAIR}<communication>{slow}</communication>"
+    send = 'crs_send(1, 0, "12345678", 8); crs_send(1, 0, "12345678", 8);'
+    show = 'crs_receive(&m, CRS_FOREVER); printf("%d %d ", m.sent, m.arrived);'
+    first, first_here, second, second_here = map(
+        int, run(send, show + show, things=things).output[1].split()
+    )
+    assert (first, second) == (1, 2)
+    assert second_here - first_here == pytest.approx(1000, abs=1)  # 20 bytes at 20 B/s
+
+
 def test_a_program_that_sends_in_a_loop_fills_no_memory_and_stops_nobody():
     hostile = "while (1) crs_broadcast(0, m.data, 248);"
     done = run(

@@ -136,7 +136,7 @@ def _driver(things: str) -> Driver:
     [
         ('<mode name="LF" range="0m"/>', "mode, range: '0m' must be greater than 0"),
         ('<mode name="LF" half-angle="90deg"/>', "mode, half-angle: must be less than 90deg"),
-        ('<mode name="LF"/><mode name="LF"/>', "a second mode with the name 'LF'"),
+        ('<mode name="LF"/><mode name="LF"/>', "duplicate mode 'LF'"),
     ],
 )
 def test_a_mode_that_cannot_be_is_named_once(tmp_path, mode, wrong):

@@ -22,7 +22,7 @@ def test_it_takes_the_heat_from_what_is_near_and_counts_it():
 
 @pytest.mark.function("crs_tag")
 def test_a_robot_that_cannot_is_told_so_and_takes_nothing(tmp_path):
-    scout = (Path(world_xml.__file__).parents[1] / "robots" / "scout.xml").read_text()
+    scout = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     (tmp_path / "cold.xml").write_text(re.sub("<heat [^>]*/>", "", scout))
     things = '<robot x="0" y="0"/><cylinder x="1m" y="0" radius="20cm" heat="5"/>'
     done = drive('printf("%d\\n", crs_tag());', things=things, robot=str(tmp_path / "cold.xml"))

@@ -57,7 +57,7 @@ def test_a_snapshot_holds_what_it_told(tmp_path):
     environment = done.session.environment
     assert isinstance(environment, Environment)
     snapshot, now = environment.snapshot(), environment.hash()
-    environment.state.tilt.tilt_rad[:] = 9.0
+    environment.state.sensors.tilt.value[:] = 9.0
     assert environment.hash() != now
     environment.restore(snapshot)
     assert environment.hash() == now

@@ -7,33 +7,35 @@ import numpy as np
 import pytest
 
 from crs_cc.core.errors import WorldError
+from crs_cc.session.device_library import device_headers
 from crs_cc.session.library import HEADERS
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world, load_robot, parse_world
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.state import timers
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver
 
-SENSORS = {
-    "GPS": 0, "CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4, "COMPASS": 5, "TILT": 6,
-    "LIGHT": 7, "SOUND": 8,
-}  # fmt: skip
+OTHERS = {"CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4, "COMPASS": 5, "LIGHT": 7, "SOUND": 8}
+SENSORS = {**OTHERS, **{device.name.upper(): device.number for device in devices()}}
 GPS_10_HZ = '<gps rate="10Hz" period="0.1s"/>'
+REGISTERED = "".join(f"<{device.element} rate='100Hz'/>" for device in devices())
 ALL = (
     "<infrared step='1in' order='0' rate='100Hz'/><compass rate='100Hz' on='yes'/>"
     "<laser field-of-view='90deg' range='5m' rate='100Hz' mode='51'/>"
-    "<gps rate='100Hz'/><inclinometer rate='100Hz'/><camera columns='4' rate='100Hz'/>"
+    f"{REGISTERED}<camera columns='4' rate='100Hz'/>"
     "<light-sensors/><microphones/>"
 )
 
 
 def test_the_header_and_the_simulator_number_the_sensors_alike():
-    text = (HEADERS / "crs.h").read_text()
+    text = (HEADERS / "crs.h").read_text() + device_headers()[0][1]
     defined = re.findall(r"#define CRS_SENSOR_(\w+) (\d+)", text)
     assert {name: int(number) for name, number in defined} == SENSORS
-    assert {name: getattr(timers, name) for name in SENSORS} == SENSORS
-    assert len(SENSORS) == timers.SENSORS
+    assert {name: getattr(timers, name) for name in OTHERS} == OTHERS
+    assert sorted(SENSORS.values()) == list(range(timers.sensor_count()))
+    assert (SENSORS["GPS"], SENSORS["TILT"]) == (0, 6)
 
 
 @pytest.mark.function("crs_age")
@@ -57,8 +59,8 @@ def test_a_periodic_sensor_fires_in_its_timestep_whether_anybody_asks_or_not(tmp
     for cycle in range(1, 30):
         driver.run(1)
         turn = np.ceil(cycle * 0.05 / 0.07 - 1e-9) - 1  # what falls on the end comes in the next
-        assert driver.state.gps.at_s[0] == pytest.approx(turn * 0.07, abs=1e-12)
-    assert driver.state.gps.count[0] == turn + 1
+        assert driver.state.sensors.gps.at_s[0] == pytest.approx(turn * 0.07, abs=1e-12)
+    assert driver.state.sensors.gps.count[0] == turn + 1
 
 
 def test_it_measures_from_where_the_robot_is_at_that_instant(tmp_path):
@@ -110,7 +112,7 @@ def test_the_rate_is_the_shortest_period(tmp_path):
     driver = Driver.of(empty_world(robot=scout_with(tmp_path, '<gps rate="10Hz"/>')))
     assert driver.post("PERIOD", 0, 1)[0]["result"] == 1
     driver.run_s(1.0)
-    assert driver.state.gps.count[0] == 10
+    assert driver.state.sensors.gps.count[0] == 10
 
 
 @pytest.mark.parametrize("arguments", [(1, 100), (6, 100), (-1, 100), (2**31 - 1, 0), (0, -1)])
@@ -125,7 +127,7 @@ def test_a_sensor_that_is_not_there_and_a_time_below_0_are_refused(tmp_path, arg
 @pytest.mark.parametrize(
     ("attributes", "wrong"),
     [
-        ('rate="10Hz" period="99ms"', "gps, period: must not be shorter than its rate allows"),
+        ('rate="10Hz" period="99ms"', "gps, period: must not be shorter than 1 / rate"),
         ('rate="1MHz" period="0.1ms"', "gps, period: must be 0, or 1ms or more"),
         ('period="-1s"', "gps, period: '-1s' must not be negative"),
     ],
@@ -142,10 +144,10 @@ def test_a_robot_that_joins_starts_its_timers_then(tmp_path):
     guest = '<robot x="5m" y="5m" join="1s"/>'
     driver = Driver(Environment(parse_world(world.format(guest).encode(), "w", robot=robot), 1))
     driver.run_s(1.0)
-    assert driver.state.gps.count.tolist() == [4, 0]
+    assert driver.state.sensors.gps.count.tolist() == [4, 0]
     driver.run_s(0.7)
-    assert driver.state.gps.count.tolist() == [6, 3]
-    assert driver.state.gps.at_s[1] == pytest.approx(1.6)
+    assert driver.state.sensors.gps.count.tolist() == [6, 3]
+    assert driver.state.sensors.gps.at_s[1] == pytest.approx(1.6)
 
 
 def test_from_a_snapshot_timers_go_on(tmp_path):

@@ -1,4 +1,4 @@
-"""Compiling snippets of C in tests: what comes out, and what the user is told."""
+"""Compilation of C snippets in tests: results and messages."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from crs_cc.ir.verify import verify
 
 
 def compiled(source: str) -> Program:
-    """Gives the verified program of a text without errors."""
+    """Return the verified program of a text without errors."""
     program = compile_text(source, "a.c", Options(), Diagnostics())
     verify(program)
     return program
 
 
 def function(source: str, name: str = "f") -> Function:
-    """Gives one function of a text."""
+    """Return one function of a text."""
     return compiled(source).functions[name]
 
 
 def body(source: str, name: str = "f") -> list[str]:
-    """Gives a function's IR in lines, without comments, markers and declarations."""
+    """Return a function's IR in lines, without comments, markers and declarations."""
     text = to_text(Program({name: function(source, name)}))
     lines = [line.partition(";")[0].strip() for line in text.splitlines()]
     start = lines.index("entry:")
@@ -35,14 +35,14 @@ def body(source: str, name: str = "f") -> list[str]:
 
 
 def type_of(source: str, name: str = "x") -> CType:
-    """Gives the type of a global variable."""
+    """Return the type of a global variable."""
     variable = compiled(source).data[name].variable
     assert variable is not None
     return variable.ctype
 
 
 def messages(source: str) -> list[str]:
-    """Gives what the user is told, as `line:column severity: text [hint]`."""
+    """Return the messages about a text, each as `line:column severity: text [hint]`."""
     diagnostics = Diagnostics()
     with suppress(CompileError):
         verify(compile_text(source, "a.c", Options(), diagnostics))

@@ -1,7 +1,7 @@
-"""Sources that no programmer writes, for the front end to survive: `make fuzz-frontend`.
+"""Fuzzing of the front end: `make fuzz-frontend`.
 
-Random bytes, programs with tokens deleted, doubled, swapped and cut off, and every construct nested
-deeply. Whatever comes in, there is a program or an error with a place, and it does not take long.
+The sources are random bytes, programs with tokens deleted, doubled, swapped and cut off, and deeply
+nested constructs. For each there must soon be a program or an error with a location.
 """
 
 from __future__ import annotations
@@ -16,10 +16,9 @@ from typing import Final
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.verify import verify
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 
 CORPUS: Final = Path(__file__).parent.parent / "c"
 FINDINGS: Final = Path("build/fuzz-frontend")
@@ -88,11 +87,11 @@ NESTED: Final = {
     "open braces": ("void f(void) ", "{", "", "", ""),
     "ellipses": ("void f(int", ", ...", "", "", ");"),
 }  # fmt: skip
-"""What may be nested: the beginning, what opens, the core, what closes, the end."""
+"""Constructs that can be nested: the start, the opening, the core, the closing, the end."""
 
 
 def nested(name: str, depth: int) -> str:
-    """Gives a text in which a construct is nested; `{n}` in it is a level, `{m}` the next one."""
+    """Return a text in which a construct is nested; `{n}` in it is a level, `{m}` the next one."""
     begin, opening, core, closing, end = NESTED[name]
     levels = (
         opening.replace("{n}", str(level)).replace("{m}", str(level + 1)) for level in range(depth)
@@ -101,7 +100,7 @@ def nested(name: str, depth: int) -> str:
 
 
 def damaged(text: str, chance: random.Random) -> str:
-    """Gives a program with tokens deleted, doubled, swapped, replaced, or the end cut off."""
+    """Return a program with tokens deleted, doubled, swapped, replaced, or the end cut off."""
     places = [match.span() for match in TOKEN.finditer(text)]
     if not places:
         return text
@@ -125,7 +124,7 @@ def damaged(text: str, chance: random.Random) -> str:
 
 
 def noise(chance: random.Random) -> str:
-    """Gives random bytes, characters or tokens."""
+    """Return random bytes, characters or tokens."""
     size = chance.randrange(400)
     kind = chance.randrange(3)
     if kind == 0:
@@ -136,11 +135,11 @@ def noise(chance: random.Random) -> str:
 
 
 def survive(source: str, longest_s: float = 20.0) -> str:
-    """Compiles a text, and gives what is wrong with how that went; nothing if all is well."""
+    """Compile a text; return a description of what went wrong, "" if nothing did."""
     diagnostics = Diagnostics()
     began = time.monotonic()
     try:
-        verify(compile_text(source, "a.c", Options(system_paths=(HEADERS,)), diagnostics))
+        verify(compile_text(source, "a.c", library_options(), diagnostics))
     except CompileError:
         if not diagnostics.errors:
             return "refused without a message"
@@ -153,7 +152,7 @@ def survive(source: str, longest_s: float = 20.0) -> str:
 
 
 def sources(seed: int) -> Iterator[str]:
-    """Gives sources without end."""
+    """Yield sources endlessly."""
     chance = random.Random(seed)
     corpus = [path.read_text("latin-1") for path in sorted(CORPUS.rglob("*.c"))]
     corpus = [text for text in corpus if len(text) < 6000]
@@ -169,9 +168,9 @@ def sources(seed: int) -> Iterator[str]:
 
 
 def main() -> None:
-    """Tries as many sources as the first argument says, from the seed in the second.
+    """Try a number of sources, the first argument, with a seed, the second argument.
 
-    Those that went wrong are kept in `build/fuzz-frontend`.
+    Those that fail are kept in `build/fuzz-frontend`.
     """
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1

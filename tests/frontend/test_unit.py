@@ -40,7 +40,6 @@ DEEP = {
 
 @pytest.mark.parametrize("depth", [500, 3000])
 @pytest.mark.parametrize("kind", DEEP)
-@pytest.mark.slow
 def test_deep_nesting_compiles_or_gives_a_clear_error(kind: str, depth: int) -> None:
     errors = [each for each in messages(DEEP[kind](depth)) if "error" in each]
     assert len(errors) <= 1
@@ -48,18 +47,17 @@ def test_deep_nesting_compiles_or_gives_a_clear_error(kind: str, depth: int) -> 
 
 
 @pytest.mark.parametrize("kind", ["parentheses", "else if", "sums", "blocks"])
-def test_nesting_of_hundreds_is_no_trouble(kind: str) -> None:
+def test_hundreds_of_nested_levels_compile(kind: str) -> None:
     assert messages(DEEP[kind](500)) == []
 
 
 @pytest.mark.parametrize("kind", ["parentheses", "sums", "blocks", "pointers"])
-@pytest.mark.slow
-def test_nesting_without_end_gives_an_error(kind: str) -> None:
+def test_excessive_nesting_is_an_error(kind: str) -> None:
     (found,) = messages(DEEP[kind](40_000))
     assert "nested too deeply" in found
 
 
-def test_a_compilation_leaves_the_interpreter_as_it_was() -> None:
+def test_compilation_restores_interpreter_limits() -> None:
     before = sys.getrecursionlimit(), threading.stack_size(), threading.active_count()
     messages(DEEP["parentheses"](40_000))
     assert (sys.getrecursionlimit(), threading.stack_size(), threading.active_count()) == before
@@ -76,8 +74,7 @@ def test_a_compilation_leaves_the_interpreter_as_it_was() -> None:
         "enum {{ A{n} = {n} }};",
     ],
 )
-@pytest.mark.slow
-def test_long_files_take_time_in_proportion(line: str, size: int) -> None:
+def test_compile_time_is_linear_in_file_length(line: str, size: int) -> None:
     source = "\n".join(line.format(n=n) for n in range(size))
     assert all("warning" in each for each in messages(source))
 
@@ -137,7 +134,7 @@ def test_odd_but_legal_programs_compile(source: str) -> None:
     compiled(source)
 
 
-def test_a_file_is_compiled_under_the_name_it_was_given(tmp_path: Path) -> None:
+def test_locations_use_the_given_file_name(tmp_path: Path) -> None:
     path = tmp_path / "twice.c"
     path.write_text("static int n;\nint twice(void) { return n * 2 }\n")
     diagnostics = Diagnostics()

@@ -1,8 +1,8 @@
-"""Compares programs made by chance with gcc: `make fuzz`, or `python -m tests.fuzz`.
+"""Compares random programs with gcc: `make fuzz`, or `python -m tests.fuzz`.
 
-Half of the programs are csmith's where it is installed (with its header files); the others come
-from a generator of our own, for what csmith leaves out. The same seed makes the same programs.
-A program that shows a difference is kept in the folder `--keep`, whole and reduced.
+Half of the programs are from csmith if it is installed (with its header files); the others are from
+a generator of our own, for what csmith leaves out. The seed determines the programs. A program
+that shows a difference is kept in the directory `--keep`, complete and reduced.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ MISSING = (
     " (on Debian and Ubuntu: apt install gcc-multilib)"
 )
 MOST_TRIES = 3
-"""Programs tried for each one to be compared; some have no meaning for gcc itself."""
+"""How many programs are tried for each one to be compared; some are undefined for gcc."""
 
 
 @dataclass
@@ -38,9 +38,9 @@ class Fuzzer:
     """One run of the comparison.
 
     Attributes:
-        folder: for the programs at work.
-        keep: where programs that show a difference go.
-        counts: what became of the programs.
+        folder: the directory for the current programs.
+        keep: the directory for programs that show a difference.
+        counts: the number of programs for each outcome.
     """
 
     folder: Path
@@ -49,15 +49,15 @@ class Fuzzer:
     counts: Counter[str] = field(default_factory=Counter)
 
     def tried(self) -> int:
-        """Gives how many programs there were so far."""
+        """Return the number of programs so far."""
         return self.counts["compared"] + self.counts["without meaning"]
 
     def own(self, seed: int) -> None:
-        """Compares a program of our own generator."""
+        """Compare a program of our own generator."""
         self._compare(f"own_{seed}", generate(seed), ())
 
     def csmith(self, seed: int) -> None:
-        """Compares a program of csmith."""
+        """Compare a program of csmith."""
         command = ["csmith", "--seed", str(seed)]  # it leaves a file where it runs
         done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=self.folder)
         text = done.stdout

@@ -1,7 +1,7 @@
-"""Runs one C program as gcc compiles it and as we do, and tells the difference.
+"""Runs a C program compiled by gcc and by crs, and compares the results.
 
-gcc judges at -O0 and at -O2: where the two disagree the program has no defined meaning, and says
-nothing about us. Our programs run checked and unchecked.
+gcc compiles at -O0 and -O2: if the two disagree, the program is undefined and is not compared. Our
+programs run checked and unchecked.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ FUEL, ROUNDS = 3 * 10**9, 10**5
 
 
 def gcc_result(source: Path, options: Sequence[str]) -> Result | None:
-    """Gives what gcc's program does; None if there is none, or it takes too long."""
+    """Return the result of gcc's program; None if there is none, or it takes too long."""
     program = source.with_suffix(".exe")
     if complaint([source], program, options):
         return None
@@ -43,7 +43,7 @@ def gcc_result(source: Path, options: Sequence[str]) -> Result | None:
 
 
 def meaning(source: Path, options: Sequence[str] = ()) -> Result | None:
-    """Gives what a program must do; None where gcc itself does not know."""
+    """Return the expected result; None if gcc's own results disagree."""
     plain = gcc_result(source, [*options, "-w", "-O0"])
     if plain is None or plain.end.startswith("exit -"):
         return None
@@ -51,7 +51,7 @@ def meaning(source: Path, options: Sequence[str] = ()) -> Result | None:
 
 
 def is_defined(source: Path, options: Sequence[str] = ()) -> bool:
-    """Tells whether gcc's warnings, and its sanitizers if installed, find nothing wrong."""
+    """Return whether gcc's warnings, and its sanitizers if installed, find nothing wrong."""
     if gcc_result(source, [*options, *STRICT]) is None:
         return False
     found = gcc_result(source, [*options, *STRICT, *SANITIZERS])
@@ -73,7 +73,7 @@ def _time_limit(seconds: int) -> Iterator[None]:
 
 
 def our_results(source: Path, include_paths: Sequence[Path] = ()) -> dict[str, Result]:
-    """Gives what our program does, in each way of compiling it."""
+    """Return the result of our program in each build."""
     diagnostics = Diagnostics()
     options = Options(tuple(include_paths), (HEADERS,))
     try:
@@ -101,7 +101,7 @@ def our_results(source: Path, include_paths: Sequence[Path] = ()) -> dict[str, R
 
 
 def difference(wanted: Result, results: dict[str, Result]) -> str | None:
-    """Gives in a few words how our results differ from the wanted one; None if they do not."""
+    """Return a short description of the difference from the expected result, None if none."""
     for way, result in results.items():
         if result == wanted:
             continue

@@ -1,8 +1,7 @@
-"""Makes a program smaller that shows a difference: leaves out lines while the difference stays.
+"""Reduces a program that shows a difference by removing lines.
 
-What is left out is a run of lines whose braces match, so whole functions and blocks go first, then
-statements. A program counts as still showing the difference only while gcc finds nothing wrong
-with it, and agrees with itself.
+It removes sequences of lines with balanced braces: first whole functions and blocks, then
+statements. A reduced program must be free of warnings, and gcc must agree with itself about it.
 """
 
 from __future__ import annotations
@@ -10,20 +9,20 @@ from __future__ import annotations
 from collections.abc import Callable
 
 Shows = Callable[[str], bool]
-"""Tells whether a program's text still shows the difference."""
+"""Returns whether a program's text still shows the difference."""
 
 
 def reduced(text: str, shows: Shows, most: int = 500) -> str:
-    """Gives a smaller text that `shows` accepts.
+    """Return a smaller text that `shows` accepts.
 
     >>> text = chr(10).join(["a", "f {", "x", "y", "}", "b"])
     >>> reduced(text, lambda shorter: "x" in shorter)
     'x'
 
     Args:
-        text: the program, one statement or declaration in each line.
-        shows: the test; `text` itself passes it.
-        most: how often to ask it at most.
+        text: the program, with one statement or declaration per line.
+        shows: the test, which `text` itself passes.
+        most: the maximum number of tests.
     """
     lines = text.split("\n")
     asked = 0
@@ -44,7 +43,7 @@ def reduced(text: str, shows: Shows, most: int = 500) -> str:
 
 
 def _end(lines: list[str], start: int, size: int) -> int:
-    """Gives where about `size` lines from `start` end, with as many braces closed as opened."""
+    """Return the end of about `size` lines from `start` with balanced braces."""
     depth = 0
     for place in range(start, len(lines)):
         opened, closed = lines[place].count("{"), lines[place].count("}")
@@ -57,7 +56,7 @@ def _end(lines: list[str], start: int, size: int) -> int:
 
 
 def _without_braces(lines: list[str], shows: Shows) -> str:
-    """Leaves out lines with a brace that stays open, together with the line that closes it."""
+    """Remove lines that open a brace together with the lines that close it."""
     start = 0
     while start < len(lines):
         end = _end(lines, start, 1)

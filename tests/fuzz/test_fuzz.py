@@ -1,4 +1,4 @@
-"""The generator of random programs and the reducer; `make fuzz` does the comparing."""
+"""The generator of random programs and the reducer; `make fuzz` compares the programs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STORED = Path(__file__).parent / "stored"
 SEEDS = range(1, 11)
 
 
-def test_a_seed_makes_the_same_program_again() -> None:
+def test_a_seed_determines_the_program() -> None:
     assert generate(7) == generate(7) != generate(8)
 
 
@@ -25,7 +25,7 @@ def test_programs_of_a_few_seeds_use_every_topic() -> None:
     assert all(f"static void {topic}_" in text for topic in TOPICS)
 
 
-def test_a_difference_is_told_by_way_and_line() -> None:
+def test_difference_names_the_build_and_the_line() -> None:
     wanted = Result(b"1\n2\n", "exit 0")
     same, other = Result(b"1\n2\n", "exit 0"), Result(b"1\n3\n", "exit 0")
     assert difference(wanted, {"checked": same}) is None
@@ -35,15 +35,14 @@ def test_a_difference_is_told_by_way_and_line() -> None:
     assert difference(wanted, refused) == "checked: refused, gcc: exit 0"
 
 
-def test_reducing_leaves_what_shows_the_difference() -> None:
+def test_reduction_keeps_the_difference() -> None:
     text = generate(3)
     shorter = reduced(text, lambda each: "int main(void) {" in each and "return 0;" in each)
     assert [line.strip() for line in shorter.split("\n")] == ["int main(void) {", "return 0;", "}"]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
-def test_a_program_does_what_gcc_said(seed: int, tmp_path: Path) -> None:
+def test_results_are_those_of_gcc(seed: int, tmp_path: Path) -> None:
     source = tmp_path / "program.c"
     source.write_text(generate(seed))
     results = our_results(source)
@@ -51,9 +50,8 @@ def test_a_program_does_what_gcc_said(seed: int, tmp_path: Path) -> None:
     assert difference(wanted, results) is None
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
-def test_what_is_stored_is_what_gcc_says(
+def test_stored_results_are_those_of_gcc(
     seed: int, tmp_path: Path, check_gcc_golden: Callable[[Path, bytes], None]
 ) -> None:
     if why_not():

@@ -70,7 +70,7 @@ def log_function() -> Function:
 
 
 def main_function() -> Function:
-    """A function that does a bit of everything."""
+    """Return a function with most kinds of instructions."""
     n, wide, real, pointer, flag = (
         Register(i, kind) for i, kind in enumerate(("i32", "i64", "f64", "i32", "i32"))
     )
@@ -119,7 +119,7 @@ def main_function() -> Function:
 
 
 def jump_function() -> Function:
-    """A function that jumps to itself."""
+    """Return a function with `setjmp` and `longjmp`."""
     buffer, activation, result = (Register(i, "i32") for i in range(3))
     landed = Block("landed")
     jump = SetJump(at(25), buffer, activation, result, landed)
@@ -136,7 +136,7 @@ def jump_function() -> Function:
 
 
 def sample_program() -> Program:
-    """A fresh copy, for a test to spoil."""
+    """Return a new copy, which a test may modify."""
     table = Data("table", 8, 4, at(8, 1), b"\x01\0\0\0Hi!\0", [Relocation(4, "log", 0)])
     zeros = Data("zeros", 400, 8, at(8, 20), tentative=True)
     return Program(

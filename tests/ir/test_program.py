@@ -1,10 +1,8 @@
-"""What holds for programs as data."""
+"""Programs as data."""
 
 import itertools
 import pickle
 import sys
-
-import pytest
 
 from crs_cc.core.source import Location
 from crs_cc.ir.program import Block, Function, Jump, Program, Return
@@ -13,7 +11,6 @@ from crs_cc.ir.text import to_text
 HERE = Location("long.c", 1, 1)
 
 
-@pytest.mark.slow
 def test_a_program_with_a_long_chain_of_blocks_survives_pickling() -> None:
     blocks = [Block(f"b{number}") for number in range(20 * sys.getrecursionlimit())]
     for block, following in itertools.pairwise(blocks):

@@ -9,11 +9,11 @@ from crs_cc.ir.text import to_text
 from tests.ir.sample_program import at, number, sample_program
 
 
-def test_the_sample_prints_as_its_golden_text() -> None:
+def test_text_of_the_sample() -> None:
     assert to_text(sample_program()) == (Path(__file__).parent / "sample.ir").read_text()
 
 
-def test_registers_and_slots_of_variables_carry_their_names() -> None:
+def test_registers_and_slots_have_variable_names() -> None:
     speed = Register(3, "i32", Variable("speed", None, at(1)))  # type: ignore[arg-type]
     entry = Block("entry", [Move(at(2), speed, number(-100))])
     first, second = Slot("i", 4, 4), Slot("i", 4, 4)

@@ -1,4 +1,4 @@
-"""Each rule of the IR's form: a valid program passes, and one with the rule broken is refused."""
+"""The verifier accepts a valid program, and rejects one that violates a rule, for each rule."""
 
 from __future__ import annotations
 
@@ -56,12 +56,12 @@ def register(program: Program, index: int) -> Register:
 
 
 def adds(make: Callable[[Program], Instruction]) -> Spoil:
-    """Spoils the program by one more instruction in the entry of main."""
+    """Append an instruction to the entry block of main."""
     return lambda program: main(program).blocks[0].instructions.append(make(program))
 
 
 def ends(make: Callable[[Program], Instruction]) -> Spoil:
-    """Spoils the program by another last block of main, reached from the switch."""
+    """Append a block with this terminator to main, reachable from the switch."""
 
     def spoil(program: Program) -> None:
         last = main(program).blocks[-1]
@@ -78,7 +78,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
     # names and data
     "filed under another name": (
         lambda p: p.functions.update(other=p.functions.pop("log")),
-        "'log': is filed under the name 'other'",
+        "'log': is stored under the name 'other'",
     ),
     "function and object": (
         lambda p: p.data.update(main=Data("main", 4, 4, HERE)),
@@ -102,11 +102,11 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "relocation outside": (
         lambda p: p.data["table"].relocations.append(Relocation(5, "log")),
-        "object 'table': relocation at 5 lies outside its 8 bytes",
+        "object 'table': relocation at 5 is outside its 8 bytes",
     ),
     "relocation to nothing": (
         lambda p: p.data["table"].relocations.append(Relocation(0, "nobody")),
-        "object 'table': relocation names 'nobody', which is unknown",
+        "object 'table': relocation names 'nobody', which is undefined",
     ),
     # functions
     "no entry": (lambda p: main(p).blocks.clear(), "'main': has no entry block"),
@@ -116,7 +116,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "unreachable block": (
         lambda p: main(p).blocks.append(Block("lost", [], Return(HERE, None))),
-        "'main': block 'lost' cannot be reached",
+        "'main': block 'lost' is unreachable",
     ),
     "register number twice": (
         lambda p: main(p).registers.append(Register(0, "f32")),
@@ -128,7 +128,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "struct parameter in a register": (
         lambda p: main(p).parameters.append(Parameter(register(p, 0), None, 8)),
-        "'main': parameter 1 is a struct, but lies in a register",
+        "'main': parameter 1 is a struct, but is in a register",
     ),
     "parameter size": (
         lambda p: main(p).parameters.append(Parameter(register(p, 0), "i32", 8)),
@@ -140,7 +140,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "parameter register of another": (
         lambda p: main(p).parameters.append(Parameter(STRANGER, "i32", 4)),
-        "'main': parameter 1 lies in a register of another function",
+        "'main': parameter 1 is in a register of another function",
     ),
     "parameter slot too big": (
         lambda p: main(p).parameters.append(Parameter(Slot("x", 8, 4), "i32", 4)),
@@ -148,7 +148,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "parameter slot listed": (
         lambda p: main(p).slots.append(main(p).parameters[0].place),  # type: ignore[arg-type]
-        "'main': parameter 0 lies in slot 'point', which is listed as a local too",
+        "'main': parameter 0 is in slot 'point', which is also listed as a local",
     ),
     # blocks
     "no terminator": (
@@ -157,15 +157,15 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "no real terminator": (
         ends(lambda p: Statement(HERE)),
-        "'main', block 'bad': ends with Statement, which is no terminator",
+        "'main', block 'bad': ends with Statement, which is not a terminator",
     ),
     "terminator in the middle": (
         adds(lambda p: Return(HERE, number(0))),
-        "'main', block 'entry': Return stands in the middle of the block",
+        "'main', block 'entry': Return is in the middle of the block",
     ),
     "target of another function": (
         ends(lambda p: Jump(HERE, p.functions["log"].blocks[1])),
-        "'main', block 'bad': target 'done' is not in here",
+        "'main', block 'bad': target 'done' is not in this function",
     ),
     "no location": (
         adds(lambda p: Statement(None)),  # type: ignore[arg-type]
@@ -228,15 +228,15 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "beyond the slot": (
         adds(lambda p: Store(HERE, main(p).slots[0], 13, number(0), "i32")),
-        "i32 at 13 lies outside 'buffer' with its 16 bytes",
+        "i32 at 13 is outside 'buffer', which has 16 bytes",
     ),
     "before the slot": (
         adds(lambda p: Store(HERE, main(p).slots[0], -1, number(0), "i8")),
-        "i8 at -1 lies outside 'buffer'",
+        "i8 at -1 is outside 'buffer'",
     ),
     "beyond the object": (
         adds(lambda p: Load(HERE, register(p, 1), "table", 1, "i64")),
-        "i64 at 1 lies outside 'table' with its 8 bytes",
+        "i64 at 1 is outside 'table', which has 8 bytes",
     ),
     "slot of another": (
         adds(lambda p: Address(HERE, register(p, 0), Slot("far", 4, 4), 0)),
@@ -260,7 +260,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
             .blocks[0]
             .instructions.append(Load(HERE, p.functions["log"].registers[0], VARARGS, 0, "i32"))
         ),
-        "i32 at 0 lies outside '...' with its 0 bytes",
+        "i32 at 0 is outside '...', which has 0 bytes",
     ),
     "address type": (
         adds(lambda p: Address(HERE, register(p, 1), "table", 0)),
@@ -285,7 +285,7 @@ CASES: dict[str, tuple[Spoil, str]] = {
     ),
     "case twice": (
         ends(lambda p: Switch(HERE, register(p, 0), [(3, (b := main(p).blocks[1])), (3, b)], b)),
-        "case 3 stands 2 times",
+        "case 3 occurs 2 times",
     ),
     "case out of range": (
         ends(lambda p: Switch(HERE, register(p, 0), [(2**31, main(p).blocks[1])], p_loop(p))),
@@ -360,7 +360,7 @@ def test_an_empty_program_is_accepted() -> None:
 
 
 @pytest.mark.parametrize(("spoil", "message"), CASES.values(), ids=CASES.keys())
-def test_a_broken_rule_is_named_with_its_place(spoil: Spoil, message: str) -> None:
+def test_violations_are_reported_with_their_location(spoil: Spoil, message: str) -> None:
     program = sample_program()
     spoil(program)
     with pytest.raises(InternalError) as refused:
@@ -370,7 +370,7 @@ def test_a_broken_rule_is_named_with_its_place(spoil: Spoil, message: str) -> No
     assert f"malformed IR in {message}" in text or f": {message}" in text
 
 
-def test_every_violation_is_reported_at_once() -> None:
+def test_all_violations_are_reported() -> None:
     program = sample_program()
     program.data["table"].content = b""
     main(program).blocks[0].instructions.append(Move(HERE, register(program, 0), real(1.0)))

@@ -6,9 +6,8 @@ import pytest
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from tests.nclient.drive import drive
 
 OWN_MACROS = """
@@ -35,7 +34,7 @@ int main(void)
 
 def warnings_of(text):
     diagnostics = Diagnostics()
-    compile_text(text, "program.c", Options(system_paths=(HEADERS,)), diagnostics)
+    compile_text(text, "program.c", library_options(), diagnostics)
     return [each.text for each in diagnostics.messages if each.severity == "warning"]
 
 

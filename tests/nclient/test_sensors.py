@@ -33,7 +33,7 @@ def near_wall(distance_in: float) -> str:
 
 def own(folder: Path, robot: str, old: str, new: str) -> str:
     """Writes a definition like a known one, but for something, and gives its path."""
-    text = (Path(world_xml.__file__).parents[1] / "robots" / f"{robot}.xml").read_text()
+    text = (Path(world_xml.__file__).parents[0] / "robots" / f"{robot}.xml").read_text()
     assert old in text
     path = folder / "own.xml"
     path.write_text(text.replace(old, new))

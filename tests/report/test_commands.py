@@ -60,6 +60,12 @@ def test_scout_pr_turns_to_the_right_by_tenths_of_degrees(tenths: int):
     assert math.hypot(done.x_in[-1], done.y_in[-1]) < 0.01
 
 
+def test_scout_pr_rounds_wheel_distances_to_the_nearest_tenth_of_an_inch():
+    done = run(f"scout_pr(0, 100); {STANDING}")  # 11.8597: 12, where the vendor's macro has 11
+    wheels = done.session.environment.world.robots[0].model.drive.wheel_base_m / 0.0254
+    assert done.heading_deg[-1] == pytest.approx(360 - math.degrees(2.4 / wheels), abs=0.01)
+
+
 def test_scout_pr_goes_on_by_tenths_of_inches():
     done = run(f"scout_pr(200, 0); {STANDING}")
     assert done.x_in[-1] == pytest.approx(20.0, abs=0.005)

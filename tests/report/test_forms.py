@@ -9,12 +9,12 @@ import pytest
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.preprocess.options import Dialect, Options
+from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.session.build import build_executable
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from tests.nclient.drive import drive
 
-OPTIONS = Options(system_paths=(HEADERS,))
+OPTIONS = library_options()
 
 VENDORS = '#include "Nclient.h"\nint main(void) { return connect_robot(1) == 0; }\n'
 UNDECLARED = "main() { connect_robot(1); vm(10, 10, 0); return 0; }\n"
@@ -198,9 +198,9 @@ def test_errors_in_a_body_are_reported_at_their_location(tmp_path: Path):
     ("source", "expected"),
     [
         ("st()\nst();\n", "1:5: expected ';' after ')'"),
-        ("st();\n}\nst();\n", "2:1: this '}' closes nothing (the statements before it"),
+        ("st();\n}\nst();\n", "2:1: extraneous closing brace ('}') (there is no matching '{'"),
         ("if (st()) {\n    st();\n",
-         "2:9: unexpected end of the file (to close the '{' at body.c:1:11)"),
+         "2:9: unexpected end of file (to close the '{' at body.c:1:11)"),
         ("if (State[STATE_BUMPER] == 1 {\n    st();\n}\n",
          "1:30: expected ')' before '{' (to close the '(' at body.c:1:4)"),
         ("while (State[STATE BUMPER] != 1) { st(); }", "1:20: expected ']' before 'BUMPER'"),

@@ -11,7 +11,6 @@ from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.robot_api.report import COMMANDS, REPORT_STATE, Command
 from crs_cc.session.library import HEADERS, library
-from tests.robot_api.dialects import section
 
 HEADER = (HEADERS / "crs" / "report.h").read_text()
 DECLARED = re.findall(r'^(int \w+\([^;]*?\))\s+__asm__\("(\w+)"\);', HEADER, re.MULTILINE)
@@ -62,13 +61,6 @@ def test_the_indices_are_those_of_the_header_and_else_of_the_vendors() -> None:
     assert {name for name, value in defined.items() if theirs.get(name) != value} == {
         "NUM_STATE", "STATE_HEAT",
     }  # fmt: skip
-
-
-def test_the_section_is_markdown_that_shows_every_command() -> None:
-    lines = list(section())
-    for command in COMMANDS:
-        assert any(line.startswith(f"| `{command.prototype}` |") for line in lines)
-    assert {line.count("|") for line in lines if line.startswith("|")} == {4, 6}
 
 
 def test_the_header_needs_nothing_of_the_program() -> None:

@@ -38,8 +38,8 @@ class Change:
 CHANGES = (
     Change(12, "SERVER_MACHINE_NAME) {", "SERVER_MACHINE_NAME)) {", "expected ')'"),
     Change(33, "State[STATE BUMPER]", "State[STATE_BUMPER]", "expected ']'"),
-    Change(39, "}", "", "this '}' closes nothing"),
-    Change(42, "}", "", "this '}' closes nothing"),
+    Change(39, "}", "", "extraneous closing brace ('}')"),
+    Change(42, "}", "", "extraneous closing brace ('}')"),
 )
 """All of them."""
 

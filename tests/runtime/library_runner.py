@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.verify import verify
 from crs_cc.requests import FAILED, RETURNED
@@ -15,7 +14,7 @@ from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import link
 from crs_cc.session.host import HOST_CODES, Host, HostRequest
-from crs_cc.session.library import HEADERS, library
+from crs_cc.session.library import library, library_options
 
 FUEL = 1_000_000_000_000
 
@@ -35,7 +34,7 @@ class Outcome:
 
 def build(source: str) -> Executable:
     diagnostics = Diagnostics()
-    unit = compile_text(source, "program.c", Options(system_paths=(HEADERS,)), diagnostics)
+    unit = compile_text(source, "program.c", library_options(), diagnostics)
     verify(unit)
     return make_executable(link([unit], library(), diagnostics), "program.c")
 

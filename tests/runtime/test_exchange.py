@@ -107,7 +107,6 @@ def test_a_program_that_changes_builds_does_the_same(builds: list[Executable]) -
     assert moving.output == b"5.824417\n"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", cases("valid")[::9], ids=name)
 def test_every_kind_of_program_can_change_builds(path: Path) -> None:
     compare(both(path), 53)

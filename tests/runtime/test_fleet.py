@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 
 import numpy as np
-import pytest
 
 from crs_cc.core.source import Location
 from crs_cc.ir.program import (
@@ -119,7 +118,6 @@ def test_restoring_clears_what_was_written_since() -> None:
     assert not fleet.memory(0).any()
 
 
-@pytest.mark.slow
 def test_ten_thousand_robots_can_be_made() -> None:
     fleet = Fleet([counting_program()] * 10_000)
     run(fleet)

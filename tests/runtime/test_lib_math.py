@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import mpmath
-import pytest
 
 from tests.runtime.library_runner import run
 
@@ -185,7 +184,6 @@ def test_float_functions_are_correctly_or_faithfully_rounded() -> None:
     check_floats(60)
 
 
-@pytest.mark.slow
 def test_functions_are_as_accurate_as_documented_at_many_points(
     check_golden: Callable[[Path, bytes], None],
 ) -> None:
@@ -195,6 +193,5 @@ def test_functions_are_as_accurate_as_documented_at_many_points(
     check_golden(MEASURED, "\n".join(["# function\tpromised\tmeasured [ulp]", *rows, ""]).encode())
 
 
-@pytest.mark.slow
 def test_float_functions_are_correctly_or_faithfully_rounded_at_many_points() -> None:
     check_floats(2000)

@@ -8,8 +8,6 @@ import re
 import struct
 from fractions import Fraction
 
-import pytest
-
 from crs_cc.session.library import HEADERS
 from tests.runtime.library_runner import run
 
@@ -158,7 +156,6 @@ def families(suffix: str, kind: str) -> list[str]:
     return [name for name in found if name != "significand"]
 
 
-@pytest.mark.slow
 def test_float_and_long_double_agree_with_double() -> None:
     floats, longs = families("f", "float"), families("l", "long double")
     assert len(floats) == len(longs) == 33

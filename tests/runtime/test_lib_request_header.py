@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import crs_cc.runtime
-from crs_cc.requests import CODES, DATA_SIZE, ERROR_KINDS, MESSAGE, STATE_REPLIES
+from crs_cc.requests import CODES, DATA_SIZE, ERROR_KINDS, MESSAGE, REQUESTS
 
 LIBRARY = Path(crs_cc.runtime.__file__).parent / "lib"
 HEADER = (LIBRARY / "include" / "crs_request.h").read_text()
@@ -59,4 +59,4 @@ def test_state_is_taken_from_replies_that_hold_it() -> None:
     calls = rf"\b(?:{'|'.join(READERS)})\(CRS_(\w+)"
     read = {name for source in sources for name in re.findall(calls, source)}
     assert {"GS", "MV", "WS", "CONF_SN", "CT", "GET_RC"} <= read
-    assert {name for name in read if CODES[name] not in STATE_REPLIES} == set()
+    assert {name for name in read if not REQUESTS[CODES[name]].replies_state} == set()

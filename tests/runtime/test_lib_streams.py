@@ -6,8 +6,6 @@ import pytest
 
 from tests.runtime.library_runner import run
 
-pytestmark = pytest.mark.slow
-
 HEADERS = "#include <assert.h>\n#include <errno.h>\n#include <stdio.h>\n#include <stdlib.h>\n"
 
 

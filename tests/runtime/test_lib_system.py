@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
 from crs_cc.sim.files.world_xml import empty_world
 from tests.runtime.library_runner import run
 from tests.session.programs import Recorded, build
-
-pytestmark = pytest.mark.slow
 
 HEADERS = """
 #include <errno.h>

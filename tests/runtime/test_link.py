@@ -6,19 +6,18 @@ import pytest
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostic, Diagnostics
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.program import Program
 from crs_cc.requests import FAILED
 from crs_cc.runtime.executable import make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import link
-from crs_cc.session.library import HEADERS, library
+from crs_cc.session.library import library, library_options
 
 
 def linked(*sources: str, diagnostics: Diagnostics | None = None) -> Program:
     diagnostics = diagnostics or Diagnostics()
-    options = Options(system_paths=(HEADERS,))
+    options = library_options()
     units = [
         compile_text(source, f"{name}.c", options, diagnostics)
         for name, source in zip("abc", sources, strict=False)

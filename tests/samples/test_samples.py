@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
@@ -25,7 +25,6 @@ from tests.samples import properties
 from tests.samples.driving import ROOT, SAMPLES, WORLDS, Drive
 
 HERE = Path(__file__).parent
-slow = pytest.mark.slow
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +39,6 @@ class Run:
         reads: the files that it reads, from the root of the repository.
         standard: the C that it is written in.
         dialect: whose functions it calls; None for what it looks like.
-        slow: it takes more than a second.
     """
 
     sample: str
@@ -50,7 +48,6 @@ class Run:
     reads: tuple[str, ...] = ()
     standard: str = "gnu17"
     dialect: Dialect | None = None
-    slow: bool = field(default=True, kw_only=True)
 
     @property
     def name(self) -> str:
@@ -95,9 +92,9 @@ class Run:
 
 
 RUNS = [
-    Run("square", "empty", properties.closes_its_square, slow=False),
+    Run("square", "empty", properties.closes_its_square),
     Run("square", "room", properties.closes_its_square),
-    Run("report_table2", "stove", properties.bumps_into_the_stove, dialect="report", slow=False),
+    Run("report_table2", "stove", properties.bumps_into_the_stove, dialect="report"),
     Run("tag_heat", "complex-3r", properties.tags_all_heat),
     Run("clear_aisle", "warehouse", properties.pushes_what_is_in_the_way),
     Run("wander", "room", properties.gets_about),
@@ -143,9 +140,7 @@ RUNS = [
 ]
 
 
-@pytest.mark.parametrize(
-    "run", [pytest.param(run, id=run.name, marks=[slow] if run.slow else []) for run in RUNS]
-)
+@pytest.mark.parametrize("run", [pytest.param(run, id=run.name) for run in RUNS])
 def test_a_sample_does_what_it_shows_and_prints_what_it_printed(
     run: Run, check_golden: Callable[[Path, bytes], None]
 ) -> None:
@@ -157,7 +152,6 @@ def test_a_sample_does_what_it_shows_and_prints_what_it_printed(
     check_golden(HERE / f"{run.name}.out", drive.output)
 
 
-@slow
 @pytest.mark.parametrize("sample", ["count_doors", "potential", "localise", "patrol"])
 def test_a_sample_does_it_with_noisy_sonars_too(sample: str) -> None:
     (run,) = [run for run in RUNS if run.sample == sample]
@@ -207,7 +201,6 @@ def starting_at(world: WorldModel, x_m: float, y_m: float, heading_rad: float) -
     return replace(world, robots=(moved,))
 
 
-@slow
 @pytest.mark.parametrize("start", [(0.5, 4.5, 2.4)])
 @pytest.mark.parametrize("program", ["wander", "follow_wall"])
 def test_a_wandering_robot_gets_about_and_touches_nothing(
@@ -230,6 +223,5 @@ def state_of_a_run(tmp_path: Path, hash_seed: int) -> str:
     return str(json.loads(done.stdout)["state_hash"])
 
 
-@slow
 def test_two_processes_come_to_the_same_state(tmp_path: Path) -> None:
     assert state_of_a_run(tmp_path, 1) == state_of_a_run(tmp_path, 2)

@@ -12,6 +12,8 @@ from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import empty_world
 from tests.session.programs import HALL, build
 
+NAME_MAX = 255  # as limits.h promises programs
+
 
 def test_an_input_is_read_and_its_original_stays_as_it_is() -> None:
     content = b"map"
@@ -42,6 +44,14 @@ def test_an_input_is_read_and_its_original_stays_as_it_is() -> None:
 )
 def test_a_name_that_cannot_be_opened_has_its_error(name: bytes, flags: int, error: int) -> None:
     assert Disk({"a/map": b""}).open(name, flags) == -error
+
+
+def test_a_name_of_the_longest_length_is_a_name() -> None:
+    disk, name = Disk({}), b"%s/%s" % (b"d" * NAME_MAX, b"f" * NAME_MAX)
+    assert disk.write(disk.open(name, CREATE), 0, b"x") == 1
+    assert disk.outputs() == {name: b"x"}
+    assert Disk({"n" * NAME_MAX: b""}).open(b"n" * NAME_MAX, 0) > 0
+    assert disk.open(b"f" * (NAME_MAX + 1), CREATE) == -files.ENAMETOOLONG
 
 
 def test_no_path_escapes_the_disk() -> None:

@@ -12,7 +12,6 @@ from crs_cc.session import library as library_module
 from crs_cc.session.library import SOURCES, CachedLibrary, index_of_sources
 
 
-@pytest.mark.slow
 def test_the_index_is_that_of_the_sources(check_golden: Callable[[Path, bytes], None]) -> None:
     check_golden(SOURCES / "index.txt", index_of_sources().encode())
 

@@ -8,23 +8,38 @@ from pathlib import Path
 import pytest
 
 import crs_cc.runtime
-from crs_cc.requests import REQUESTS, RequestCode
+from crs_cc.requests import MESSAGE, REQUESTS, Request
+from crs_cc.session.device_library import device_headers
 from crs_cc.session.host import HOST_CODES, Host, discard, no_input
-from crs_cc.sim.engine.handlers import HANDLERS
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.files.world_xml import empty_world
 
 INCLUDE = Path(crs_cc.runtime.__file__).parent / "lib" / "include"
 HEADERS = "\n".join(path.read_text() for path in sorted(INCLUDE.rglob("*.h")))
+HEADERS += "\n".join(text for _, text in device_headers())
 
 
-@pytest.mark.parametrize("request_code", REQUESTS.values(), ids=lambda each: each.name)
-def test_every_request_is_answered_and_described(request_code: RequestCode) -> None:
+@pytest.fixture(scope="module")
+def environment() -> Environment:
+    return Environment(empty_world(), seed=0)
+
+
+@pytest.mark.parametrize("row", REQUESTS.values(), ids=lambda each: each.name)
+def test_every_request_is_answered_and_described(row: Request, environment: Environment) -> None:
     host = Host([[]], discard, no_input)
-    answered_by_host = request_code.code in host._serve
-    assert answered_by_host == (request_code.server == "host")
-    assert answered_by_host != (request_code.code in HANDLERS)
-    for argument in (*request_code.arguments, *request_code.results):
-        assert argument.unit, argument.name
-    function = re.search(r"(\w+)\(", request_code.prototype)
+    answered_by_host = row.code in host._serve
+    assert answered_by_host == (row.server == "host")
+    assert answered_by_host != (row.code in environment._data.handlers)
+    assert row.waits == (row.code in environment._data.waits)
+    for fields in (row.arguments, row.results):
+        assert all(field.name.isidentifier() and field.unit for field in fields)
+        assert len({field.name for field in fields}) == len(fields)
+        assert len({field.place for field in fields}) == len(fields)
+        for field in fields:
+            array, number = field.position
+            size = (MESSAGE[array].shape or (0,))[0] if number >= 0 else 0
+            assert -1 <= number < max(size, 1)
+    function = re.search(r"(\w+)\(", row.prototype)
     assert function is not None
     if function[1] != "main":
         declaration = rf"^\w[\w *]*\b{function[1]}\([^;{{]*\);"

@@ -27,7 +27,6 @@ print(run(HALL, [roam, roam], 60, seed=5).session.state_hash())
 """
 
 
-@pytest.mark.slow
 def test_the_same_run_has_the_same_hash_in_another_process(tmp_path: Path) -> None:
     roam = build(tmp_path, ROAM)
     here = run(HALL, [roam, roam], STEPS, seed=5).session.state_hash()
@@ -85,7 +84,6 @@ def test_a_failing_program_stops_its_robot_alone(tmp_path: Path) -> None:
     assert running.commands > 0
 
 
-@pytest.mark.slow
 def test_debug_and_run_density_do_the_same(tmp_path: Path) -> None:
     plain, debug = build(tmp_path, ROAM), build(tmp_path, ROAM, debug=True)
     first, second = run(HALL, [plain, plain], STEPS), run(HALL, [debug, debug], STEPS)

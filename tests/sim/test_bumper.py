@@ -113,9 +113,9 @@ def test_a_hit_is_noted_when_a_switch_goes_down_and_not_while_it_stays():
 @pytest.mark.parametrize(
     ("ring", "message"),
     [
-        ('<ring switches="25"/>', "ring, switches: '25' is not a whole number, 1 to 24"),
-        ('<ring switches="2" bits="1"/>', "bits gives 1 numbers for 2 switches"),
-        ('<ring switches="2" bits="1 24"/>', "bits has 24; the last one is 23"),
+        ('<ring switches="25"/>', "ring, switches: '25' is not an integer from 1 to 24"),
+        ('<ring switches="2" bits="1"/>', "bits: expected 2 numbers, one for each switch, not 1"),
+        ('<ring switches="2" bits="1 24"/>', "bits: 24 is too large (maximum: 23)"),
         ('<ring switches="2" span="-1deg"/>', "span: '-1deg' must be greater than 0"),
     ],
 )

@@ -59,9 +59,9 @@ def test_a_definition_can_be_used_again_and_again():
     [
         (
             ['<object ref="tabel" x="5" y="5"/>'],
-            "3: error: object, ref: there is no definition 'tabel': there are none",
+            "3: error: object, ref: unknown definition 'tabel' (known: none)",
         ),
-        ([LEG, LEG], "4: error: a second definition of 'leg'; the first is in line 3"),
+        ([LEG, LEG], "4: error: duplicate definition 'leg' (first defined in line 3)"),
         (
             [
                 '<define name="a"><object ref="b" x="0" y="0"/></define>',
@@ -82,26 +82,26 @@ def test_a_definition_can_be_used_again_and_again():
                 '<define name="a"><box id="b" x="0" y="0" length="1" width="1"/>',
                 '<box id="b" x="0" y="0" length="1" width="1"/></define>',
             ],
-            "4: error: a second thing with the id 'b'; the first is in line 3",
+            "4: error: duplicate id 'b' (first used in line 3)",
         ),
         (
             [
                 LEG,
                 '<object ref="leg" id="t" x="5" y="5"/><robot id="t.post" x="7" y="5"/>',
             ],
-            "4: error: a second thing with the id 't.post'",
+            "4: error: duplicate id 't.post'",
         ),
         (
             [LEG, f'<object ref="leg" id="{"t" * 60}" x="5" y="5"/>'],
-            f"4: error: the id '{'t' * 60}.post' of a part has more than 64 characters",
+            f"4: error: the id '{'t' * 60}.post' of a part is longer than 64 characters",
         ),
         (
             ['<define name="a"><box x="0" y="0" length="1" width="1" mass="1"/></define>'],
-            "3: error: box, mass: a part of an object has none of its own",
+            "3: error: box, mass: not allowed on a part of an object",
         ),
         (
             [LEG, '<object ref="leg" x="1" y="1"/>'],
-            "2: error: robot 'robot0' stands inside cylinder 'object0.post'",
+            "2: error: robot 'robot0' overlaps cylinder 'object0.post'",
         ),
     ],
 )
@@ -169,14 +169,14 @@ def test_mistakes_in_included_files_name_these(tmp_path: Path):
         '<material name="m" sonar="7"/>',
     )
     assert told(tmp_path, '<include file="f.xml"/>', '<object ref="b" x="5" y="5"/>') == [
-        "f.xml:3: error: material, sonar: '7' must be 0 or more and 1 or less",
+        "f.xml:3: error: material, sonar: '7' must be from 0 to 1",
         "f.xml:2: error: cylinder, radius: '-1' must be greater than 0",
-        "w.xml:4: error: object, ref: there is no definition 'b': there are a",
+        "w.xml:4: error: object, ref: unknown definition 'b' (known: a)",
     ]
     put(tmp_path / "f.xml", "<wal/>")
     first, second = told(tmp_path, '<include file="f.xml"/>')
     assert first == "w.xml:3: error: 'f.xml' cannot be included"
-    assert second.startswith("f.xml:2: error: <wal> is not expected here")
+    assert second.startswith("f.xml:2: error: unexpected element <wal>")
 
 
 def test_files_that_include_each_other_are_refused(tmp_path: Path):
@@ -189,24 +189,24 @@ def test_files_that_include_each_other_are_refused(tmp_path: Path):
     for number in range(99):
         put(tmp_path / f"d{number}.xml")
     assert set(told(tmp_path, '<include file="c.xml"/>')) == {
-        f"c.xml:{line}: error: more than 32 files included" for line in range(33, 101)
+        f"c.xml:{line}: error: more than 32 included files" for line in range(33, 101)
     }
     for number in range(20):
         put(tmp_path / f"e{number}.xml", f'<include file="e{number + 1}.xml"/>')
     assert told(tmp_path, '<include file="e0.xml"/>') == [
-        "e7.xml:2: error: files included by files, more than 8 deep"
+        "e7.xml:2: error: includes are nested more than 8 deep"
     ]
 
 
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("../f.xml", "must be a file (.xml) in the world's folder or below"),
-        ("/etc/f.xml", "must be a file (.xml) in the world's folder or below"),
-        ("link.xml", "is, or lies behind, a link"),
-        ("lib/f.xml", "is, or lies behind, a link"),
-        ("none.xml", "there is no such file"),
-        ("w.xml", "the outermost element is <world>, not <definitions>"),
+        ("../f.xml", "must be a relative path to a file (.xml) in the world's folder or below"),
+        ("/etc/f.xml", "must be a relative path to a file (.xml) in the world's folder or below"),
+        ("link.xml", "symbolic links are not allowed"),
+        ("lib/f.xml", "symbolic links are not allowed"),
+        ("none.xml", "no such file"),
+        ("w.xml", "the root element must be <definitions>, not <world>"),
     ],
 )
 def test_only_files_of_the_worlds_folder_are_included(tmp_path: Path, name: str, reason: str):
@@ -222,5 +222,5 @@ def test_only_files_of_the_worlds_folder_are_included(tmp_path: Path, name: str,
 
 def test_a_world_that_is_no_file_includes_nothing():
     assert messages('<include file="f.xml"/>') == [
-        "w.xml:3: error: include: a world that is no file cannot include any"
+        "w.xml:3: error: include: only allowed in a world that is read from a file"
     ]

@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.devices.vendor_state import CONF_X, MOTOR_STATUS, VEL_RIGHT
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.handlers import HANDLERS, WAITS
 from crs_cc.sim.engine.step import describe_slice
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import empty_world, load_world
@@ -27,7 +26,7 @@ DT = 0.05
 
 
 def test_every_request_of_a_robot_has_a_handler_and_nothing_else_has():
-    assert sorted(HANDLERS) == ROBOT_CODES
+    assert sorted(Environment(empty_world(), 0)._data.handlers) == ROBOT_CODES
 
 
 def test_a_seed_below_0_is_refused():
@@ -115,6 +114,18 @@ def test_mv_commands_each_wheel_in_its_own_mode():
     assert driver.ask("GS")[MOTOR_STATUS] == 0
 
 
+@pytest.mark.parametrize(
+    ("modes", "remembered"),
+    [((1, 0, 0), "MV"), ((0, 2, 0), "MV"), ((2, 2, 0), "MV"), ((0, 3, 0), "MV"), ((4, 5, 0), "PR")],
+)
+def test_mv_is_the_last_command_when_it_moves_an_axis(modes, remembered):
+    driver = Driver.of(open_world())
+    driver.ask("PR", 10, 10)
+    driver.run_s(3)
+    driver.ask("MV", modes[0], 100, modes[1], 100, modes[2], 0)
+    assert driver.state.drive.command[0] == CODES[remembered]
+
+
 @pytest.mark.parametrize("modes", [(6, 0, 0), (0, -1, 0), (0, 0, 8), (1, 2**31 - 1, 0)])
 def test_mv_refuses_unknown_modes_and_changes_nothing(modes):
     driver = Driver.of(open_world())
@@ -170,7 +181,6 @@ def test_wheels_stop_when_no_command_came_for_the_timeout():
     assert describe_slice(steps[25], 0).command == "CONF_TM"
 
 
-@pytest.mark.slow
 def test_any_command_keeps_the_wheels_going():
     driver = Driver.of(open_world())
     driver.ask("CONF_TM", 1)
@@ -318,14 +328,15 @@ def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
 
 
 def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkeypatch):
-    def fail(_state, _equipment, _rows, messages) -> None:
-        messages["result"] = 0
+    def fail(context) -> np.ndarray:
+        return np.zeros(len(context), dtype=np.bool_)
 
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))
     driver.ask("PR", 100, 100)
     messages = np.zeros(2, MESSAGE)
     messages["i"][:, :4] = 1, 1, 0, 20
-    monkeypatch.setitem(WAITS, CODES["WS"], replace(WAITS[CODES["WS"]], finish=fail))
+    waits = driver.environment._data.waits
+    monkeypatch.setitem(waits, CODES["WS"], replace(waits[CODES["WS"]], finish=fail))
     goes_on_s = driver.environment.serve(CODES["WS"], np.arange(2), messages, np.zeros(2))
     assert goes_on_s.tolist() == [math.inf, 0.0]
     assert messages["result"][1] == 0
@@ -471,7 +482,6 @@ def connected() -> Environment:
 
 
 @pytest.mark.parametrize("at", [1, 63])
-@pytest.mark.slow
 def test_from_a_snapshot_everything_happens_again_to_the_bit(at):
     environment = connected()
     play(environment, range(at))
@@ -508,7 +518,6 @@ print(environment.hash())
 """
 
 
-@pytest.mark.slow
 def test_two_processes_get_the_same_state():
     hashes = {
         subprocess.run(
@@ -545,7 +554,6 @@ MESSAGES = st.tuples(
     content=MESSAGES,
     clock_s=st.floats(allow_nan=True),
 )
-@pytest.mark.slow
 def test_no_request_can_break_the_environment(robot, code, content, clock_s):
     driver = nonsense(robot)
     message = np.zeros(1, MESSAGE)
@@ -585,7 +593,7 @@ def test_a_request_of_nobody_is_let_be():
 
 def scout_file(folder, *changes: tuple[str, str]):
     """Writes a robot definition like the Scout's with changes, and gives a world file beside it."""
-    text = (Path(world_xml.__file__).parents[1] / "robots" / "scout.xml").read_text()
+    text = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)

@@ -15,8 +15,6 @@ import pytest
 from crs_cc.sim.engine.environment import Environment
 from tests.sim.driver import Driver, world_of
 
-pytestmark = pytest.mark.slow
-
 SPACING_M = 0.6
 LAST = 130  # cycles
 SURFACE = (
@@ -80,7 +78,7 @@ def test_it_is_a_heap(driven):
     touching = {int(key) for step in driver.steps for key in step.contacts.robot}
     assert len(touching) > 45
     assert len(driver.state.contacts_before) > 40
-    heights_m = driver.environment._equipment.inclines.terrain.height_m(
+    heights_m = driver.environment._data.constants.inclines.terrain.height_m(
         *driver.state.bodies.position_m.T
     )
     assert (heights_m > 0.01).sum() > 5

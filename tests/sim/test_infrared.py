@@ -172,8 +172,8 @@ def test_noise_has_the_spread_of_the_definition(tmp_path):
         ('step="0in"', "step: '0in' must be greater than 0"),
         ('step="1in" half-angle="90deg"', "less than 90deg"),
         ('step="1in" reflectance="2"', "reflectance"),
-        ('step="1in" order="16"', "order names sensor 16"),
-        ('step="1in" history="11"', "history: '11' is not a whole number, 0 to 10"),
+        ('step="1in" order="16"', "order: unknown sensor 16"),
+        ('step="1in" history="11"', "history: '11' is not an integer from 0 to 10"),
     ],
 )
 def test_rings_that_cannot_be_are_refused(tmp_path, bad, message):

@@ -71,7 +71,6 @@ def play(environment: Environment, cycles: range) -> list:
     return seen
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("at", [0, 41])
 def test_from_a_snapshot_all_readings_are_the_same_again(at):
     environment = connected()
@@ -138,7 +137,6 @@ _NONSENSE: list[Environment] = []
 
 @settings(max_examples=200, deadline=None)
 @given(st.sampled_from(SENSOR_CODES), MESSAGES, st.floats(allow_nan=True))
-@pytest.mark.slow
 def test_no_request_can_break_the_instruments(code, content, clock_s):
     if not _NONSENSE:
         _NONSENSE.append(connected())

@@ -90,9 +90,9 @@ def test_rectangles_cover_what_is_dark_once():
     ("attributes", "expected"),
     [
         ('resolution="0"', "map, resolution: '0' must be greater than 0"),
-        ('resolution="5"', "map, resolution: the picture would be too large"),
-        ('resolution="1cm"', "map, image 'plan.png': its dark parts are "),
-        ('resolution="1cm" threshold="0"', "map, threshold: must be greater than 0 and 1 or less"),
+        ('resolution="5"', "map, resolution: the map would be too large"),
+        ('resolution="1cm"', "map, image 'plan.png': the dark pixels form "),
+        ('resolution="1cm" threshold="0"', "map, threshold: must be greater than 0 and at most 1"),
     ],
 )
 def test_what_cannot_be_walls_is_refused(tmp_path: Path, attributes: str, expected: str):
@@ -103,13 +103,13 @@ def test_what_cannot_be_walls_is_refused(tmp_path: Path, attributes: str, expect
 
 def test_pictures_that_cannot_be_read_are_refused(tmp_path: Path):
     assert message(tmp_path, 'resolution="1m"') == (
-        "w.xml:2: error: map, image 'plan.png': there is no such file"
+        "w.xml:2: error: map, image 'plan.png': no such file"
     )
     (tmp_path / "plan.png").write_bytes(b"GIF89a")
     assert message(tmp_path, 'resolution="1m"') == (
-        "w.xml:2: error: map, image 'plan.png': is not a PNG file"
+        "w.xml:2: error: map, image 'plan.png': not a PNG file"
     )
     text = b"""<world version="1"><area length="1" width="1"/><map image="a.png" resolution="1"/>
         <robot x=".5" y=".5"/></world>"""
-    with pytest.raises(WorldError, match="a world that is no file has no pictures"):
+    with pytest.raises(WorldError, match="images need a world that is read from a file"):
         parse_world(text, "w.xml")

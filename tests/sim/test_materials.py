@@ -60,7 +60,7 @@ def test_a_material_may_build_on_one_before_it():
     assert door.material == Material((139, 90, 43), 0.9, 0.25)
     assert (
         complaint(oak, WOOD)
-        == "w.xml:3: error: material, material: there is no material 'wood': there are none"
+        == "w.xml:3: error: material, material: unknown material 'wood' (known: none)"
     )
 
 
@@ -77,7 +77,7 @@ def test_edges_and_robots_have_a_material():
     [
         (
             '<material name="m" sonar="1.5"/>',
-            "material, sonar: '1.5' must be 0 or more and 1 or less",
+            "material, sonar: '1.5' must be from 0 to 1",
         ),
         (
             '<material name="m" infrared="bright"/>',
@@ -85,12 +85,12 @@ def test_edges_and_robots_have_a_material():
         ),
         (
             '<material name="m" colour="#12345"/>',
-            "material, colour: '#12345' is no colour: write #rrggbb, or one of aqua, black",
+            "material, colour: unknown colour '#12345' (use #rrggbb or one of aqua, black",
         ),
-        (f"{WOOD}{WOOD}", "a second material 'wood'; the first is in line 3"),
+        (f"{WOOD}{WOOD}", "duplicate material 'wood' (first defined in line 3)"),
         (
             '<wall x1="5" y1="5" x2="6" y2="5" material="wool"/>',
-            "wall, material: there is no material 'wool': there are none",
+            "wall, material: unknown material 'wool' (known: none)",
         ),
         (
             '<wall x1="5" y1="5" x2="6" y2="5" height="0"/>',

@@ -4,16 +4,17 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.requests import CODES
+from crs_cc.requests import REQUESTS
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.state.timers import CAMERA, COMPASS, GPS, HEAT, INFRARED, LASER, LIGHT, SOUND, TILT
+from crs_cc.sim.model.registry import devices
+from crs_cc.sim.state.timers import CAMERA, COMPASS, HEAT, INFRARED, LASER, LIGHT, SOUND
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
-DEVICES = """<gps/><inclinometer/><camera/><gripper/><arm/><light-sensors/><microphones/><lamp/>
+REGISTERED = "".join(f"<{device.element}/>" for device in devices())
+DEVICES = f"""{REGISTERED}<camera/><gripper/><arm/><light-sensors/><microphones/><lamp/>
     <speaker/><computer-battery"""
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
     <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
@@ -25,8 +26,10 @@ HAS = {
     "infrared": lambda model: model.infrared is not None,
     "compass": lambda model: model.compass is not None,
     "laser": lambda model: model.laser is not None,
-    "gps": lambda model: model.gps is not None,
-    "inclinometer": lambda model: model.inclinometer is not None,
+    **{
+        device.element: lambda model, name=device.name: model.device(name) is not None
+        for device in devices()
+    },
     "camera": lambda model: model.camera is not None,
     "heat": lambda model: model.heat.range_m > 0.0,
     "tag": lambda model: model.heat.tag_range_m > 0.0,
@@ -44,15 +47,17 @@ ASKED = (
     ("infrared", "GET_IR"), ("infrared", "CONF_IR"), ("compass", "GET_CP"),
     ("compass", "CONF_CP", 1), ("laser", "CONF_LS", 51), ("laser", "CONF_SG"), ("laser", "GET_LS"),
     ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
-    ("gps", "GPS"), ("inclinometer", "TILT"), ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
+    ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
+    *((device.element, device.name.upper()) for device in devices()),
     ("heat", "HEAT"), ("heat", "SENSE_HEAT"), ("tag", "TAG"), ("tag", "TAKE_HEAT"),
     ("gripper", "GRIPPER"), ("gripper", "GET_GRIPPER"), ("arm", "ARM"), ("arm", "GET_ARM"),
     ("arm", "HAND"), ("lamp", "LIGHT", 9), ("speaker", "SOUND", 9), ("light-sensors", "GET_LIGHT"),
     ("microphones", "GET_SOUND"),
     *((device, request, number)
       for request in ("PERIOD", "AGE")
-      for device, number in (("gps", GPS), ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
-                             ("infrared", INFRARED), ("compass", COMPASS), ("inclinometer", TILT),
+      for device, number in (*((each.element, each.number) for each in devices()),
+                             ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
+                             ("infrared", INFRARED), ("compass", COMPASS),
                              ("light-sensors", LIGHT), ("microphones", SOUND))),
 )  # fmt: skip
 
@@ -89,7 +94,8 @@ def driver(tmp_path_factory) -> Driver:
 def test_every_request_is_about_a_device_or_about_none():
     asked = {name for _, name, *_ in ASKED}
     assert not asked & OF_ALL
-    assert {CODES[name] for name in asked | OF_ALL} == HANDLERS.keys()
+    robots = {row.name for row in REQUESTS.values() if row.server != "host"}
+    assert asked | OF_ALL == robots
 
 
 def test_every_device_is_there_on_one_robot_and_missing_on_another(driver):

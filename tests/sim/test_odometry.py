@@ -99,7 +99,6 @@ def test_larger_wheels_go_further(tmp_path):
     assert driver.ask("GET_RC")[CONF_X] == 1000
 
 
-@pytest.mark.slow
 def test_umbmark_squares_show_the_wheel_base_and_the_diameters(tmp_path):
     """Squares to the left and to the right end on sides that tell which error it is."""
     ends = {}

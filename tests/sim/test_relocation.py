@@ -57,7 +57,7 @@ def test_sensors_see_at_once_where_it_is() -> None:
         ("crate", Pose(5.6, 5.0), "'crate' cannot be there: 'b' is in its place"),
         ("crate", Pose(4.2, 2.0, 1.0), "'crate' cannot be there: 'screen' is in its place"),
         ("crate", Pose(9.8, 5.0), "'crate' cannot be there: the edge of the world is in its place"),
-        ("screen", Pose(1.0, 1.0), "there is no robot or movable thing 'screen': there are a, b"),
+        ("screen", Pose(1.0, 1.0), r"unknown robot or movable thing 'screen' \(known: a, b"),
     ],
 )  # fmt: skip
 def test_where_something_is_nothing_is_put_and_nothing_changes(name, place, message) -> None:
@@ -125,7 +125,7 @@ def test_things_can_be_taken_away_robots_and_edges_not() -> None:
     for name in ("crate", "screen"):
         driver.environment.take_away(name)
         assert name not in driver.environment.names
-        with pytest.raises(ValueError, match=f"there is no thing '{name}'"):
+        with pytest.raises(ValueError, match=f"unknown thing '{name}'"):
             driver.environment.take_away(name)
     driver.ask(
         "ADD_OBSTACLE",
@@ -134,7 +134,7 @@ def test_things_can_be_taken_away_robots_and_edges_not() -> None:
     )
     driver.environment.take_away("obstacle-0")
     for name in ("a", "edge-north", "obstacle-0"):
-        with pytest.raises(ValueError, match="there is no thing"):
+        with pytest.raises(ValueError, match="unknown thing"):
             driver.environment.take_away(name)
 
 

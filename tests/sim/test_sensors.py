@@ -57,6 +57,20 @@ def test_the_corner_of_a_box_is_heard():
     assert readings[0] == round((2 - SCOUT_RADIUS_M) / INCH)
 
 
+@pytest.mark.parametrize(
+    "thing",
+    [
+        '<box x="18.5m" y="3m" length="1m" width="1m"/>',
+        '<box x="18.5m" y="3m" length="1m" width="1m" mass="2kg"/>',
+        '<polygon points="18m,2.5m 19m,2.5m 18m,4m"/>',
+    ],
+)
+def test_a_sonar_in_the_line_of_a_side_hears_what_lies_ahead(thing):
+    for x_m in (18.0, 18.000001):
+        driver = Driver.of(open_world(f'<robot x="{x_m}m" y="1m"/>{thing}'))
+        assert driver.ask("GET_SN")[SONAR_0 + 4] == 51
+
+
 def test_nothing_within_range_reads_255():
     assert sonars("") == [255] * 16
     assert sonars('<wall x1="264in" y1="-9m" x2="264in" y2="9m" thickness="1in"/>')[0] == 255
@@ -199,7 +213,6 @@ def test_a_circle_comes_back_to_its_start():
     assert min(told[CONF_STEER], 3600 - told[CONF_STEER]) <= 10
 
 
-@pytest.mark.slow
 def test_odometry_and_true_pose_agree_after_a_long_drive():
     rng = np.random.default_rng(3)
     driver = Driver.of(open_world('<robot x="1" y="2" heading="40"/>'))

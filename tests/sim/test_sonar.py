@@ -139,6 +139,24 @@ def test_sonars_that_are_not_in_the_order_tell_255():
         driver.run(1)
 
 
+def test_a_dropped_echo_is_reported_when_the_listening_time_ends():
+    lost = '<degradation robot="robot0" device="sonar" element="0" dropouts="1" onset="1s"/>'
+    driver = Driver.of(open_world(wall_robot() + lost, timestep="1ms"))
+    conf_sn(driver, 25, 0)
+    driver.run_s(1.001)  # the firing at 1.0 s is the first whose echo is dropped
+    listens_s = 2 * driver.environment.world.robots[0].model.sonars[0].range_m / SOUND_MPS
+    echo_s = 2 * 100 * INCH / SOUND_MPS
+    assert echo_s < listens_s - 0.01
+
+    def reading(at_s: float) -> int:
+        driver.run_s(at_s - driver.environment.time_s)
+        return int(driver.ask("GET_SN")[SONAR_0])
+
+    assert reading(1.0 + echo_s + 0.005) == 100
+    assert reading(1.0 + listens_s - 0.002) == 100
+    assert reading(1.0 + listens_s + 0.002) == NO_ECHO
+
+
 def test_an_order_without_sonars_switches_them_off_until_the_next():
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     conf_sn(driver, 15)
@@ -306,7 +324,6 @@ def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int
 ORDERS = st.tuples(st.integers(0, 60), st.lists(st.integers(0, 15), max_size=16))
 
 
-@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(st.lists(st.tuples(st.booleans(), ORDERS, st.integers(-300, 300)), min_size=2, max_size=5))
 def test_asking_changes_nothing_whatever_the_orders(plan):
@@ -500,7 +517,6 @@ def test_a_ping_in_the_air_survives_a_snapshot():
     assert driver.environment.hash() == other.hash()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "changes",
     [

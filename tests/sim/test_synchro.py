@@ -54,7 +54,6 @@ def test_the_turret_turns_by_itself_and_the_base_never():
     assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [900, 3150]
 
 
-@pytest.mark.slow
 def test_translation_and_steering_at_once_run_a_circle():
     driver = nomad()
     driver.ask("VM", 100, 300, 0)
@@ -165,7 +164,6 @@ def test_zr_turns_steering_and_turret_back_the_shorter_way_and_then_zeroes():
     assert driver.ask("GET_RV")[VEL_LEFT] == 0
 
 
-@pytest.mark.slow
 def test_zr_gives_up_after_two_minutes():
     driver = nomad()
     driver.ask("DA", 123, 45)

@@ -68,7 +68,6 @@ def test_a_robot_that_turns_on_the_spot_at_a_wall_turns():
     assert driver.state.heading_rad[0] > 1
 
 
-@pytest.mark.slow
 def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
     driver = Driver.of(world_of('<robot x="2m" y="5m"/><robot x="3m" y="5m" heading="90"/>'))
     driver.ask("PR", 600, 600)
@@ -86,7 +85,6 @@ def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
     assert told[MOTOR_STATUS] == 0
 
 
-@pytest.mark.slow
 def test_a_wait_for_a_move_that_is_held_up_ends_by_its_timeout():
     driver = Driver.of(world_of(ONE))
     driver.ask("PR", 600, 600)
@@ -94,6 +92,40 @@ def test_a_wait_for_a_move_that_is_held_up_ends_by_its_timeout():
     ended = [float(step.at_s[0]) for step in driver.run_s(15) if len(step.at_s)]
     assert ended == [pytest.approx(12)]
     assert driver.ask("GS")[MOTOR_STATUS] == 3
+
+
+@pytest.mark.parametrize("mass_kg", [5, 14])
+def test_a_move_that_pushes_a_heavy_box_arrives(mass_kg):
+    box = f'<box x="3m" y="5m" length="40cm" width="40cm" mass="{mass_kg}kg"/>'
+    driver = Driver.of(world_of(box + '<robot x="2m" y="5m"/>'))
+    driver.ask("PR", 400, 400)
+    driver.post("WS", 1, 1, 0, 200)
+    ended = [float(step.at_s[0]) for step in driver.run_s(6.5) if len(step.at_s)]
+    assert ended == [pytest.approx(5.3, abs=0.8)]  # 4.5 s with nothing in the way
+    assert driver.state.x_m[0] == pytest.approx(2 + 40 * INCH, abs=0.001)
+    told = driver.ask("GS")
+    assert told[CONF_X] == pytest.approx(400, abs=1)
+    assert told[[VEL_RIGHT, MOTOR_STATUS]].tolist() == [0, 0]
+
+
+def test_a_move_that_pushes_a_box_arrives_whatever_the_timestep():
+    box = '<box x="3m" y="5m" length="40cm" width="40cm" mass="12kg"/><robot x="2m" y="5m"/>'
+    for timestep in ("20ms", "100ms"):
+        driver = Driver.of(world_of(box, timestep=timestep))
+        driver.ask("PR", 400, 400)
+        driver.run_s(7)
+        assert driver.state.x_m[0] == pytest.approx(2 + 40 * INCH, abs=0.002)
+        assert driver.ask("GS")[MOTOR_STATUS] == 0
+
+
+@pytest.mark.parametrize(("inside_m", "status"), [(0.004, 0), (0.008, 3)])
+def test_a_move_that_ends_a_hair_inside_a_wall_is_done(inside_m, status):
+    start_m = 10 - SCOUT_RADIUS_M + inside_m - 30 * INCH
+    driver = Driver.of(world_of(f'<robot x="{start_m}m" y="5m"/>'))
+    driver.ask("PR", 300, 300)
+    driver.run_s(6)
+    assert driver.ask("GS")[[VEL_RIGHT, MOTOR_STATUS]].tolist() == [0, status]
+    assert driver.state.x_m[0] == pytest.approx(10 - SCOUT_RADIUS_M, abs=0.001)
 
 
 @pytest.mark.slow

@@ -1,11 +1,11 @@
 /*
- * NAME.c - drives ahead, and turns away from what is near.
+ * NAME.c - drives ahead, and turns away from obstacles.
  *
  *     crs check NAME.c
  *     crs run NAME.c WORLD.xml --plot run.svg
  *
- * docs/robot-api.md has all functions. Lengths are tenths of an inch and angles tenths of a
- * degree, but for the sonars, which tell inches.
+ * docs/robot-api.md documents all functions. Lengths are in 0.1 inch and angles in 0.1 degree,
+ * but sonar readings are in inches.
  */
 #include <stdio.h>
 #include "Nclient.h"
@@ -13,7 +13,7 @@
 #define NEAR   25               /* inches */
 #define STEPS  400
 
-/* Gives the shortest way to anything ahead or half ahead, in inches. */
+/* Returns the nearest of the three front sonar readings, in inches. */
 static long ahead(void)
 {
     long best = State[STATE_SONAR_0];

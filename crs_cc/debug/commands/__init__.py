@@ -1,1 +1,1 @@
-"""The debugger's commands, in one table, for every screen: terminal, full screen and editor."""
+"""The debugger's commands, for all user interfaces."""

@@ -1,4 +1,4 @@
-"""What stands behind a command's name, taken apart."""
+"""Parsing of command arguments."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 
-MOST: Final = 1_000_000_000
+MAX: Final = 1_000_000_000
 
 _FORMAT: Final = re.compile(r"/(-?\d*)([a-z]*)\s*")
 _LETTERS: Final = "xduotcfsai"
@@ -19,14 +20,14 @@ _OF_ROBOT: Final = re.compile(r"(?:^|\s)(?:robot|thread)\s+(\S+)\s*$")
 
 
 @dataclass(frozen=True, slots=True)
-class Format:
-    """How to show a value: what stands behind the `/` of `print/x` and `x/4xw`.
+class OutputFormat:
+    """An output format: what follows the `/` of `print/x` and `x/4xw`.
 
     Attributes:
         letter: `x` hexadecimal, `d` signed, `u` unsigned, `o` octal, `t` binary, `c` character,
-            `f` floating, `s` string, `a` address; empty for what the type says.
-        count: how many [units], for `x`.
-        size: bytes of a unit, 0 for what the type says.
+            `f` floating, `s` string, `a` address; empty for the default of the type.
+        count: the number of units, for `x`.
+        size: the size of a unit [bytes], 0 for the default of the type.
     """
 
     letter: str = ""
@@ -34,55 +35,55 @@ class Format:
     size: int = 0
 
 
-def take_format(text: str) -> tuple[Format, str]:
-    """Takes `/FMT` off the front of an argument.
+def parse_format(text: str) -> tuple[OutputFormat, str]:
+    """Parse `/FMT` at the start of an argument; return it and the rest.
 
     Raises:
-        DebugError: it is no format.
+        DebugError: it is malformed.
 
-    >>> take_format("/4xw &count")
-    (Format(letter='x', count=4, size=4), '&count')
+    >>> parse_format("/4xw &count")
+    (OutputFormat(letter='x', count=4, size=4), '&count')
     """
     if not text.startswith("/"):
-        return Format(), text
+        return OutputFormat(), text
     found = _FORMAT.match(text)
     assert found
     digits, letters = found[1], found[2]
     sizes = [each for each in letters if each in _SIZES]
     shapes = [each for each in letters if each in _LETTERS]
     if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
-        raise DebugError(f"'/{digits}{letters}' is no format: try \"help x\"")
+        raise DebugError(f"'/{digits}{letters}' is not a format: try \"help x\"")
     return (
-        Format("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
+        OutputFormat("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
         text[found.end() :],
     )
 
 
-def take_count(text: str) -> int:
-    """Gives how often to do something: 1 if nothing is said.
+def parse_count(text: str) -> int:
+    """Return a repeat count; the default is 1.
 
     Raises:
-        DebugError: it is no such number.
+        DebugError: it is not a count.
 
-    >>> take_count("3"), take_count("")
+    >>> parse_count("3"), parse_count("")
     (3, 1)
     """
     return _count(text.strip() or "1")
 
 
 def _count(digits: str) -> int:
-    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MOST:
-        raise DebugError(f"'{digits}' is no count: say a number from 1 to {MOST:,}")
+    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MAX:
+        raise DebugError(f"invalid count '{digits}' (expected 1 to {MAX:,})")
     return int(digits)
 
 
-def take_numbers(text: str, newest: int | None = None) -> list[int]:
-    """Gives numbers, and those of ranges, in their order; `$` is the newest one.
+def parse_numbers(text: str, newest: int | None = None) -> list[int]:
+    """Return a list of numbers and ranges, expanded in order; `$` is the newest.
 
     Raises:
-        DebugError: there is something else.
+        DebugError: it is malformed.
 
-    >>> take_numbers("1 4-6")
+    >>> parse_numbers("1 4-6")
     [1, 4, 5, 6]
     """
     numbers: list[int] = []
@@ -92,20 +93,20 @@ def take_numbers(text: str, newest: int | None = None) -> list[int]:
             continue
         found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", word)
         if not found:
-            raise DebugError(f"'{word}' is no number: see \"info breakpoints\"")
+            raise DebugError(f"'{word}' is not a number; see \"info breakpoints\"")
         first, last = int(found[1]), int(found[2] or found[1])
         if not first <= last < first + 1000:
-            raise DebugError(f"'{word}' is no range of numbers")
+            raise DebugError(f"'{word}' is not a range of numbers")
         numbers += range(first, last + 1)
     return numbers
 
 
 @dataclass(frozen=True, slots=True)
-class Where:
-    """Where to stop: what stands behind `break`.
+class BreakpointArguments:
+    """The arguments of `break`.
 
     Attributes:
-        place: the place, or the expression that is watched.
+        place: the location, or the expression to watch.
         robot: the robot's name or number, empty for all of them.
         condition: the condition, empty for none.
     """
@@ -115,30 +116,30 @@ class Where:
     condition: str = ""
 
 
-def take_where(text: str) -> Where:
-    """Gives place, robot and condition.
+def parse_breakpoint_arguments(text: str) -> BreakpointArguments:
+    """Return location, robot and condition.
 
-    >>> take_where("wander.c:12 robot 1 if x > 3")
-    Where(place='wander.c:12', robot='1', condition='x > 3')
+    >>> parse_breakpoint_arguments("wander.c:12 robot 1 if x > 3")
+    BreakpointArguments(place='wander.c:12', robot='1', condition='x > 3')
     """
     condition = ""
     if found := _IF.search(text):
         text, condition = text[: found.start()], found[1].strip()
         if not condition:
-            raise DebugError("'if' needs a condition, a C expression")
+            raise DebugError("'if' needs a C expression")
     robot = ""
     if found := _OF_ROBOT.search(text):
         text, robot = text[: found.start()], found[1]
-    return Where(text.strip(), robot, condition)
+    return BreakpointArguments(text.strip(), robot, condition)
 
 
-def take_robot(text: str, names: Sequence[str]) -> int:
-    """Gives the number of a robot from its name or number.
+def parse_robot(text: str, names: Sequence[str]) -> int:
+    """Return the number of a robot from its name or number.
 
     Raises:
         DebugError: there is no such robot.
 
-    >>> take_robot("left", ["left", "right"]), take_robot("1", ["left", "right"])
+    >>> parse_robot("left", ["left", "right"]), parse_robot("1", ["left", "right"])
     (0, 1)
     """
     text = text.strip()
@@ -146,34 +147,33 @@ def take_robot(text: str, names: Sequence[str]) -> int:
         return names.index(text)
     if text.isascii() and text.isdigit() and len(text) < 9 and int(text) < len(names):
         return int(text)
-    shown = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
-    raise DebugError(f"there is no robot '{text}': there are {shown}")
+    raise DebugError(unknown("robot", text, names))
 
 
-def demand(text: str, what: str) -> str:
-    """Gives an argument that has to be there.
+def require_argument(text: str, what: str) -> str:
+    """Return a required argument.
 
     Raises:
         DebugError: it is empty.
     """
     text = text.strip()
     if not text:
-        raise DebugError(f"what? This command needs {what}")
+        raise DebugError(f"missing argument: {what}")
     return text
 
 
-def demand_none(text: str) -> None:
-    """Makes sure that nothing stands behind a command.
+def reject_arguments(text: str) -> None:
+    """Check that a command has no arguments.
 
     Raises:
-        DebugError: something does.
+        DebugError: it has.
     """
     if text.strip():
-        raise DebugError(f"'{text.strip()}' is too much: this command takes no argument")
+        raise DebugError(f"unexpected argument '{text.strip()}'")
 
 
 def split_arguments(text: str) -> list[str]:
-    r"""Splits at commas outside of parentheses, brackets, strings and characters.
+    r"""Split at commas outside of parentheses, brackets, strings and characters.
 
     >>> split_arguments('"a, b", f(x, y), z')
     ['"a, b"', 'f(x, y)', 'z']

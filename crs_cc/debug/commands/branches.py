@@ -1,65 +1,66 @@
-"""Commands about instants to come back to, and runs that the user has changed."""
+"""Commands for checkpoints and branches."""
 
 from __future__ import annotations
 
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.arguments import demand, demand_none, take_numbers
-from crs_cc.debug.commands.command import Answer, Command, Group
-from crs_cc.debug.commands.stops import position_text
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.arguments import parse_numbers, reject_arguments, require_argument
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.stop_text import position_text
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
     from crs_cc.debug.branches import Checkpoint
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
 
-def _checkpoint(shell: Shell, text: str) -> Answer:
-    made = shell.debugger.checkpoint(text)
+def _checkpoint(context: CommandContext, text: str) -> Answer:
+    made = context.debugger.checkpoint(text)
     yield f"Checkpoint {made.number}: {_shown(made)}"
 
 
-def _restart(shell: Shell, text: str) -> Answer:
-    numbers = take_numbers(demand(text, "a checkpoint's number"))
+def _restart(context: CommandContext, text: str) -> Answer:
+    numbers = parse_numbers(require_argument(text, "a checkpoint's number"))
     if len(numbers) != 1:
-        raise DebugError("say one checkpoint's number")
-    return shell.move(partial(shell.debugger.restart, numbers[0]))
+        raise DebugError("expected the number of one checkpoint")
+    return context.move(partial(context.debugger.restart, numbers[0]))
 
 
-def _info_checkpoints(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    found = shell.debugger.branches.current.checkpoints
+def _info_checkpoints(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    found = context.debugger.branches.current.checkpoints
     for each in found:
         yield f"{each.number:<3} {_shown(each)}"
     if not found:
-        yield "There are no checkpoints."
+        yield "No checkpoints."
 
 
-def _branch(shell: Shell, text: str) -> Answer:
-    name = demand(text, "a name for the branch")
-    shell.debugger.branch(name)
-    yield f"The run goes on as branch '{name}'."
+def _branch(context: CommandContext, text: str) -> Answer:
+    name = require_argument(text, "a branch name")
+    context.debugger.branch(name)
+    yield f"Switched to new branch '{name}'."
 
 
-def _switch(shell: Shell, text: str) -> Answer:
-    return shell.move(partial(shell.debugger.switch, demand(text, "a branch's name")))
+def _switch(context: CommandContext, text: str) -> Answer:
+    return context.move(partial(context.debugger.switch, require_argument(text, "a branch name")))
 
 
-def _compare(shell: Shell, text: str) -> Answer:
-    found = shell.debugger.compare(demand(text, "a branch's name"))
-    timestep = shell.debugger.position.timestep
+def _compare(context: CommandContext, text: str) -> Answer:
+    found = context.debugger.compare(require_argument(text, "a branch name"))
+    timestep = context.debugger.position.timestep
     if not found:
-        yield f"There is no difference at the start of timestep {timestep}."
+        yield f"No differences at the start of timestep {timestep}."
         return
-    yield f"At the start of timestep {timestep}, here and there:"
+    yield f"At the start of timestep {timestep}, this branch | other branch:"
     for each in found:
         yield f"{each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
 
 
-def _info_branches(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    branches = shell.debugger.branches
+def _info_branches(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    branches = context.debugger.branches
     for name in branches.names():
         yield f"{'=>' if name == branches.current.name else '  '} {name}"
 
@@ -71,26 +72,26 @@ def _shown(made: Checkpoint) -> str:
 
 BRANCHES: Final = Group(
     "branches",
-    "Instants to come back to, and runs that go on in different ways.",
+    "Checkpoints, and alternative histories.",
     (
         Command(
-            "checkpoint", "[NAME]", "Keep this instant, to come back to.", _checkpoint,
+            "checkpoint", "[NAME]", "Save the current position to return to.", _checkpoint,
         ),
         Command(
-            "restart", "N", "Go to a checkpoint.", _restart, completes="checkpoint",
+            "restart", "N", "Return to a checkpoint.", _restart, completes="checkpoint",
         ),
         Command("info checkpoints", "", "List the checkpoints.", _info_checkpoints),
         Command(
-            "branch", "NAME", "Let the run go on as another one from here, and keep this one.",
+            "branch", "NAME", "Start a new branch here, and keep the current one.",
             _branch,
-            text="What is changed from here on (variables, the world) belongs to the new branch.",
+            text="Later changes (to variables, to the world) belong to the new branch.",
         ),
         Command(
-            "switch", "NAME", "Go to another branch, to where it was left.", _switch,
+            "switch", "NAME", "Switch to another branch, where it was left.", _switch,
             completes="branch",
         ),
         Command(
-            "compare", "NAME", "Tell how another branch differs from this one.", _compare,
+            "compare", "NAME", "Show how another branch differs from this one.", _compare,
             completes="branch",
         ),
         Command("info branches", "", "List the branches.", _info_branches),

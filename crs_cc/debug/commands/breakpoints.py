@@ -1,4 +1,4 @@
-"""Commands about where to stop: lines, functions, values, and what happens in the world."""
+"""Commands for breakpoints, watchpoints and catchpoints."""
 
 from __future__ import annotations
 
@@ -6,34 +6,29 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.breakpoints import Breakpoint
+from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
-    demand,
+    parse_breakpoint_arguments,
+    parse_count,
+    parse_numbers,
+    parse_robot,
+    require_argument,
     split_arguments,
-    take_count,
-    take_numbers,
-    take_robot,
-    take_where,
 )
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.breakpoint_text import described, name_of
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandInput
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.watch import Kind as Access
+    from crs_cc.debug.commands.context import CommandContext
+    from crs_cc.debug.watch import AccessKind
 
 
-_ACCESSES: Final[dict[Access, str]] = {
-    "change": "when it changes",
-    "write": "when it is written",
-    "read": "when it is read",
-    "access": "when it is read or written",
-}
-
-
-def _robot(shell: Shell, text: str) -> int | None:
-    return take_robot(text, shell.debugger.names) if text else None
+def _robot(context: CommandContext, text: str) -> int | None:
+    return parse_robot(text, context.debugger.names) if text else None
 
 
 def _made(made: Breakpoint) -> Answer:
@@ -43,146 +38,143 @@ def _made(made: Breakpoint) -> Answer:
         yield note
 
 
-def name_of(one: Breakpoint) -> str:
-    """Gives what a breakpoint is called.
-
-    >>> name_of(Breakpoint(3, "watchpoint", "speed", temporary=True))
-    'Temporary watchpoint 3'
-    """
-    return f"{'temporary ' * one.temporary}{one.kind} {one.number}".capitalize()
-
-
-def described(one: Breakpoint) -> str:
-    """Gives where a breakpoint is, in words."""
-    location = one.place.location if one.place else None
-    if one.watch is not None:
-        return f"{one.text}, {_ACCESSES[one.watch.watched.kind]}"
-    if one.place is None:
-        return one.text
-    if location is None:
-        return f"{one.text}, when the robot is asked"
-    return f"{one.place.function} at {location.file}:{location.line}"
-
-
-def _break(shell: Shell, text: str, *, temporary: bool = False) -> Answer:
-    where = take_where(text)
-    made = shell.debugger.add_breakpoint(
-        where.place or _here(shell),
+def _break(context: CommandContext, text: str, *, temporary: bool = False) -> Answer:
+    where = parse_breakpoint_arguments(text)
+    made = context.debugger.stop_points.add_breakpoint(
+        where.place or _here(context),
         condition=where.condition,
         temporary=temporary,
-        robot=_robot(shell, where.robot),
+        robot=_robot(context, where.robot),
     )
     return _made(made)
 
 
-def _here(shell: Shell) -> str:
-    """Gives the line where the user looks."""
-    place = shell.debugger.location()
+def _here(context: CommandContext) -> str:
+    """Return the current line as a location."""
+    place = context.debugger.view.location()
     if place is None:
-        raise DebugError("no program stands at a line here: say where to stop")
+        raise DebugError("no current line: specify a location")
     return f"{place.file}:{place.line}"
 
 
-def _watch(shell: Shell, text: str, *, kind: Access) -> Answer:
-    where = take_where(demand(text, "an expression such as speed or *p"))
-    made = shell.debugger.add_watchpoint(
-        where.place, kind, condition=where.condition, robot=_robot(shell, where.robot)
+def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
+    where = parse_breakpoint_arguments(require_argument(text, "an expression such as speed or *p"))
+    made = context.debugger.stop_points.add_watchpoint(
+        where.place, kind, condition=where.condition, robot=_robot(context, where.robot)
     )
     return _made(made)
 
 
-def _catch(shell: Shell, text: str) -> Answer:
-    where = take_where(demand(text, "what to stop at, such as error or collision"))
-    made = shell.debugger.add_catchpoint(
-        where.place, condition=where.condition, robot=_robot(shell, where.robot)
+def _catch(context: CommandContext, text: str) -> Answer:
+    where = parse_breakpoint_arguments(
+        require_argument(text, "an event, such as exit or collision")
+    )
+    made = context.debugger.stop_points.add_catchpoint(
+        where.place, condition=where.condition, robot=_robot(context, where.robot)
     )
     return _made(made)
 
 
-def _dprintf(shell: Shell, text: str) -> Answer:
-    place, *rest = split_arguments(demand(text, 'PLACE,"FORMAT",EXPRESSION...'))
+def _dprintf(context: CommandContext, text: str) -> Answer:
+    place, *rest = split_arguments(require_argument(text, 'LOCATION,"FORMAT",EXPRESSION...'))
     if not rest:
-        raise DebugError('say what to print behind the place: dprintf PLACE,"FORMAT",...')
-    made = shell.debugger.add_breakpoint(_place(shell, place), log=log_text(rest[0], rest[1:]))
+        raise DebugError('a format is missing: dprintf LOCATION,"FORMAT",...')
+    made = context.debugger.stop_points.add_breakpoint(
+        _place(context, place), log=log_text(rest[0], rest[1:])
+    )
     return _made(made)
 
 
-def _log(shell: Shell, text: str) -> Answer:
-    place, _, message = demand(text, "PLACE TEXT").partition(" ")
-    made = shell.debugger.add_breakpoint(place, log=demand(message, "PLACE TEXT"))
+def _log(context: CommandContext, text: str) -> Answer:
+    place, _, message = require_argument(text, "LOCATION TEXT").partition(" ")
+    made = context.debugger.stop_points.add_breakpoint(
+        place, log=require_argument(message, "LOCATION TEXT")
+    )
     return _made(made)
 
 
-def _place(shell: Shell, text: str) -> str:
-    return text or _here(shell)
+def _place(context: CommandContext, text: str) -> str:
+    return text or _here(context)
 
 
-def _all_or(shell: Shell, text: str) -> list[int]:
-    return _numbers(shell, text) or [each.number for each in shell.debugger.breakpoints]
+def _all_or(context: CommandContext, text: str) -> list[int]:
+    return _numbers(context, text) or [
+        each.number for each in context.debugger.stop_points.breakpoints
+    ]
 
 
-def _numbers(shell: Shell, text: str) -> list[int]:
-    newest = max((each.number for each in shell.debugger.breakpoints), default=None)
-    return take_numbers(text, newest)
+def _numbers(context: CommandContext, text: str) -> list[int]:
+    newest = max((each.number for each in context.debugger.stop_points.breakpoints), default=None)
+    return parse_numbers(text, newest)
 
 
-def _delete(shell: Shell, text: str) -> Answer:
-    for number in _all_or(shell, text):
-        shell.debugger.remove(number)
-        shell.scripts.pop(number, None)
+def _delete(context: CommandContext, text: str) -> Answer:
+    for number in _all_or(context, text):
+        context.debugger.stop_points.remove(number)
+        context.scripts.pop(number, None)
     yield from ()
 
 
-def _enable(shell: Shell, text: str, *, on: bool) -> Answer:
-    for number in _all_or(shell, text):
-        shell.debugger.enable(number, on=on)
+def _enable(context: CommandContext, text: str, *, on: bool) -> Answer:
+    for number in _all_or(context, text):
+        context.debugger.stop_points.enable(number, on=on)
     yield from ()
 
 
-def _condition(shell: Shell, text: str) -> Answer:
-    number, _, condition = demand(text, "a breakpoint's number, and a condition").partition(" ")
-    for each in _numbers(shell, number):
-        shell.debugger.set_condition(each, condition.strip())
+def _condition(context: CommandContext, text: str) -> Answer:
+    number, _, condition = require_argument(
+        text, "a breakpoint's number and a condition"
+    ).partition(" ")
+    for each in _numbers(context, number):
+        context.debugger.stop_points.set_condition(each, condition.strip())
         if not condition.strip():
-            yield f"Breakpoint {each} is unconditional now."
+            yield f"Breakpoint {each} now unconditional."
 
 
-def _ignore(shell: Shell, text: str) -> Answer:
-    number, _, count = demand(text, "a breakpoint's number, and how often").partition(" ")
-    times = 0 if count.strip() == "0" else take_count(demand(count, "how often to ignore it"))
-    for each in _numbers(shell, number):
-        shell.debugger.ignore(each, times)
+def _ignore(context: CommandContext, text: str) -> Answer:
+    number, _, count = require_argument(text, "a breakpoint's number and a count").partition(" ")
+    times = 0 if count.strip() == "0" else parse_count(require_argument(count, "an ignore count"))
+    for each in _numbers(context, number):
+        context.debugger.stop_points.ignore(each, times)
         yield f"Will ignore next {times} crossings of breakpoint {each}."
 
 
-def _commands(shell: Shell, text: str) -> Answer:
-    known = [each.number for each in shell.debugger.breakpoints]
-    numbers = _numbers(shell, text) or known[-1:]
+def _commands(context: CommandContext, text: str) -> Answer:
+    known = [each.number for each in context.debugger.stop_points.breakpoints]
+    numbers = _numbers(context, text) or known[-1:]
     if not numbers:
-        raise DebugError("there is no breakpoint yet")
+        raise DebugError("no breakpoints")
     missing = [each for each in numbers if each not in known]
     if missing:
-        raise DebugError(f"there is no breakpoint {missing[0]}")
-    shell.collect(numbers)
+        raise DebugError(f"no breakpoint {missing[0]}")
+    context.input = CommandInput(numbers)
     shown = ", ".join(map(str, numbers))
-    yield f"Type commands for breakpoint {shown}, one per line, and a line saying just 'end'."
+    yield (
+        f"Type commands for breakpoint {shown}, one per line. End with a line saying just 'end'."
+    )
 
 
-def _info(shell: Shell, text: str) -> Answer:
-    wanted = set(_numbers(shell, text))
-    rows = [each for each in shell.debugger.breakpoints if not wanted or each.number in wanted]
+def _info(context: CommandContext, text: str) -> Answer:
+    wanted = set(_numbers(context, text))
+    rows = [
+        each
+        for each in context.debugger.stop_points.breakpoints
+        if not wanted or each.number in wanted
+    ]
     if not rows:
-        yield "There are no breakpoints." if not wanted else "There is no such breakpoint."
+        yield "No breakpoints." if not wanted else "No such breakpoint."
     for one in rows:
-        yield f"{one.number:<3} {_state(one):11} {described(one)}{_of_robot(shell, one)}"
+        yield f"{one.number:<3} {_state(one):11} {described(one)}{_of_robot(context, one)}"
         if one.condition:
-            yield f"    only if {one.condition}"
+            yield f"    stop only if {one.condition}"
         if one.log:
-            yield f"    logs {one.log}"
+            yield f"    log {one.log}"
         if one.hits or one.ignore:
             times = f"{one.hits} time{'s' * (one.hits != 1)}"
-            yield f"    hit {times}" + (f", ignored {one.ignore} more" if one.ignore else "")
-        yield from (f"        {line}" for line in shell.scripts.get(one.number, ()))
+            yield f"    breakpoint already hit {times}" + (
+                f", ignore next {one.ignore} hits" if one.ignore else ""
+            )
+        yield from (f"        {line}" for line in context.scripts.get(one.number, ()))
 
 
 def _state(one: Breakpoint) -> str:
@@ -190,73 +182,77 @@ def _state(one: Breakpoint) -> str:
     return kind if one.enabled else f"({kind})"
 
 
-def _of_robot(shell: Shell, one: Breakpoint) -> str:
-    names = shell.debugger.names
+def _of_robot(context: CommandContext, one: Breakpoint) -> str:
+    names = context.debugger.names
     return f", {names[one.robot]} only" if one.robot is not None and len(names) > 1 else ""
 
 
 _PLACES: Final = (
-    "PLACE is a line (12), a line of a file (turn.c:12), a function of the program (turn), or one"
-    " of the robot (ws, get_sn): then it stops when the robot is asked. A line without code stands"
-    " for the next one with code. Without a place, the line where the program stands. With"
-    " several robots it stops any of them, unless one is named. CONDITION is a C expression."
+    "LOCATION is a line (12), a line of a file (turn.c:12), a function of the program (turn), or"
+    " one of the robot (ws, get_sn): then it stops when the robot is called. A line without code"
+    " means the next line with code. Default is the current line. With"
+    " several robots it stops any of them unless one is named. CONDITION is a C expression."
 )
 _NUMBERS: Final = (
-    "N is a number, a range such as 2-4, or $ for the newest breakpoint; without one, all."
+    "N is a number, a range such as 2-4, or $ for the newest breakpoint; default is all."
 )
 
 
 def _kinds() -> str:
-    """Gives the kinds of happenings that can be caught, each with its meaning."""
+    """Return the event kinds with their meanings."""
     *first, last = (f"{kind} ({meaning})" for kind, meaning in KINDS.items())
     return f"{', '.join(first)} or {last}"
 
 
 BREAKPOINTS: Final = Group(
     "breakpoints",
-    "Where and when to stop, going forward or backward.",
+    "Where and when to stop, forward or in reverse.",
     (
         Command(
-            "break", "[PLACE] [robot NAME] [if CONDITION]", "Stop at a line or a function.",
+            "break", "[LOCATION] [robot NAME] [if CONDITION]",
+            "Set a breakpoint at a line or a function.",
             _break, ("b", "br"), text=_PLACES, completes="place",
         ),
         Command(
-            "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Stop there once.",
-            partial(_break, temporary=True), ("tb",), text='Places are those of "break".',
+            "tbreak", "[LOCATION] [robot NAME] [if CONDITION]",
+            "Set a breakpoint that is deleted when hit.",
+            partial(_break, temporary=True), ("tb",), text='LOCATION is that of "break".',
             completes="place",
         ),
         Command(
-            "watch", "EXPRESSION [if CONDITION]", "Stop when a value changes.",
+            "watch", "EXPRESSION [if CONDITION]", "Stop when the value of an expression changes.",
             partial(_watch, kind="change"),
-            text="EXPRESSION names an object: a variable, an element, *p. It stops behind the"
-            " statement that changed it, backward before it. A variable of a function is watched"
-            " as long as the function is active.",
+            text="EXPRESSION names an object: a variable, an element, *p. Stops after the"
+            " statement that wrote it (in reverse: before it). A local variable is watched"
+            " until its function returns.",
             completes="expression",
         ),
         Command(
-            "wwatch", "EXPRESSION [if CONDITION]", "Stop when a value is written, changed or not.",
+            "wwatch", "EXPRESSION [if CONDITION]",
+            "Stop when an object is written, changed or not.",
             partial(_watch, kind="write"), completes="expression",
         ),
         Command(
-            "rwatch", "EXPRESSION [if CONDITION]", "Stop when a value is read.",
+            "rwatch", "EXPRESSION [if CONDITION]", "Stop when an object is read.",
             partial(_watch, kind="read"), completes="expression",
         ),
         Command(
-            "awatch", "EXPRESSION [if CONDITION]", "Stop when a value is read or written.",
+            "awatch", "EXPRESSION [if CONDITION]", "Stop when an object is read or written.",
             partial(_watch, kind="access"), completes="expression",
         ),
         Command(
-            "catch", "WHAT [robot NAME]", "Stop when something happens to a program or a robot.",
-            _catch, text=f"WHAT is exit (a program ended) or {_kinds()}.", completes="catch",
+            "catch", "EVENT [robot NAME]", "Stop when an event happens to a program or a robot.",
+            _catch, text=f"EVENT is exit (a program ended) or {_kinds()}.", completes="catch",
         ),
         Command(
-            "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print there, and do not stop.", _dprintf,
-            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; each stands"
-            " for the next expression, whose value is shown as its type says.",
+            "dprintf", 'LOCATION,"FORMAT",EXPRESSION...',
+            "Print a formatted message without stopping.", _dprintf,
+            text="FORMAT is printf's: %d %u %x %o %c %s %f %g %p and %%; each consumes"
+            " the next expression, whose value is shown according to its type.",
             completes="place",
         ),
         Command(
-            "log", "PLACE TEXT", "Print TEXT there, and do not stop.", _log,
+            "log", "LOCATION TEXT", "Print TEXT without stopping.", _log,
             text="Expressions in braces are replaced by their values: log 12 speed is {speed}.",
             completes="place",
         ),
@@ -265,29 +261,29 @@ BREAKPOINTS: Final = Group(
             text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "disable", "[N...]", "Let breakpoints do nothing.", partial(_enable, on=False),
+            "disable", "[N...]", "Disable breakpoints.", partial(_enable, on=False),
             text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "enable", "[N...]", "Let breakpoints stop again.", partial(_enable, on=True),
+            "enable", "[N...]", "Enable breakpoints.", partial(_enable, on=True),
             ("en",), text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "condition", "N [CONDITION]", "Let a breakpoint stop only if a C expression is true.",
-            _condition, text="Without a condition it always stops.", completes="breakpoint",
+            "condition", "N [CONDITION]", "Make a breakpoint conditional on a C expression.",
+            _condition, text="Without CONDITION, make it unconditional.", completes="breakpoint",
         ),
         Command(
-            "ignore", "N COUNT", "Pass a breakpoint so many times.", _ignore,
+            "ignore", "N COUNT", "Ignore the next COUNT hits of a breakpoint.", _ignore,
             completes="breakpoint",
         ),
         Command(
-            "commands", "[N...]", "Let commands be done when a breakpoint is hit.", _commands,
-            text='The commands follow, a line each, up to a line "end". If the first is "silent",'
-            " nothing is said of the stop. Without a number, those of the newest breakpoint.",
+            "commands", "[N...]", "Set commands to execute when a breakpoint is hit.", _commands,
+            text='Commands follow, one per line, ended by a line "end". If the first is "silent",'
+            " the stop is not reported. Default is the newest breakpoint.",
             completes="breakpoint",
         ),
         Command(
-            "info breakpoints", "[N...]", "List the breakpoints, watchpoints and catchpoints.",
+            "info breakpoints", "[N...]", "List breakpoints, watchpoints and catchpoints.",
             _info, ("info b", "info watchpoints"), completes="breakpoint",
         ),
     ),

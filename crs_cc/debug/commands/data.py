@@ -1,223 +1,232 @@
-"""Commands about values: of expressions, of variables, of memory."""
+"""Commands for expressions, variables and memory."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
-    Format,
-    demand,
-    demand_none,
-    take_format,
-    take_numbers,
+    OutputFormat,
+    parse_format,
+    parse_numbers,
+    reject_arguments,
+    require_argument,
 )
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.display import Display
-from crs_cc.debug.commands.formats import LONGEST_TEXT, dump, formatted, quoted
+from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, quoted
 from crs_cc.debug.commands.stack import frame
-from crs_cc.debug.commands.type_text import declared
+from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.types import ArrayType, RecordType, VoidType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.data.variables import Variable
 
-_MOST_STRINGS: Final = 100
+_MAX_STRINGS: Final = 100
 
 
-def _print(shell: Shell, text: str) -> Answer:
-    wanted, expression = take_format(text)
-    value = shell.debugger.evaluate(demand(expression, "an expression"))
+def _print(context: CommandContext, text: str) -> Answer:
+    wanted, expression = parse_format(text)
+    value = context.debugger.evaluate(require_argument(expression, "an expression"))
     shown = formatted(value, wanted)
-    yield shown if isinstance(value.type, VoidType) else f"${shell.keep(value)} = {shown}"
+    yield shown if isinstance(value.type, VoidType) else f"${context.record(value)} = {shown}"
 
 
-def _call(shell: Shell, text: str) -> Answer:
-    value = shell.debugger.evaluate(demand(text, "an expression"))
+def _call(context: CommandContext, text: str) -> Answer:
+    value = context.debugger.evaluate(require_argument(text, "an expression"))
     if value.text != "void":
         yield value.full
 
 
-def _set(shell: Shell, text: str) -> Answer:
-    words = demand(text, "an assignment, such as speed = 3").split(maxsplit=1)
+def _set(context: CommandContext, text: str) -> Answer:
+    words = require_argument(text, "an assignment, such as speed = 3").split(maxsplit=1)
     if words[0] in {"var", "variable"}:
-        text = demand(words[1] if len(words) > 1 else "", "an assignment, such as speed = 3")
+        text = require_argument(
+            words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
+        )
     if "=" not in text:
-        raise DebugError("say what it is to be: set VARIABLE = EXPRESSION")
-    shell.debugger.evaluate(text)
+        raise DebugError("an assignment is missing: set VARIABLE = EXPRESSION")
+    context.debugger.evaluate(text)
     yield from ()
 
 
-def _whatis(shell: Shell, text: str) -> Answer:
-    yield str(shell.debugger.type_of(demand(text, "an expression or a type")))
+def _whatis(context: CommandContext, text: str) -> Answer:
+    yield str(context.debugger.view.type_of(require_argument(text, "an expression or a type")))
 
 
-def _ptype(shell: Shell, text: str) -> Answer:
-    yield from declared(shell.debugger.type_of(demand(text, "an expression or a type")))
+def _ptype(context: CommandContext, text: str) -> Answer:
+    yield from declared(
+        context.debugger.view.type_of(require_argument(text, "an expression or a type"))
+    )
 
 
-def _examine(shell: Shell, text: str) -> Answer:
-    wanted, expression = take_format(text)
+def _examine(context: CommandContext, text: str) -> Answer:
+    wanted, expression = parse_format(text)
     if expression:
-        value = shell.debugger.look_up(expression)
+        value = context.debugger.view.look_up(expression)
         address = _address(value)
-    elif shell.examined is not None:
-        address, known = shell.examined
+    elif context.examined is not None:
+        address, known = context.examined
         wanted = replace(known, count=wanted.count)
     else:
-        raise DebugError("say where to look: x ADDRESS")
+        raise DebugError("an address is missing: x ADDRESS")
     if wanted.letter == "s":
-        yield from _strings(shell, address, wanted)
+        yield from _strings(context, address, wanted)
         return
-    yield from dump(shell.debugger.evaluator(shell.debugger.robot).sight(), address, wanted)
-    shell.examined = address + (wanted.size or 4) * wanted.count, wanted
+    yield from dump(
+        context.debugger.view.evaluator(context.debugger.view.robot).inspector(), address, wanted
+    )
+    context.examined = address + (wanted.size or 4) * wanted.count, wanted
 
 
 def _address(value: Value) -> int:
-    """Gives the address that a value stands for: a pointer's, a number, or that of an object."""
+    """Return the address that a value denotes: a pointer, an integer, or that of an object."""
     if isinstance(value.type, ArrayType | RecordType):
         if value.address is None:
-            raise DebugError("this lies nowhere in memory")
+            raise DebugError("expression has no address")
         return value.address
     if not isinstance(value.number, int):
-        raise DebugError(f"{value.text} is no address")
+        raise DebugError(f"{value.text} is not an address")
     return value.number & 0xFFFF_FFFF
 
 
-def _strings(shell: Shell, address: int, wanted: Format) -> Answer:
-    sight = shell.debugger.evaluator(shell.debugger.robot).sight()
-    for _ in range(min(wanted.count, _MOST_STRINGS)):
-        content = sight.read(address, LONGEST_TEXT + 1)
+def _strings(context: CommandContext, address: int, wanted: OutputFormat) -> Answer:
+    inspector = context.debugger.view.evaluator(context.debugger.view.robot).inspector()
+    for _ in range(min(wanted.count, _MAX_STRINGS)):
+        content = inspector.read(address, MAX_TEXT_LENGTH + 1)
         if not content:
-            raise DebugError(f"there is no memory at {address:#x}")
+            raise DebugError(f"cannot access memory at {address:#x}")
         yield f"{address:#010x}: {quoted(content)}"
-        address += min(len(content.partition(b"\0")[0]), LONGEST_TEXT) + 1
-    shell.examined = address, wanted
+        address += min(len(content.partition(b"\0")[0]), MAX_TEXT_LENGTH) + 1
+    context.examined = address, wanted
 
 
-def _display(shell: Shell, text: str) -> Answer:
+def _display(context: CommandContext, text: str) -> Answer:
     if not text:
-        yield from shell.show_displays()
+        yield from context.show_displays()
         return
-    wanted, expression = take_format(text)
-    display = Display(demand(expression, "an expression"), wanted)
-    shown = display.text(shell.debugger)
-    number = max(shell.displays, default=0) + 1
-    shell.displays[number] = display
+    wanted, expression = parse_format(text)
+    display = Display(require_argument(expression, "an expression"), wanted)
+    shown = display.text(context.debugger)
+    number = max(context.displays, default=0) + 1
+    context.displays[number] = display
     yield f"{number}: {shown}"
 
 
-def _undisplay(shell: Shell, text: str) -> Answer:
-    for number in take_numbers(text) or list(shell.displays):
-        if shell.displays.pop(number, None) is None:
-            raise DebugError(f"there is no display {number}")
+def _undisplay(context: CommandContext, text: str) -> Answer:
+    for number in parse_numbers(text) or list(context.displays):
+        if context.displays.pop(number, None) is None:
+            raise DebugError(f"no display {number}")
     yield from ()
 
 
-def _info_display(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    if not shell.displays:
-        yield "There are no displays."
-    for number, display in shell.displays.items():
+def _info_display(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    if not context.displays:
+        yield "No displays."
+    for number, display in context.displays.items():
         yield f"{number}: {display.expression}"
 
 
 def _variable(each: Variable) -> str:
-    hidden = "  (hidden by another one of that name)" if each.is_hidden else ""
+    hidden = "  (shadowed)" if each.is_hidden else ""
     return f"{each.name} = {each.value.text}{hidden}"
 
 
-def _info_locals(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    here = frame(shell)
-    found = shell.debugger.variables(frame=here.number)
+def _info_locals(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    here = frame(context)
+    found = context.debugger.view.variables(frame=here.number)
     if not found:
-        yield f"{here.function} has no variables here."
+        yield f"No locals in {here.function}."
     yield from map(_variable, found)
 
 
-def _info_args(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    here = frame(shell)
+def _info_args(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    here = frame(context)
     found = [
-        each for each in shell.debugger.variables(frame=here.number) if each.scope == "parameter"
+        each
+        for each in context.debugger.view.variables(frame=here.number)
+        if each.scope == "parameter"
     ]
     if not found:
-        yield f"{here.function} has no arguments."
+        yield f"No arguments in {here.function}."
     yield from map(_variable, found)
 
 
-def _info_globals(shell: Shell, text: str) -> Answer:
-    found = [each for each in shell.debugger.globals_() if text in each.name]
+def _info_globals(context: CommandContext, text: str) -> Answer:
+    found = [each for each in context.debugger.view.globals_() if text in each.name]
     if not found:
-        raise DebugError(f"no global variable has '{text}' in its name")
+        raise DebugError(f"no global variable matches '{text}'")
     yield from map(_variable, found)
 
 
 _FORMATS: Final = (
-    "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character,"
-    " f floating, s string, a address."
+    "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character, f"
+    " floating-point, s string, a address."
 )
 _CHANGES: Final = (
-    "Assignments and calls of functions change the program: from here on the run is another one."
+    "Assignments and function calls change the program and start a new history from here."
 )
 
 DATA: Final = Group(
     "data",
-    "Values of expressions, variables and memory.",
+    "Expressions, variables and memory.",
     (
         Command(
-            "print", "[/FMT] EXPRESSION", "Show the value of a C expression.", _print,
+            "print", "[/FMT] EXPRESSION", "Print the value of a C expression.", _print,
             ("p", "inspect"),
-            text="All operators, casts, macros and calls of the program's own functions. Beyond C:"
-            " a[2..5] and *p@4 are elements in a row, turn::count and 'map.c'::size variables of"
-            " other functions and files, $3 a value that was printed, $ the last one, $name = 7 one"
-            f" to be kept. {_FORMATS} {_CHANGES}",
+            text="All operators, casts, macros and calls of the program's functions. Extensions:"
+            " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
+            " other functions and files, $3 is a printed value, $ the last one, $name = 7 sets"
+            f" a convenience variable. {_FORMATS} {_CHANGES}",
             completes="expression",
         ),
         Command(
-            "call", "EXPRESSION", "Evaluate a C expression, and show its value if it has one.",
+            "call", "EXPRESSION", "Evaluate a C expression, and print its value unless void.",
             _call, text=_CHANGES, completes="expression",
         ),
         Command(
-            "set", "[var] VARIABLE = EXPRESSION", "Change a variable, or memory.", _set,
+            "set", "[var] VARIABLE = EXPRESSION", "Assign to a variable or memory.", _set,
             text=_CHANGES, completes="expression",
         ),
         Command(
-            "display", "[/FMT] [EXPRESSION]", "Show a value now and at every stop.", _display,
-            text=f"Where it means nothing it is left out. {_FORMATS}",
+            "display", "[/FMT] [EXPRESSION]", "Show an expression now and at every stop.", _display,
+            text=f"Omitted where it cannot be evaluated. {_FORMATS}",
             completes="expression",
         ),
         Command(
-            "undisplay", "[N...]", "Show these values no more; without a number, none.",
+            "undisplay", "[N...]", "Delete displays; default is all.",
             _undisplay, completes="display",
         ),
-        Command("info display", "", "List what is shown at every stop.", _info_display),
+        Command("info display", "", "List the displayed expressions.", _info_display),
         Command(
-            "whatis", "EXPRESSION", "Tell the type of an expression.", _whatis,
+            "whatis", "EXPRESSION", "Print the type of an expression.", _whatis,
             completes="expression",
         ),
         Command(
-            "ptype", "EXPRESSION|TYPE", "Tell how a type is declared.", _ptype,
+            "ptype", "EXPRESSION|TYPE", "Print the definition of a type.", _ptype,
             completes="expression",
         ),
         Command(
-            "x", "[/NFU] [ADDRESS]", "Show memory.", _examine,
-            text="N units, in format F, of U: b one byte, h two, w four, g eight. "
-            + _FORMATS + " ?? has no value yet, -- belongs to no object. Without an address, what"
-            " follows.",
+            "x", "[/NFU] [ADDRESS]", "Examine memory.", _examine,
+            text="N units in format F, of size U: b one byte, h two, w four, g eight. "
+            + _FORMATS + " ?? is uninitialised, -- belongs to no object. Without ADDRESS,"
+" continue after the last.",
             repeats="on", completes="expression",
         ),
         Command(
-            "info locals", "", "Show the variables of the function that is looked at.",
+            "info locals", "", "Show the local variables of the selected frame.",
             _info_locals, ("info lo",),
         ),
-        Command("info args", "", "Show its arguments.", _info_args),
+        Command("info args", "", "Show the arguments of the selected frame.", _info_args),
         Command(
-            "info globals", "[TEXT]", "Show the global variables with TEXT in their names.",
+            "info globals", "[TEXT]", "Show the global variables whose names contain TEXT.",
             _info_globals, ("info variables",), completes="expression",
         ),
     ),

@@ -1,11 +1,11 @@
-"""An expression that is shown at every stop."""
+"""Expressions that are shown at every stop."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.commands.formats import formatted
 
 if TYPE_CHECKING:
@@ -14,15 +14,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """An expression, and how to show its value."""
+    """An expression and its output format."""
 
     expression: str
-    format: Format
+    format: OutputFormat
 
     def text(self, debugger: Debugger) -> str:
-        """Gives it as it is now.
+        """Return the expression with its current value.
 
         Raises:
-            DebugError: it means nothing here.
+            DebugError: it is invalid here.
         """
-        return f"{self.expression} = {formatted(debugger.look_up(self.expression), self.format)}"
+        return (
+            f"{self.expression} = {formatted(debugger.view.look_up(self.expression), self.format)}"
+        )

@@ -1,4 +1,4 @@
-"""Values in the form that a letter stands for: `print/x`, `x/4xw`."""
+"""Output formats of values: `print/x`, `x/4xw`."""
 
 from __future__ import annotations
 
@@ -6,29 +6,29 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.memory_inspection import Sight
+    from crs_cc.debug.data.memory_inspection import MemoryInspector
     from crs_cc.debug.data.values import Value
 
 _FLOATS: Final = {4: "<f", 8: "<d"}
-_MOST_PARTS: Final = 200
-LONGEST_TEXT: Final = 200
+_MAX_PARTS: Final = 200
+MAX_TEXT_LENGTH: Final = 200
 _IN_A_LINE: Final = {1: 8, 2: 8, 4: 4, 8: 2}
-_MOST_BYTES: Final = 4096
+_MAX_BYTES: Final = 4096
 
 
-def formatted(value: Value, wanted: Format) -> str:
-    """Gives a value in a form; that of an array or struct for each of its parts.
+def formatted(value: Value, wanted: OutputFormat) -> str:
+    """Return a value in a format; arrays and structs are formatted by parts.
 
-    A number that is not whole stays as it is where the form is one of integers.
+    A non-integral number is shown as it is if the format is for integers.
 
     Raises:
-        DebugError: it has no such form.
+        DebugError: the format does not apply.
     """
     if not wanted.letter:
         return value.full
@@ -36,7 +36,7 @@ def formatted(value: Value, wanted: Format) -> str:
         is_array = isinstance(value.type, ArrayType)
         parts = [
             formatted(part, wanted) if is_array else f"{name} = {formatted(part, wanted)}"
-            for name, part in value.children(0, _MOST_PARTS)
+            for name, part in value.children(0, _MAX_PARTS)
         ]
         rest = ["..."] if value.child_count > len(parts) else []
         return "{" + ", ".join(parts + rest) + "}"
@@ -52,7 +52,7 @@ def formatted(value: Value, wanted: Format) -> str:
 
 
 def _whole(value: Value, letter: str) -> str:
-    """Gives a floating value as an integer, if it is one."""
+    """Return a floating value in an integer format, if it is integral."""
     number = value.number
     if number is None or not abs(number) < 2**63 or number != int(number):
         return value.full
@@ -60,7 +60,7 @@ def _whole(value: Value, letter: str) -> str:
 
 
 def letters(content: bytes, letter: str) -> str:
-    r"""Gives bytes in the form of a letter.
+    r"""Return bytes in the format of a letter.
 
     >>> [letters(b"\xff\0\0\0", letter) for letter in "xduot"]
     ['0xff', '255', '255', '0377', '11111111']
@@ -109,7 +109,7 @@ _LETTERS: Final[dict[str, Callable[[bytes], str]]] = {
 
 
 def text_at(value: Value) -> str:
-    """Gives the string that an array holds, or that a pointer points to.
+    """Return the string in an array, or to which a pointer points.
 
     Raises:
         DebugError: it is neither an array nor a pointer.
@@ -118,21 +118,21 @@ def text_at(value: Value) -> str:
         content = value.content
     elif isinstance(value.type, PointerType):
         assert isinstance(value.number, int)
-        content = value.sight.read(value.number, LONGEST_TEXT)
+        content = value.inspector.read(value.number, MAX_TEXT_LENGTH)
     else:
         raise DebugError("only an array or a pointer can be shown as a string")
     return quoted(content)
 
 
 def quoted(content: bytes) -> str:
-    r"""Gives the string that begins some bytes, as C writes it.
+    r"""Return the string at the start of some bytes, as a C literal.
 
     >>> print(quoted(b'a "b"\n\0c'))
     "a \"b\"\n"
     """
     text, end, _ = content.partition(b"\0")
-    shown = "".join(_QUOTED.get(each, chr(each)) for each in text[:LONGEST_TEXT])
-    return f'"{shown}"' + ("" if end and len(text) <= LONGEST_TEXT else "...")
+    shown = "".join(_QUOTED.get(each, chr(each)) for each in text[:MAX_TEXT_LENGTH])
+    return f'"{shown}"' + ("" if end and len(text) <= MAX_TEXT_LENGTH else "...")
 
 
 _QUOTED: Final = {
@@ -145,33 +145,33 @@ _QUOTED: Final = {
 }
 
 
-def dump(sight: Sight, address: int, wanted: Format) -> Iterator[str]:
-    """Gives memory in lines: the address, and the units from there on.
+def dump(inspector: MemoryInspector, address: int, wanted: OutputFormat) -> Iterator[str]:
+    """Return a memory dump: lines of an address and units.
 
-    A unit with bytes that nobody has set is `??`, one with bytes that belong to no object `--`.
+    A unit with uninitialised bytes is `??`, one with inaccessible bytes `--`.
 
     Args:
-        sight: what looks at the program.
-        address: where to begin.
-        wanted: the form, the number of units, and their size.
+        inspector: the inspector of the program.
+        address: the start.
+        wanted: the format, the number of units, and their size.
 
     Raises:
-        DebugError: there is no such memory.
+        DebugError: the memory does not exist.
     """
     size, end = wanted.size or 4, address + (wanted.size or 4) * wanted.count
-    if end - address > _MOST_BYTES:
-        raise DebugError(f"at most {_MOST_BYTES} bytes are shown at once")
+    if end - address > _MAX_BYTES:
+        raise DebugError(f"at most {_MAX_BYTES} bytes can be shown at once")
     a_line = size * _IN_A_LINE[size]
     for start in range(address, end, a_line):
-        content = sight.read(start, min(a_line, end - start))
+        content = inspector.read(start, min(a_line, end - start))
         whole = [
-            _unit(content[at : at + size], sight.states(start + at, size), wanted.letter or "x")
+            _unit(content[at : at + size], inspector.states(start + at, size), wanted.letter or "x")
             for at in range(0, len(content) - size + 1, size)
         ]
         if whole:
             yield f"{start:#010x}: " + "  ".join(whole)
         if len(whole) * size < min(a_line, end - start):
-            raise DebugError(f"there is no memory at {start + len(whole) * size:#x}")
+            raise DebugError(f"cannot access memory at {start + len(whole) * size:#x}")
 
 
 def _unit(content: bytes, states: bytes, letter: str) -> str:

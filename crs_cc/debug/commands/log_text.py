@@ -1,4 +1,4 @@
-r"""From printf's words to those of log points: `"x is %d\n", x` becomes `x is {x}`."""
+r"""Conversion of printf formats to log messages: `"x is %d\n", x` becomes `x is {x}`."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ _ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
 
 def log_text(literal: str, expressions: Sequence[str]) -> str:
-    r"""Gives the text of a log point with the expressions in braces.
+    r"""Return the message of a log point with the expressions in braces.
 
     Raises:
-        DebugError: the format is no string, or there are too few or too many expressions.
+        DebugError: the format is not a string, or the number of expressions is wrong.
 
     >>> log_text(r'"%d of %s\n"', ["left + 1", "name"])
     '{left + 1} of {name}'
     """
     if not re.fullmatch(r'"(?:[^"\\]|\\.)*"', literal):
-        raise DebugError(f"{literal} is no format: it has to be a string in double quotes")
+        raise DebugError(f"{literal} is not a format string in double quotes")
     text = re.sub(r"\\(.)", lambda found: _ESCAPES.get(found[1], found[0]), literal[1:-1])
     left = list(expressions)
 
@@ -32,10 +32,10 @@ def log_text(literal: str, expressions: Sequence[str]) -> str:
         if not found[1]:
             return "%"
         if not left:
-            raise DebugError("the format asks for more expressions than there are")
+            raise DebugError("not enough arguments for the format")
         return f"{{{left.pop(0)}}}"
 
     made = _CONVERSION.sub(value, text.removesuffix("\n"))
     if left:
-        raise DebugError(f"the format does not ask for {', '.join(left)}")
+        raise DebugError(f"too many arguments for the format: {', '.join(left)}")
     return made

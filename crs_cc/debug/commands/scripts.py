@@ -1,4 +1,4 @@
-"""Commands from files, and into files."""
+"""Commands for script files."""
 
 from __future__ import annotations
 
@@ -9,82 +9,85 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.file_names import from_text
-from crs_cc.debug.commands.arguments import demand
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.arguments import require_argument
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
     from crs_cc.debug.breakpoints import Breakpoint
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
-LARGEST_SCRIPT: Final = 1 << 20
-_DEEPEST: Final = 16
+MAX_SCRIPT_BYTES: Final = 1 << 20
+_MAX_DEPTH: Final = 16
 _HEAD: Final = "# breakpoints of crs debug"
 _ENDING: Final = ".dbg"
 _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "access": "awatch"}
 
 
 def read_script(path: Path) -> list[str]:
-    """Gives the lines of a file of commands.
+    """Return the lines of a script.
 
     Raises:
-        DebugError: it cannot be read, or is no text.
+        DebugError: it cannot be read, or is not text.
     """
     try:
-        with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
+        with os.fdopen(
+            os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb"
+        ) as file:  # do not block on a pipe
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise DebugError(f"'{path}' is no file of commands")
-            content = file.read(LARGEST_SCRIPT + 1)
-        if len(content) > LARGEST_SCRIPT:
-            raise DebugError(f"'{path}' is larger than {LARGEST_SCRIPT >> 20} MiB")
+                raise DebugError(f"'{path}' is not a regular file")
+            content = file.read(MAX_SCRIPT_BYTES + 1)
+        if len(content) > MAX_SCRIPT_BYTES:
+            raise DebugError(f"'{path}' is larger than {MAX_SCRIPT_BYTES >> 20} MiB")
         return content.decode().splitlines()
     except OSError as error:
         raise DebugError(f"'{path}' cannot be read: {error.strerror}") from None
     except ValueError:
-        raise DebugError(f"'{path}' is no text") from None
+        raise DebugError(f"'{path}' is not a text file") from None
 
 
-def _source(shell: Shell, text: str) -> Answer:
-    if shell.depth >= _DEEPEST:
-        raise DebugError(f"scripts read each other {_DEEPEST} times: that has no end")
-    lines = read_script(Path(from_text(demand(text, "a file of commands"))))
-    shell.depth += 1
-    before = shell.debugger.stop
+def _source(context: CommandContext, text: str) -> Answer:
+    if context.depth >= _MAX_DEPTH:
+        raise DebugError(f"scripts are nested more than {_MAX_DEPTH} deep")
+    lines = read_script(Path(from_text(require_argument(text, "a script file"))))
+    context.depth += 1
+    before = context.debugger.stop
     try:
         for line in lines:
-            if shell.has_ended:
+            if context.has_ended:
                 return
-            yield from shell.execute(line or "#")
-            stop = shell.debugger.stop
+            yield from context.execute(line or "#")
+            stop = context.debugger.stop
             if stop is not before and stop.reason == "interrupt":
-                raise DebugError("the script is left where it was interrupted")
+                raise DebugError("script interrupted")
     finally:
-        shell.depth -= 1
+        context.depth -= 1
 
 
-def _save_breakpoints(shell: Shell, text: str) -> Answer:
-    path = Path(from_text(demand(text, "a file")))
-    breakpoints = list(shell.debugger.breakpoints)
-    lines = [_HEAD, *(line for each in breakpoints for line in _written(shell, each))]
+def _save_breakpoints(context: CommandContext, text: str) -> Answer:
+    path = Path(from_text(require_argument(text, "a file")))
+    breakpoints = list(context.debugger.stop_points.breakpoints)
+    lines = [_HEAD, *(line for each in breakpoints for line in _written(context, each))]
     _write(path, "\n".join(lines) + "\n")
     yield f"Saved to '{path}': {len(breakpoints)} breakpoint{'s' * (len(breakpoints) != 1)}."
 
 
-def _written(shell: Shell, one: Breakpoint) -> Iterator[str]:
-    """Gives the commands that make a breakpoint again."""
-    yield _command(shell, one)
+def _written(context: CommandContext, one: Breakpoint) -> Iterator[str]:
+    """Return the commands that recreate a breakpoint."""
+    yield _command(context, one)
     if one.condition:
         yield f"condition $ {one.condition}"
     if one.ignore:
         yield f"ignore $ {one.ignore}"
     if not one.enabled:
         yield "disable $"
-    if commands := shell.scripts.get(one.number):
+    if commands := context.scripts.get(one.number):
         yield from ("commands", *(f"  {each}" for each in commands), "end")
 
 
-def _command(shell: Shell, one: Breakpoint) -> str:
-    robot = f" robot {shell.debugger.names[one.robot]}" if one.robot is not None else ""
+def _command(context: CommandContext, one: Breakpoint) -> str:
+    robot = f" robot {context.debugger.names[one.robot]}" if one.robot is not None else ""
     if one.log:
         return f"log {one.text} {one.log}"
     if one.watch is not None:
@@ -94,20 +97,20 @@ def _command(shell: Shell, one: Breakpoint) -> str:
 
 
 def _write(path: Path, content: str) -> None:
-    """Writes a file of breakpoints, over nothing but such a file.
+    """Write a file of breakpoints; overwrite only such files.
 
-    A script may ask for it that came with somebody else's program, so no other file is at risk.
+    Scripts come with other people's programs, so no other file may be at risk.
     """
     if path.suffix != _ENDING:
-        raise DebugError(f"breakpoints are saved to a file whose name ends with {_ENDING}")
+        raise DebugError(f"the name of a file of breakpoints must end with {_ENDING}")
     flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK
     try:
         with os.fdopen(os.open(path, flags, 0o666), "r+b") as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise DebugError(f"'{path}' is no file")
+                raise DebugError(f"'{path}' is not a regular file")
             head = file.read(len(_HEAD))
             if head and head != _HEAD.encode():
-                raise DebugError(f"'{path}' holds something else than saved breakpoints: kept")
+                raise DebugError(f"'{path}' is not a file of saved breakpoints: not overwritten")
             file.seek(0)
             file.truncate()
             file.write(content.encode("utf-8", "surrogateescape"))
@@ -115,24 +118,24 @@ def _write(path: Path, content: str) -> None:
         raise DebugError(f"'{path}' cannot be written: {error.strerror}") from None
 
 
-def _echo(_shell: Shell, text: str) -> Answer:
+def _echo(_context: CommandContext, text: str) -> Answer:
     yield text
 
 
 SCRIPTS: Final = Group(
     "scripts",
-    "Commands from files.",
+    "Scripts of commands.",
     (
         Command(
-            "source", "FILE", "Do the commands in a file.", _source,
-            text="A command that fails does not keep the next ones from being done.",
+            "source", "FILE", "Execute the commands in a file.", _source,
+            text="Execution continues after a command that fails.",
             completes="file",
         ),
         Command(
-            "save breakpoints", "FILE.dbg", "Write the breakpoints to a file for source.",
-            _save_breakpoints, text="No file is overwritten but one with saved breakpoints.",
+            "save breakpoints", "FILE.dbg", 'Save the breakpoints as a script for "source".',
+            _save_breakpoints, text="Only files of saved breakpoints are overwritten.",
             completes="file",
         ),
-        Command("echo", "TEXT", "Show a text."  , _echo),
+        Command("echo", "TEXT", "Print a text.", _echo),
     ),
 )  # fmt: skip

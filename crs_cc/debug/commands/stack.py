@@ -1,4 +1,4 @@
-"""Commands about where programs stand: active functions, and lines of C."""
+"""Commands for stack frames and source."""
 
 from __future__ import annotations
 
@@ -6,158 +6,163 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.source import Location
-from crs_cc.debug.commands.arguments import demand, demand_none, take_count
-from crs_cc.debug.commands.command import Answer, Command, Group, SourceLine
-from crs_cc.debug.commands.listing import Listing
-from crs_cc.debug.commands.stops import frame_text
+from crs_cc.debug.commands.answer import Answer, SourceLine
+from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import Listing
+from crs_cc.debug.commands.stop_text import frame_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.locations import find_place, is_file
+from crs_cc.debug.locations import find_location, is_file
 from crs_cc.ir.names import in_library, plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.view import Frame
+    from crs_cc.debug.commands.context import CommandContext
+    from crs_cc.debug.view import BacktraceFrame
 
 _LINES: Final = 10
-_MOST_FRAMES: Final = 100
-_MOST_FUNCTIONS: Final = 200
+_MAX_FRAMES: Final = 100
+_MAX_FUNCTIONS: Final = 200
 
 
-def frames(shell: Shell) -> list[Frame]:
-    """Gives the active functions of the robot that the user looks at.
+def frames(context: CommandContext) -> list[BacktraceFrame]:
+    """Return the stack frames of the selected robot.
 
     Raises:
         DebugError: there are none.
     """
-    found = shell.debugger.frames()
+    found = context.debugger.view.frames()
     if not found:
-        name = shell.debugger.names[shell.debugger.robot]
-        raise DebugError(f"no function of {name}'s program is active: it has not begun, or ended")
+        name = context.debugger.names[context.debugger.view.robot]
+        raise DebugError(f"no frames: {name}'s program has not started or has ended")
     return found
 
 
-def frame(shell: Shell) -> Frame:
-    """Gives the active function that the user looks at.
+def frame(context: CommandContext) -> BacktraceFrame:
+    """Return the selected frame.
 
     Raises:
         DebugError: there is none.
     """
-    found = frames(shell)
-    return next((each for each in found if each.number == shell.debugger.frame), found[0])
+    found = frames(context)
+    return next((each for each in found if each.number == context.debugger.view.frame), found[0])
 
 
-def _backtrace(shell: Shell, text: str) -> Answer:
-    here = frame(shell).number
-    found = list(_shown(frames(shell)))
-    most = take_count(text) if text else _MOST_FRAMES
+def _backtrace(context: CommandContext, text: str) -> Answer:
+    here = frame(context).number
+    found = list(_shown(frames(context)))
+    most = parse_count(text) if text else _MAX_FRAMES
     for each in found[:most]:
         mark = "=>" if each.number == here else "  "
-        yield f"{mark} #{each.number}  {frame_text(shell.debugger, each)}"
+        yield f"{mark} #{each.number}  {frame_text(context.debugger, each)}"
     if len(found) > most:
-        yield f"(more active functions follow: {len(found) - most})"
+        yield f"(more frames follow: {len(found) - most})"
 
 
-def _shown(found: list[Frame]) -> Iterator[Frame]:
-    """Gives the functions of the user's, and those of the library that they have called."""
+def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
+    """Return the user's frames, and those of library functions that they have called."""
     for each, caller in zip(found, [*found[1:], None], strict=True):
         if not each.is_library or (caller is not None and not caller.is_library):
             yield each
 
 
-def _frame(shell: Shell, text: str) -> Answer:
+def _frame(context: CommandContext, text: str) -> Answer:
     if text:
-        numbers = {str(each.number): each.number for each in frames(shell)}
+        numbers = {str(each.number): each.number for each in frames(context)}
         if text not in numbers:
-            raise DebugError(f'there is no active function #{text}: see "backtrace"')
-        shell.debugger.select_frame(numbers[text])
-    frame(shell)
-    return shell.look()
+            raise DebugError(f'no frame #{text}; see "backtrace"')
+        context.debugger.view.select_frame(numbers[text])
+    frame(context)
+    return context.show_selection()
 
 
-def _up(shell: Shell, text: str) -> Answer:
-    return _move_frame(shell, take_count(text))
+def _up(context: CommandContext, text: str) -> Answer:
+    return _move_frame(context, parse_count(text))
 
 
-def _down(shell: Shell, text: str) -> Answer:
-    return _move_frame(shell, -take_count(text))
+def _down(context: CommandContext, text: str) -> Answer:
+    return _move_frame(context, -parse_count(text))
 
 
-def _move_frame(shell: Shell, by: int) -> Answer:
-    numbers = [each.number for each in frames(shell)]
-    place = numbers.index(frame(shell).number)
+def _move_frame(context: CommandContext, by: int) -> Answer:
+    numbers = [each.number for each in frames(context)]
+    place = numbers.index(frame(context).number)
     target = min(max(place + by, 0), len(numbers) - 1)
     if target == place:
         end = "outermost" if by > 0 else "innermost"
-        raise DebugError(f"this is the {end} active function")
-    shell.debugger.select_frame(numbers[target])
-    return shell.look()
+        raise DebugError(f"already at the {end} frame")
+    context.debugger.view.select_frame(numbers[target])
+    return context.show_selection()
 
 
-def _info_frame(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    found, here = frames(shell), frame(shell)
-    yield f"#{here.number}  {frame_text(shell.debugger, here)}"
+def _info_frame(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    found, here = frames(context), frame(context)
+    yield f"#{here.number}  {frame_text(context.debugger, here)}"
     place = [each.number for each in found].index(here.number)
     if place + 1 < len(found):
         caller = found[place + 1]
-        yield f"called by #{caller.number}  {frame_text(shell.debugger, caller)}"
+        yield f"called by #{caller.number}  {frame_text(context.debugger, caller)}"
 
 
-def _list(shell: Shell, text: str) -> Answer:
-    file, first, last = _range(shell, text)
-    lines = shell.debugger.source(file)
+def _list(context: CommandContext, text: str) -> Answer:
+    file, first, last = _range(context, text)
+    lines = context.debugger.view.source(file)
     if not lines:
-        raise DebugError(f"the lines of '{file}' are not known")
+        raise DebugError(f"the source of '{file}' is not available")
     if first > len(lines):
-        raise DebugError(f"'{file}' has {len(lines)} lines only")
+        raise DebugError(f"'{file}' has only {len(lines)} lines")
     last = min(last, len(lines))
-    shell.listing = Listing(file, first, last)
-    here = shell.debugger.location()
+    context.listing = Listing(file, first, last)
+    here = context.debugger.view.location()
     current = here.line if here is not None and here.file == file else 0
-    stops = _lines_with_breakpoints(shell, file)
+    stops = _lines_with_breakpoints(context, file)
     for number in range(first, last + 1):
         yield SourceLine(number, lines[number - 1], number == current, number in stops)
 
 
-def _lines_with_breakpoints(shell: Shell, file: str) -> set[int]:
-    places = [each.place.location for each in shell.debugger.breakpoints if each.place]
+def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
+    places = [
+        each.place.location for each in context.debugger.stop_points.breakpoints if each.place
+    ]
     return {each.line for each in places if each is not None and each.file == file}
 
 
-def _range(shell: Shell, text: str) -> tuple[str, int, int]:
-    """Gives the file, and the first and the last line, that are wanted."""
-    listed = shell.listing
+def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
+    """Return the file and the first and last line to list."""
+    listed = context.listing
     if not text and listed is not None:
         return listed.file, listed.last + 1, listed.last + _LINES
     if text == "-" and listed is not None:
         if listed.first == 1:
-            raise DebugError(f"line 1 of '{listed.file}' has been shown")
+            raise DebugError(f"already at the start of '{listed.file}'")
         return listed.file, max(1, listed.first - _LINES), listed.first - 1
     first, _, last = text.partition(",")
     if not text or text == "-":
-        middle = _here(shell)
+        middle = _here(context)
         return _around(middle.file, middle.line)
     if not first.strip():
-        raise DebugError("say where the lines begin: list FIRST,LAST")
-    begin = _listed(shell, first)
+        raise DebugError("the first line is missing: list FIRST,LAST")
+    begin = _listed(context, first)
     if not last.strip():
         return _around(begin.file, begin.line)
-    end = _listed(shell, last)
+    end = _listed(context, last)
     if end.file != begin.file or end.line < begin.line:
-        raise DebugError(f"{end} does not stand behind {begin}")
+        raise DebugError(f"{end} is not after {begin}")
     return begin.file, begin.line, end.line
 
 
-def _listed(shell: Shell, text: str) -> Location:
-    """Gives the place that lines are listed around: a line with or without code, a function."""
+def _listed(context: CommandContext, text: str) -> Location:
+    """Return the location to list lines around: a line with or without code, a function."""
     file, _, line = text.strip().rpartition(":")
     if line.isascii() and line.isdigit() and len(line) < 9:
-        known = file or shell.debugger.current_file()
-        for path in shell.debugger.run.programs[shell.debugger.robot].executable.detail().lines:
+        known = file or context.debugger.view.current_file()
+        for path in (
+            context.debugger.run.programs[context.debugger.view.robot].executable.detail().lines
+        ):
             if is_file(path, known):
                 return Location(path, int(line))
-    named = dict(functions(shell))
-    return named[line] if line in named and not file else find_line(shell, text)
+    named = dict(functions(context))
+    return named[line] if line in named and not file else find_line(context, text)
 
 
 def _around(file: str, line: int) -> tuple[str, int, int]:
@@ -165,99 +170,99 @@ def _around(file: str, line: int) -> tuple[str, int, int]:
     return file, first, first + _LINES - 1
 
 
-def _here(shell: Shell) -> Location:
-    place = shell.debugger.location()
+def _here(context: CommandContext) -> Location:
+    place = context.debugger.view.location()
     if place is None:
-        raise DebugError("no program stands at a line here: say which lines, such as list main")
+        raise DebugError("no current line: specify which lines, such as list main")
     return place
 
 
-def find_line(shell: Shell, text: str) -> Location:
-    """Gives the line that a place means.
+def find_line(context: CommandContext, text: str) -> Location:
+    """Return the line of a location.
 
     Raises:
-        DebugError: there is no such line, or function.
+        DebugError: there is no such line or function.
     """
-    debugger = shell.debugger
-    file = debugger.current_file()
-    found = find_place(text, debugger.run.programs, [debugger.robot], file).location
+    debugger = context.debugger
+    file = debugger.view.current_file()
+    found = find_location(text, debugger.run.programs, [debugger.view.robot], file).location
     if found is None:
-        raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")
+        raise DebugError(f"'{text}' is a function of the robot and has no source")
     return found
 
 
-def functions(shell: Shell) -> Iterator[tuple[str, Location]]:
-    """Gives the names of the functions of the user's that this robot runs, and where they are."""
-    program = shell.debugger.run.programs[shell.debugger.robot].executable.program
+def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
+    """Return names and locations of the user's functions in the selected robot's program."""
+    program = context.debugger.run.programs[context.debugger.view.robot].executable.program
     for name, function in program.functions.items():
         if not in_library(function.location):
             yield plain_name(name), function.location
 
 
-def _info_functions(shell: Shell, text: str) -> Answer:
-    found = sorted((place, name) for name, place in functions(shell) if text in name)
+def _info_functions(context: CommandContext, text: str) -> Answer:
+    found = sorted((place, name) for name, place in functions(context) if text in name)
     if not found:
-        raise DebugError(f"no function has '{text}' in its name")
-    for place, name in found[:_MOST_FUNCTIONS]:
+        raise DebugError(f"no function matches '{text}'")
+    for place, name in found[:_MAX_FUNCTIONS]:
         yield f"{place.file}:{place.line}: {name}"
-    if len(found) > _MOST_FUNCTIONS:
-        yield f"(and {len(found) - _MOST_FUNCTIONS} more)"
+    if len(found) > _MAX_FUNCTIONS:
+        yield f"(and {len(found) - _MAX_FUNCTIONS} more)"
 
 
-def _info_line(shell: Shell, text: str) -> Answer:
-    place = find_line(shell, demand(text, "a line or a function"))
-    lines = shell.debugger.source(place.file)
+def _info_line(context: CommandContext, text: str) -> Answer:
+    place = find_line(context, require_argument(text, "a line or a function"))
+    lines = context.debugger.view.source(place.file)
     yield f"{place.file}:{place.line}"
     if 0 < place.line <= len(lines):
         yield SourceLine(place.line, lines[place.line - 1])
 
 
-def _info_source(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    robot = shell.debugger.robot
-    here = shell.debugger.location()
-    for path in shell.debugger.run.programs[robot].paths:
-        lines = len(shell.debugger.source(str(path)))
+def _info_source(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    robot = context.debugger.view.robot
+    here = context.debugger.view.location()
+    for path in context.debugger.run.programs[robot].paths:
+        lines = len(context.debugger.view.source(str(path)))
         mark = "=>" if here is not None and here.file == str(path) else "  "
         yield f"{mark} {path}, {lines} lines"
 
 
 _LIST_TEXT: Final = (
-    "Ten lines around the place, or from FIRST to LAST. Without a place those around where the"
-    ' program stands, then those that follow; "list -" shows those before.'
+    "Ten lines around LOCATION, or from FIRST to LAST. Without arguments, those around the"
+    ' current line, then those that follow; "list -" shows those before.'
 )
 
 STACK: Final = Group(
     "stack",
-    "Active functions, and lines of C.",
+    "Stack frames and source.",
     (
         Command(
-            "backtrace", "[N]", "Show the active functions, the innermost first.", _backtrace,
+            "backtrace", "[N]", "Show the stack frames, innermost first.", _backtrace,
             ("bt", "where"), text="With N, the innermost N.",
         ),
         Command(
-            "frame", "[N]", "Look at active function N, or say which one it is.", _frame, ("f",),
-            text="Expressions and lists are about the function that is looked at.",
+            "frame", "[N]", "Select frame N, or show the selected one.", _frame, ("f",),
+            text="Expressions and listings refer to the selected frame.",
         ),
-        Command("up", "[N]", "Look at the function that called this one.", _up, repeats="same"),
+        Command("up", "[N]", "Select the caller's frame.", _up, repeats="same"),
         Command(
-            "down", "[N]", "Look at the function that this one has called.", _down,
+            "down", "[N]", "Select the callee's frame.", _down,
             repeats="same",
         ),
-        Command("info frame", "", "Tell about the function that is looked at.", _info_frame,
+        Command("info frame", "", "Describe the selected frame.", _info_frame,
                 ("info f",)),
         Command(
-            "list", "[PLACE|FIRST,LAST|-]", "Show lines of C.", _list, ("l",), text=_LIST_TEXT,
+            "list", "[LOCATION|FIRST,LAST|-]", "List source lines.", _list, ("l",), text=_LIST_TEXT,
             repeats="on", completes="place",
         ),
         Command(
-            "info line", "PLACE", "Tell where a line or a function is.", _info_line,
+            "info line", "LOCATION", "Show the location of a line or a function.", _info_line,
             completes="place",
         ),
         Command(
-            "info functions", "[TEXT]", "List the functions with TEXT in their names.",
+            "info functions", "[TEXT]", "List the functions whose names contain TEXT.",
             _info_functions, completes="place",
         ),
-        Command("info source", "", "List the files of the program.", _info_source),
+        Command("info source", "", "List the source files of the program.", _info_source),
     ),
 )  # fmt: skip

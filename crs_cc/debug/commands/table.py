@@ -1,6 +1,6 @@
-"""The one table of commands, and how what a user types finds its command.
+"""The table of all commands, and the lookup of commands by what a user types.
 
-Screens take their help and completion from here, `docs/debugger.md` is made of it.
+Help and completion use it, and `docs/debugger.md` is generated from it.
 
 >>> command, arguments = find("bt 3")
 >>> command.name, arguments, find("i b")[0].name, find("reverse-c")[0].name
@@ -11,22 +11,88 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import Final
+from functools import partial
+from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.arguments import reject_arguments, require_argument
 from crs_cc.debug.commands.branches import BRANCHES
 from crs_cc.debug.commands.breakpoints import BREAKPOINTS
+from crs_cc.debug.commands.changes import CHANGES
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.data import DATA
-from crs_cc.debug.commands.edits import CHANGES
-from crs_cc.debug.commands.moving import MOVING
+from crs_cc.debug.commands.help_text import manual, mentions, overview, summaries
+from crs_cc.debug.commands.running import RUNNING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
-from crs_cc.debug.commands.words import WORDS
 from crs_cc.debug.commands.world import WORLD
 from crs_cc.debug.errors import DebugError
 
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.context import CommandContext
+
+
+def _help(_context: CommandContext, text: str) -> Answer:
+    groups = {group.name: group for group in GROUPS}
+    if not text:
+        yield from overview(GROUPS)
+    elif text == "all":
+        for group in GROUPS:
+            yield from summaries(group.summary, group.commands)
+    elif text in groups:
+        yield from summaries(groups[text].summary, groups[text].commands)
+    elif text in (*PREFIXES, "i"):
+        word = "info" if text == "i" else text
+        followers = [each for each in COMMANDS if each.name.startswith(f"{word} ")]
+        yield from summaries(f'Subcommands of "{word}":', followers)
+    else:
+        yield from manual(find(text)[0])
+
+
+def _apropos(_context: CommandContext, text: str) -> Answer:
+    word = require_argument(text, "a word").lower()
+    found = [each for each in COMMANDS if mentions(each, word)]
+    if not found:
+        raise DebugError(f'no help text contains "{text}"')
+    for command in found:
+        yield f"{command.name} - {command.summary}"
+
+
+def _quit(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    context.has_ended = True
+    yield from ()
+
+
+def _unsupported(_context: CommandContext, _text: str, *, reason: str) -> Answer:
+    raise DebugError(reason)
+
+
+_JUMP: Final = (
+    "'jump' is not supported: it would leave the recorded execution; go to another time (\"goto\"),"
+    " or set the variable that decides"
+)
+_SHELL: Final = (
+    "'shell' is not supported: scripts that come with a world must not start other programs"
+)
+
+SUPPORT: Final = Group(
+    "support",
+    "Help, and leaving the debugger.",
+    (
+        Command("help", "[GROUP|COMMAND|all]", "Show help on commands.", _help, ("h",),
+                completes="command"),
+        Command("apropos", "WORD", "List the commands whose help contains a word.", _apropos),
+        Command("quit", "", "Exit the debugger.", _quit, ("q", "exit")),
+        Command("jump", "LOCATION", "Not supported; explain why and what to do instead.",
+                partial(_unsupported, reason=_JUMP), ("j",)),
+        Command("shell", "COMMAND", "Not supported; explain why.",
+                partial(_unsupported, reason=_SHELL), ("!",)),
+    ),
+)  # fmt: skip
+
 GROUPS: Final[tuple[Group, ...]] = (
-    MOVING, BREAKPOINTS, DATA, STACK, WORLD, CHANGES, BRANCHES, SCRIPTS, WORDS,
+    RUNNING, BREAKPOINTS, DATA, STACK, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
 )  # fmt: skip
 
 COMMANDS: Final[tuple[Command, ...]] = tuple(each for group in GROUPS for each in group.commands)
@@ -49,17 +115,17 @@ NAMES: Final = _named(COMMANDS)
 _SHORTENED: Final = {"!"} | {
     name for name, each in NAMES.items() if each.name != name and each.name.startswith(name)
 }
-"""Names that nobody needs to be offered."""
+"""Aliases that completion does not offer."""
 
 PREFIXES: Final = tuple(sorted({name.split()[0] for name in NAMES if " " in name}))
-"""The words that others follow: `info`, `save`."""
+"""Prefixes of subcommands: `info`, `save`."""
 
 
 def find(text: str) -> tuple[Command, str]:
-    """Gives the command that a line means, and its arguments.
+    """Return the command of a line, and its arguments.
 
     Raises:
-        DebugError: there is none, or several could be meant.
+        DebugError: it is undefined or ambiguous.
     """
     first, rest = _word(text)
     singles = {name: name for name in NAMES if " " not in name}
@@ -68,7 +134,7 @@ def find(text: str) -> tuple[Command, str]:
         return NAMES[name], rest
     followers = {each.partition(" ")[2]: each for each in NAMES if each.startswith(f"{name} ")}
     if not rest:
-        raise DebugError(f'"{name}" must be followed by what: try "help {name}".')
+        raise DebugError(f'"{name}" needs a subcommand: try "help {name}".')
     second, rest = _word(rest)
     return NAMES[_choose(second, followers, f"{name} ")], rest
 
@@ -81,7 +147,7 @@ def _word(text: str) -> tuple[str, str]:
 
 
 def _choose(word: str, names: dict[str, str], before: str) -> str:
-    """Gives the one that a word, or the beginning of one, means."""
+    """Return the name that a word is or abbreviates."""
     if word in names:
         return names[word]
     if not before and word == "i":
@@ -101,7 +167,7 @@ def _after(before: str) -> str:
 
 
 def matching(beginning: str) -> Iterator[str]:
-    """Gives the names of commands that begin so, those of two words word by word."""
+    """Return the names of commands with a prefix; subcommands only after the first word."""
     for name in sorted({*NAMES, *PREFIXES} - _SHORTENED):
         if name.startswith(beginning) and (" " not in name or " " in beginning):
             yield name

@@ -5,17 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.quantity import LENGTH
-from crs_cc.debug.commands.arguments import demand_none, take_count, take_robot
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.arguments import parse_count, parse_robot, reject_arguments
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
-from crs_cc.debug.world.run_chart import run_chart
-from crs_cc.debug.world.state_rows import told_state
+from crs_cc.debug.world.run_map import run_map
+from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.debug.world.world_rows import world_rows
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
 _COLUMNS: Final = 78
 _ROWS: Final = 24
@@ -24,113 +25,114 @@ _LEAST_M, _MOST_M = 0.01, 100_000.0
 """The size of a map, which is the same on every terminal, as scripts have it; chosen by us."""
 
 
-def _robots(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    session = shell.debugger.session
-    rows = [HEADINGS, *(summary(session, each) for each in range(len(shell.debugger.names)))]
+def _robots(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    session = context.debugger.session
+    rows = [HEADINGS, *(summary(session, each) for each in range(len(context.debugger.names)))]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for number, row in enumerate(rows, -1):
-        mark = "=>" if number == shell.debugger.robot else "  "
+        mark = "=>" if number == context.debugger.view.robot else "  "
         cells = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
         yield f"{mark} {'  '.join(cells)}".rstrip()
 
 
-def _robot(shell: Shell, text: str) -> Answer:
+def _robot(context: CommandContext, text: str) -> Answer:
+    names, view = context.debugger.names, context.debugger.view
     if text:
-        shell.debugger.select_robot(take_robot(text, shell.debugger.names))
-    yield f"{shell.debugger.names[shell.debugger.robot]} (robot {shell.debugger.robot})"
-    yield from shell.look()
+        view.select_robot(parse_robot(text, names))
+    yield f"{names[view.robot]} (robot {view.robot})"
+    yield from context.show_selection()
 
 
-def _info_robot(shell: Shell, text: str) -> Answer:
-    debugger = shell.debugger
-    robot = take_robot(text, debugger.names) if text else debugger.robot
+def _info_robot(context: CommandContext, text: str) -> Answer:
+    debugger = context.debugger
+    robot = parse_robot(text, debugger.names) if text else debugger.view.robot
     yield from lines(robot_rows(debugger.session, robot))
 
 
-def _info_world(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    yield from lines(world_rows(shell.debugger.session.environment))
+def _info_world(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    yield from lines(world_rows(context.debugger.session.environment))
 
 
-def _info_state(shell: Shell, text: str) -> Answer:
-    debugger = shell.debugger
-    robot = take_robot(text, debugger.names) if text else debugger.robot
-    rows = told_state(debugger, robot)
+def _info_state(context: CommandContext, text: str) -> Answer:
+    debugger = context.debugger
+    robot = parse_robot(text, debugger.names) if text else debugger.view.robot
+    rows = vendor_state_rows(debugger.view, robot)
     if not rows:
-        raise DebugError(f"the program of {debugger.names[robot]} has no State[]")
+        raise DebugError(f"{debugger.names[robot]}'s program has no State[]")
     yield from lines(rows)
 
 
-def _map(shell: Shell, text: str) -> Answer:
-    debugger, words = shell.debugger, text.split()
+def _map(context: CommandContext, text: str) -> Answer:
+    debugger, words = context.debugger, text.split()
     across_m = _across_m(words.pop()) if len(words) > 1 else _AROUND_M
     if words:
-        robot = take_robot(" ".join(words), debugger.names)
-        chart = run_chart(debugger, _COLUMNS, _ROWS, robot=robot, across_m=across_m)
+        robot = parse_robot(" ".join(words), debugger.names)
+        chart = run_map(debugger.view, _COLUMNS, _ROWS, robot=robot, across_m=across_m)
     else:
-        chart = run_chart(debugger, _COLUMNS, _ROWS)
+        chart = run_map(debugger.view, _COLUMNS, _ROWS)
     rows = ["".join(piece for piece, _ in row).rstrip() for row in chart.pieces]
     drawn = [number for number, row in enumerate(rows) if row]
     yield from rows[drawn[0] : drawn[-1] + 1] if drawn else ()
 
 
 def _across_m(text: str) -> float:
-    """Gives how much of a world is to be seen.
+    """Return the height of a map.
 
     Raises:
-        DebugError: it is no length.
+        DebugError: it is not a valid length.
     """
     try:
         across_m = LENGTH.parse(text)
     except ValueError as wrong:
         raise DebugError(str(wrong)) from None
     if not _LEAST_M <= across_m <= _MOST_M:
-        raise DebugError(f"what is to be seen is from {_LEAST_M:g} to {_MOST_M:g} m")
+        raise DebugError(f"the map's height must be {_LEAST_M:g} to {_MOST_M:g} m")
     return across_m
 
 
-def _output(shell: Shell, text: str) -> Answer:
-    debugger, words = shell.debugger, text.split()
-    most = take_count(words.pop()) if words and words[-1].isdigit() else 0
-    robot = take_robot(" ".join(words), debugger.names) if words else None
+def _output(context: CommandContext, text: str) -> Answer:
+    debugger, words = context.debugger, text.split()
+    most = parse_count(words.pop()) if words and words[-1].isdigit() else 0
+    robot = parse_robot(" ".join(words), debugger.names) if words else None
     written = debugger.run.console.text(robot).decode(errors="replace").splitlines()
     yield from written[-most:] if most else written
 
 
 WORLD: Final = Group(
     "world",
-    "Robots, and the world around them.",
+    "Robots and their world.",
     (
         Command(
-            "robots", "", "List the robots: what they do, and where.", _robots,
+            "robots", "", "List the robots with their activity and position.", _robots,
             ("info robots", "info threads"),
         ),
         Command(
-            "robot", "[NAME]", "Look at another robot's program, or say which one it is.", _robot,
+            "robot", "[NAME]", "Select a robot, or show the selected one.", _robot,
             ("thread", "t"),
-            text="A robot is named as in the world, or by its number.",
+            text="NAME is the robot's name in the world, or its number.",
             completes="robot",
         ),
         Command(
-            "info robot", "[NAME]", "Tell about a robot: its pose, its sensors, its command.",
+            "info robot", "[NAME]", "Describe a robot: pose, sensors, command.",
             _info_robot, completes="robot",
         ),
         Command(
             "info state", "[NAME]",
-            "Show what a robot's program has in State[], by names and in units.",
+            "Show State[] of a robot's program with names and units.",
             _info_state, ("info State",), completes="robot",
         ),
-        Command("info world", "", "Tell about the world: its time, and what is in it.",
+        Command("info world", "", "Describe the world: its time and its objects.",
                 _info_world),
         Command(
-            "map", "[NAME [METRES]]", "Draw the world, or what is around a robot.", _map,
-            text="Around a robot, what its sonars heard last is drawn too; METRES is how much is"
-            " seen, from the top to the bottom.",
+            "map", "[NAME [METRES]]", "Draw a map of the world, or around a robot.", _map,
+            text="Around a robot, its last sonar echoes are drawn too; METRES is the height"
+            " of the map.",
             completes="robot",
         ),
         Command(
-            "output", "[ROBOT] [LINES]", "Show what the programs have written up to here.",
+            "output", "[ROBOT] [LINES]", "Show the output of the programs up to here.",
             _output, completes="robot",
         ),
     ),

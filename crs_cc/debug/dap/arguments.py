@@ -1,4 +1,4 @@
-"""What a request says, checked: every value has the type that is expected of it.
+"""Validated access to the arguments of a request.
 
 >>> arguments = Arguments({"threadId": 2, "breakpoints": [{"line": 7}]})
 >>> arguments.integer("threadId"), arguments.text("condition", "")
@@ -18,17 +18,17 @@ from typing import Any, Final, Self, TypeVar
 
 _Value = TypeVar("_Value", int, bool, str)
 
-LARGEST: Final = 2**53  # of integers; beyond it JSON's numbers are no integers in most clients
-MOST_ITEMS: Final = 10_000  # of a list; chosen by us
+MAX_INTEGER: Final = 2**53  # larger JSON numbers are inexact in most clients
+MAX_ITEMS: Final = 10_000  # of a list; chosen by us
 
 _NAMES: Final = {int: "an integer", bool: "true or false", str: "a string"}
 
 
 class RefusalError(Exception):
-    """A request cannot be fulfilled; the message is for people.
+    """A request cannot be fulfilled; the message is for the user.
 
     Attributes:
-        word: the protocol's own word for it, if it has one.
+        word: the protocol's identifier for it, if it has one.
     """
 
     def __init__(self, text: str, word: str = "") -> None:
@@ -44,10 +44,10 @@ class Arguments:
 
     @classmethod
     def of(cls, values: Any) -> Self:
-        """Gives arguments as they came.
+        """Wrap the arguments of a request.
 
         Raises:
-            RefusalError: they are no object.
+            RefusalError: they are not an object.
         """
         if not isinstance(values, dict):
             raise RefusalError("'arguments' must be an object")
@@ -57,37 +57,37 @@ class Arguments:
         return self._values.get(name) is not None
 
     def names(self) -> list[str]:
-        """Gives the names of what is there."""
+        """Return the names of the values that are present."""
         return [name for name, value in self._values.items() if value is not None]
 
     def integer(self, name: str, default: int | None = None) -> int:
-        """Gives an integer.
+        """Return an integer.
 
         Raises:
-            RefusalError: it is something else, too large, or not there and there is no default.
+            RefusalError: it has another type, is too large, or is missing without a default.
         """
         value = self._value(name, int, default)
-        if abs(value) > LARGEST:
+        if abs(value) > MAX_INTEGER:
             raise RefusalError(f"'{name}' is too large")
         return value
 
     def natural(self, name: str, default: int | None = None) -> int:
-        """Gives an integer that is not negative; like `integer`."""
+        """Return a non-negative integer; like `integer`."""
         value = self.integer(name, default)
         if value < 0:
             raise RefusalError(f"'{name}' must not be negative")
         return value
 
     def flag(self, name: str, *, default: bool | None = None) -> bool:
-        """Gives a truth value; raises like `integer`."""
+        """Return a boolean; raises like `integer`."""
         return self._value(name, bool, default)
 
     def text(self, name: str, default: str | None = None) -> str:
-        """Gives a string; raises like `integer`."""
+        """Return a string; raises like `integer`."""
         return self._value(name, str, default)
 
     def texts(self, name: str) -> list[str]:
-        """Gives a list of strings, of one where a string stands; raises like `integer`."""
+        """Return a list of strings; a single string counts as one. Raises like `integer`."""
         if isinstance(self._values.get(name), str):
             return [self.text(name)]
         values = self._list(name)
@@ -96,14 +96,14 @@ class Arguments:
         return values
 
     def objects(self, name: str) -> list[Arguments]:
-        """Gives a list of objects, empty where there is none; raises like `integer`."""
+        """Return a list of objects, empty by default; raises like `integer`."""
         values = self._list(name)
         if not all(isinstance(value, dict) for value in values):
             raise RefusalError(f"'{name}' must be a list of objects")
         return [Arguments(value) for value in values]
 
     def object(self, name: str) -> Arguments:
-        """Gives an object, an empty one where there is none; raises like `integer`."""
+        """Return an object, empty by default; raises like `integer`."""
         value = self._values.get(name)
         if value is not None and not isinstance(value, dict):
             raise RefusalError(f"'{name}' must be an object")
@@ -115,8 +115,8 @@ class Arguments:
             return []
         if not isinstance(values, list):
             raise RefusalError(f"'{name}' must be a list")
-        if len(values) > MOST_ITEMS:
-            raise RefusalError(f"'{name}' has more than {MOST_ITEMS} items")
+        if len(values) > MAX_ITEMS:
+            raise RefusalError(f"'{name}' has more than {MAX_ITEMS} items")
         return values
 
     def _value(self, name: str, kind: type[_Value], default: _Value | None) -> _Value:

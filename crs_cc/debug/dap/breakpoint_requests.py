@@ -1,12 +1,12 @@
-"""Requests that say where to stop."""
+"""Requests for breakpoints."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.breakpoints import ACCESS, Wish, data_id
-from crs_cc.debug.dap.parts import FrameHandle, frame_handle
+from crs_cc.debug.dap.breakpoints import ACCESS, RequestedBreakpoint, data_id
+from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
@@ -34,26 +34,26 @@ FILTERS: Final[list[Message]] = [
 
 
 def set_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops at lines of a file."""
-    file = session.places.key(arguments.object("source"))
-    wishes = [
-        Wish(
+    """Set the line breakpoints of a file."""
+    file = session.locations.key(arguments.object("source"))
+    requests = [
+        RequestedBreakpoint(
             "line",
             file,
-            session.places.our_line(each.natural("line")),
+            session.locations.to_line(each.natural("line")),
             condition=each.text("condition", ""),
             hits=each.text("hitCondition", ""),
             log=each.text("logMessage", ""),
         )
         for each in arguments.objects("breakpoints")
     ]
-    return {"breakpoints": session.breakpoints.replace(session, ("line", file), wishes)}
+    return {"breakpoints": session.breakpoints.replace(("line", file), requests)}
 
 
 def set_function_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops at functions: the program's, or the robot's."""
-    wishes = [
-        Wish(
+    """Set the function breakpoints: functions of the program or of the robot."""
+    requests = [
+        RequestedBreakpoint(
             "function",
             each.text("name"),
             condition=each.text("condition", ""),
@@ -61,21 +61,23 @@ def set_function_breakpoints(session: EditorSession, arguments: Arguments) -> Me
         )
         for each in arguments.objects("breakpoints")
     ]
-    return {"breakpoints": session.breakpoints.replace(session, ("function", ""), wishes)}
+    return {"breakpoints": session.breakpoints.replace(("function", ""), requests)}
 
 
 def set_exception_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops at kinds of happenings."""
-    wishes = [Wish("exception", kind) for kind in arguments.texts("filters")]
-    wishes += [
-        Wish("exception", each.text("filterId"), condition=each.text("condition", ""))
+    """Set the catchpoints."""
+    requests = [RequestedBreakpoint("exception", kind) for kind in arguments.texts("filters")]
+    requests += [
+        RequestedBreakpoint(
+            "exception", each.text("filterId"), condition=each.text("condition", "")
+        )
         for each in arguments.objects("filterOptions")
     ]
-    return {"breakpoints": session.breakpoints.replace(session, ("exception", ""), wishes)}
+    return {"breakpoints": session.breakpoints.replace(("exception", ""), requests)}
 
 
 def data_breakpoint_info(session: EditorSession, arguments: Arguments) -> Message:
-    """Tells whether, and as what, an object can be watched."""
+    """Return whether an object can be watched, and its data ID."""
     try:
         at, expression = _meant(session, arguments)
         _demand_object(session, at, expression)
@@ -90,9 +92,9 @@ def data_breakpoint_info(session: EditorSession, arguments: Arguments) -> Messag
 
 
 def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
-    """Stops when objects are changed, or read."""
-    wishes = [
-        Wish(
+    """Set the watchpoints."""
+    requests = [
+        RequestedBreakpoint(
             "data",
             each.text("dataId"),
             access=each.text("accessType", "write"),
@@ -101,28 +103,28 @@ def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Messag
         )
         for each in arguments.objects("breakpoints")
     ]
-    if any(wish.access not in ACCESS for wish in wishes):
+    if any(each.access not in ACCESS for each in requests):
         raise RefusalError(f"'accessType' must be {', '.join(ACCESS)}")
-    return {"breakpoints": session.breakpoints.replace(session, ("data", ""), wishes)}
+    return {"breakpoints": session.breakpoints.replace(("data", ""), requests)}
 
 
 def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
-    """Gives the C expression that is to be watched, and where it has its meaning.
+    """Return the C expression to watch, and its scope.
 
     Raises:
-        RefusalError: it is none.
+        RefusalError: it is invalid.
     """
     if "variablesReference" in arguments and arguments.integer("variablesReference"):
         return expression_of(session, arguments)
-    return frame_handle(session, arguments), arguments.text("name")
+    return requested_frame(session, arguments), arguments.text("name")
 
 
 def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> None:
-    """Makes sure that an expression names an object in memory.
+    """Check that an expression names an object in memory.
 
     Raises:
         DebugError: it does not.
     """
-    debugger = session.standing()
-    active = None if at.frame is None else debugger.frames(at.robot)[at.frame].active
-    debugger.evaluator(at.robot).place(expression, active)
+    debugger = session.require_stopped()
+    active = None if at.frame is None else debugger.view.frames(at.robot)[at.frame].active
+    debugger.view.evaluator(at.robot).place(expression, active)

@@ -1,7 +1,7 @@
-"""Where the client wants to stop. It says it in groups, each of which replaces the one before.
+"""The client's breakpoints. It sends them in groups, each of which replaces the previous one.
 
-What is as it was in a group is left alone, with its hits. When the programs are compiled again all
-is set again; so a breakpoint has a number of its own towards the client.
+Breakpoints that a group keeps stay as they are, with their hit counts. When the programs are
+compiled again all are set again; so each has a number of its own towards the client.
 """
 
 from __future__ import annotations
@@ -16,33 +16,34 @@ from crs_cc.debug.errors import DebugError
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
     from crs_cc.debug.breakpoints import Breakpoint
+    from crs_cc.debug.dap.connection import Connection
     from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
+    from crs_cc.debug.dap.locations import ClientLocations
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.watch import Kind as Access
+    from crs_cc.debug.watch import AccessKind
 
 Group = tuple[str, str]
 """What is replaced together: `line` with the file, `function`, `data`, `exception`."""
 
-_HITS: Final = re.compile(r"\s*(>=|>|==|)\s*(\d{1,9})\s*")
+_HIT_CONDITION: Final = re.compile(r"\s*(>=|>|==|)\s*(\d{1,9})\s*")
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
-    """A breakpoint that a client wants.
+class RequestedBreakpoint:
+    """A breakpoint as a client requests it.
 
     Attributes:
-        kind: what it is.
-        what: the function, `data_id` of an object, the kind of happenings; of a line the file.
+        kind: its kind.
+        target: the function, the `data_id` of an object, the kind of event; of a line the file.
         line: the line.
-        access: of data: `write`, `read` or `readWrite`.
+        access: for data: `write`, `read` or `readWrite`.
         condition: a C expression; empty for none.
         hits: the client's condition on the number of hits; empty for none.
-        log: what to say instead of stopping; empty to stop.
+        log: the message to log instead of stopping; empty to stop.
     """
 
     kind: Literal["line", "function", "data", "exception"]
-    what: str
+    target: str
     line: int = 0
     access: str = ""
     condition: str = ""
@@ -51,18 +52,18 @@ class Wish:
 
 
 @dataclass(slots=True)
-class _Set:
-    """A wish, and what became of it.
+class _ClientBreakpoint:
+    """A requested breakpoint and its state.
 
     Attributes:
-        wish: what the client wants.
-        id: the client's number of it.
-        number: the debugger's, 0 where it is not set.
-        message: why it is not, or not where it was wanted.
-        location: the place in the source, if it has one.
+        request: what the client requested.
+        id: its number towards the client.
+        number: its number in the debugger, 0 if it is not set.
+        message: why it is not set, or why it is elsewhere.
+        location: its location in the source, if it has one.
     """
 
-    wish: Wish
+    request: RequestedBreakpoint
     id: int
     number: int = 0
     message: str = ""
@@ -70,197 +71,206 @@ class _Set:
 
 
 class EditorBreakpoints:
-    """All breakpoints of a session: the client's, and those that its user sets by commands."""
+    """All breakpoints of a session: the client's, and those that its user sets by commands.
 
-    def __init__(self) -> None:
-        self._groups: dict[Group, list[_Set]] = {}
+    Attributes:
+        debugger: the debugger of the run; None while nothing is launched.
+    """
+
+    def __init__(self, connection: Connection, locations: ClientLocations) -> None:
+        self.debugger: Debugger | None = None
+        self._connection = connection
+        self._locations = locations
+        self._groups: dict[Group, list[_ClientBreakpoint]] = {}
         self._others: dict[int, int] = {}
-        self._made = 0
+        self._last_id = 0
 
-    def replace(
-        self, session: EditorSession, group: Group, wishes: Sequence[Wish]
-    ) -> list[Message]:
-        """Sets what a client wants instead of what it wanted before in this group."""
-        left = list(self._groups.get(group, ()))
+    def replace(self, group: Group, requests: Sequence[RequestedBreakpoint]) -> list[Message]:
+        """Replace the breakpoints of a group; return what the client is told of the new ones."""
+        obsolete = list(self._groups.get(group, ()))
         self._groups[group] = now = []
-        for wish in wishes:
-            found = next((each for each in left if each.wish == wish and each.number), None)
+        for request in requests:
+            found = next(
+                (each for each in obsolete if each.request == request and each.number), None
+            )
             if found is None:
-                now.append(_Set(wish, self._next()))
+                now.append(_ClientBreakpoint(request, self._next_id()))
             else:
-                left.remove(found)
+                obsolete.remove(found)
                 now.append(found)
-        if session.debugger is not None:
-            for each in left:
-                _remove(session.debugger, each)
+        if self.debugger is not None:
+            for each in obsolete:
+                _remove(self.debugger, each)
             for each in now:
                 if not each.number:
-                    _set(session, each)
-        return [_body(session, each) for each in now]
+                    self._set(self.debugger, each)
+        return [self._body(each) for each in now]
 
-    def set_again(self, session: EditorSession) -> None:
-        """Sets everything in a debugger that has none yet, and tells what became of it."""
+    def set_again(self, debugger: Debugger) -> None:
+        """Set all breakpoints in a new debugger and report their state."""
+        self.debugger = debugger
         self._others.clear()
         for each in self._all():
             each.number = 0
-            _set(session, each)
-            _tell(session, "changed", _body(session, each))
+            self._set(debugger, each)
+            self._report("changed", self._body(each))
 
-    def look(self, session: EditorSession) -> None:
-        """Tells the client of breakpoints that came, or went, without it."""
-        there = {made.number: made for made in session.opened().breakpoints}
+    def synchronize(self, debugger: Debugger) -> None:
+        """Report breakpoints that were added or removed by commands."""
+        existing = {made.number: made for made in debugger.stop_points.breakpoints}
         own = {each.number for each in self._all()}
         for each in self._all():
-            if each.number and each.number not in there:
+            if each.number and each.number not in existing:
                 each.number, each.message = 0, "removed by a command"
-                _tell(session, "changed", _body(session, each))
-        for number in [number for number in self._others if number not in there]:
-            _tell(session, "removed", {"id": self._others.pop(number), "verified": False})
-        for number, made in there.items():
+                self._report("changed", self._body(each))
+        for number in [number for number in self._others if number not in existing]:
+            self._report("removed", {"id": self._others.pop(number), "verified": False})
+        for number, made in existing.items():
             if number not in own and number not in self._others:
-                self._others[number] = self._next()
-                found = _Set(Wish("line", ""), self._others[number], number, "", _location(made))
-                _tell(session, "new", _body(session, found))
+                self._others[number] = self._next_id()
+                unrequested = RequestedBreakpoint("line", "")
+                added = _ClientBreakpoint(
+                    unrequested, self._others[number], number, "", _location(made)
+                )
+                self._report("new", self._body(added))
 
     def ids(self, numbers: Iterable[int]) -> list[int]:
-        """Gives the client's numbers of some of the debugger's breakpoints."""
+        """Return the client's numbers for some of the debugger's breakpoints."""
         ids = {each.number: each.id for each in self._all()} | self._others
         return [ids[number] for number in numbers if number in ids]
 
     def are_functions(self, numbers: Iterable[int]) -> bool:
-        """Tells whether these are breakpoints at functions, all of them."""
-        kinds = {each.number: each.wish.kind for each in self._all()}
+        """Return whether all of these are function breakpoints."""
+        kinds = {each.number: each.request.kind for each in self._all()}
         return {kinds.get(number) for number in numbers} == {"function"}
 
-    def kind_of(self, numbers: Iterable[int]) -> str:
-        """Gives the kind of happenings that the first of these wants."""
-        kinds = {each.number: each.wish.what for each in self._all()}
+    def event_kind(self, numbers: Iterable[int]) -> str:
+        """Return the kind of event that the first of these catches."""
+        kinds = {each.number: each.request.target for each in self._all()}
         return next((kinds[number] for number in numbers if number in kinds), "happening")
 
-    def _all(self) -> list[_Set]:
+    def _all(self) -> list[_ClientBreakpoint]:
         return [each for group in self._groups.values() for each in group]
 
-    def _next(self) -> int:
-        self._made += 1
-        return self._made
+    def _next_id(self) -> int:
+        self._last_id += 1
+        return self._last_id
+
+    def _set(self, debugger: Debugger, wanted: _ClientBreakpoint) -> None:
+        """Set a breakpoint, or record why it cannot be set."""
+        request = wanted.request
+        try:
+            if request.kind == "line":
+                made = self._add_line(debugger, request)
+            else:
+                made = _ADD[request.kind](debugger, request)
+        except DebugError as error:
+            wanted.number, wanted.message, wanted.location = 0, str(error), None
+            return
+        wanted.number, wanted.location = made.number, _location(made)
+        wanted.message = made.place.note if made.place else ""
+
+    def _add_line(self, debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
+        file = self._locations.file_at(request.target)
+        if file is None:
+            raise DebugError("no program of this run was built from this file")
+        return _add_place(debugger, f"{file}:{request.line}", request)
+
+    def _body(self, each: _ClientBreakpoint) -> Message:
+        """Return what a client is told of a breakpoint."""
+        body: Message = {"id": each.id, "verified": bool(each.number)}
+        message = each.message or ("" if self.debugger else "no program is launched")
+        if message:
+            body["message"] = message
+        if each.location is not None:
+            place = self._locations.place(each.location)
+            body |= {"source": place["source"], "line": place["line"]}
+        return body
+
+    def _report(self, reason: str, body: Message) -> None:
+        self._connection.event("breakpoint", {"reason": reason, "breakpoint": body})
 
 
-def _remove(debugger: Debugger, gone: _Set) -> None:
-    if gone.number in {each.number for each in debugger.breakpoints}:
-        debugger.remove(gone.number)
+def _remove(debugger: Debugger, obsolete: _ClientBreakpoint) -> None:
+    if obsolete.number in {each.number for each in debugger.stop_points.breakpoints}:
+        debugger.stop_points.remove(obsolete.number)
 
 
-def _set(session: EditorSession, wanted: _Set) -> None:
-    """Sets a breakpoint, or notes why it cannot be."""
-    wish = wanted.wish
-    try:
-        made = _ADD[wish.kind](session, wish)
-    except DebugError as error:
-        wanted.number, wanted.message, wanted.location = 0, str(error), None
-        return
-    wanted.number, wanted.location = made.number, _location(made)
-    wanted.message = made.place.note if made.place else ""
-
-
-def _ignored(hits: str) -> int:
-    """Gives how many hits are passed over.
+def _ignore_count(hits: str) -> int:
+    """Return how many hits to ignore.
 
     Raises:
-        DebugError: it cannot be said so.
+        DebugError: the hit condition is malformed.
 
-    >>> _ignored(""), _ignored("3"), _ignored(">= 3"), _ignored(">3")
+    >>> _ignore_count(""), _ignore_count("3"), _ignore_count(">= 3"), _ignore_count(">3")
     (0, 2, 2, 3)
     """
     if not hits.strip():
         return 0
-    match = _HITS.fullmatch(hits)
+    match = _HIT_CONDITION.fullmatch(hits)
     if match is None or (int(match[2]) == 0 and match[1] != ">"):
-        raise DebugError(f"'{hits}' is no hit count: say N or >= N to stop from hit N on, or > N")
+        raise DebugError(f"'{hits}' is not a hit count (expected N, >= N or > N)")
     return int(match[2]) - (match[1] != ">")
 
 
-def _add_line(session: EditorSession, wish: Wish) -> Breakpoint:
-    file = session.places.file_at(wish.what)
-    if file is None:
-        raise DebugError("no program of this run is made of this file")
-    return _add_place(session, f"{file}:{wish.line}", wish)
+def _add_function(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
+    return _add_place(debugger, request.target, request)
 
 
-def _add_function(session: EditorSession, wish: Wish) -> Breakpoint:
-    return _add_place(session, wish.what, wish)
-
-
-def _add_place(session: EditorSession, place: str, wish: Wish) -> Breakpoint:
-    ignore = _ignored(wish.hits)
-    add = session.opened().add_breakpoint
-    return add(place, condition=wish.condition, ignore=ignore, log=wish.log)
+def _add_place(debugger: Debugger, place: str, request: RequestedBreakpoint) -> Breakpoint:
+    ignore = _ignore_count(request.hits)
+    add = debugger.stop_points.add_breakpoint
+    return add(place, condition=request.condition, ignore=ignore, log=request.log)
 
 
 def data_id(robot: int, function: str, expression: str) -> str:
-    """Gives a name for an object, which tells where its expression has a meaning.
+    """Return an identifier for an object, which names the scope of its expression.
 
     Args:
         robot: the number of the robot.
-        function: the active function; empty for what all know.
+        function: the active function; empty for global scope.
         expression: a C expression without side effects.
     """
     return f"{robot} {function or '-'} {expression}"
 
 
-def _add_data(session: EditorSession, wish: Wish) -> Breakpoint:
-    """Watches the object that a `data_id` means."""
-    debugger = session.opened()
-    robot, _, rest = wish.what.partition(" ")
+def _add_data(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
+    """Watch the object that a `data_id` identifies."""
+    robot, _, rest = request.target.partition(" ")
     function, _, expression = rest.partition(" ")
     if not (robot.isascii() and robot.isdigit() and len(robot) < 9 and expression):
-        raise DebugError(f"'{wish.what}' is nothing that was given out as data")
-    before = debugger.robot, debugger.frame
+        raise DebugError(f"'{request.target}' is not a known data ID")
+    view = debugger.view
+    before = view.robot, view.frame
     try:
-        debugger.select_robot(int(robot))
-        found = [each.number for each in debugger.frames() if each.function == function]
+        view.select_robot(int(robot))
+        found = [each.number for each in view.frames() if each.function == function]
         if found:
-            debugger.select_frame(found[0])
-        return debugger.add_watchpoint(
+            view.select_frame(found[0])
+        return debugger.stop_points.add_watchpoint(
             expression,
-            ACCESS[wish.access],
-            condition=wish.condition,
-            ignore=_ignored(wish.hits),
+            ACCESS[request.access],
+            condition=request.condition,
+            ignore=_ignore_count(request.hits),
             robot=int(robot),
         )
     finally:
-        debugger.robot, debugger.frame = before
+        view.robot, view.frame = before
 
 
-def _add_exception(session: EditorSession, wish: Wish) -> Breakpoint:
-    return session.opened().add_catchpoint(wish.what, condition=wish.condition)
+def _add_exception(debugger: Debugger, request: RequestedBreakpoint) -> Breakpoint:
+    return debugger.stop_points.add_catchpoint(request.target, condition=request.condition)
 
 
 def _location(made: Breakpoint) -> Location | None:
     return made.place.location if made.place else None
 
 
-def _body(session: EditorSession, each: _Set) -> Message:
-    """Gives what a client is told of a breakpoint."""
-    body: Message = {"id": each.id, "verified": bool(each.number)}
-    message = each.message or ("" if session.debugger else "nothing is launched yet")
-    if message:
-        body["message"] = message
-    if each.location is not None:
-        place = session.places.place(each.location)
-        body |= {"source": place["source"], "line": place["line"]}
-    return body
-
-
-def _tell(session: EditorSession, reason: str, body: Message) -> None:
-    session.connection.event("breakpoint", {"reason": reason, "breakpoint": body})
-
-
-_ADD: Final[dict[str, Callable[[EditorSession, Wish], Breakpoint]]] = {
-    "line": _add_line,
+_ADD: Final[dict[str, Callable[[Debugger, RequestedBreakpoint], Breakpoint]]] = {
     "function": _add_function,
     "data": _add_data,
     "exception": _add_exception,
 }
 
-ACCESS: Final[dict[str, Access]] = {"write": "change", "read": "read", "readWrite": "access"}
-"""The debugger's words for the protocol's; a write of the same value interests nobody."""
+ACCESS: Final[dict[str, AccessKind]] = {"write": "change", "read": "read", "readWrite": "access"}
+"""The debugger's terms for the protocol's; a write of the same value is of no interest."""

@@ -1,4 +1,4 @@
-"""What goes to the client: responses and events, numbered, by any thread, one after the other."""
+"""The outgoing half of a connection: numbered responses and events; thread-safe."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import threading
 from typing import Any, BinaryIO, Final
 
 from crs_cc.debug.dap.framing import Message, encode
-from crs_cc.debug.dap.inbox import Request
+from crs_cc.debug.dap.inbox import ClientRequest
 
-NOBODY = Request(0, "", {})
+NOBODY = ClientRequest(0, "", {})
 """Whom to answer when a message says not what it wants."""
 
 
@@ -19,42 +19,42 @@ LOOKING: Final = frozenset(
 
 
 class ClientGoneError(Exception):
-    """Nobody reads any longer what is said."""
+    """The client has closed the connection."""
 
 
 class Connection:
-    """The way to the client."""
+    """Sends messages to the client."""
 
     def __init__(self, sink: BinaryIO) -> None:
         self._sink = sink
         self._lock = threading.Lock()
         self._seq = 0
 
-    def respond(self, request: Request, body: Message | None = None) -> None:
-        """Says that a request is fulfilled; raises like `event`."""
+    def respond(self, request: ClientRequest, body: Message | None = None) -> None:
+        """Send the response to a request; raises like `event`."""
         self._answer(request, {"success": True, **({"body": body} if body else {})})
 
-    def refuse(self, request: Request, text: str, word: str = "") -> None:
-        """Says that a request cannot be fulfilled; raises like `event`.
+    def refuse(self, request: ClientRequest, text: str, word: str = "") -> None:
+        """Send an error response to a request; raises like `event`.
 
         Args:
             request: the request.
-            text: why, for people.
-            word: why, for the client: `cancelled` or `notStopped`.
+            text: the reason, for the user.
+            word: the reason, for the client: `cancelled` or `notStopped`.
         """
         shown = request.command not in LOOKING
         error = {"id": 1, "format": "{why}", "variables": {"why": text}, "showUser": shown}
         self._answer(request, {"success": False, "message": word or text, "body": {"error": error}})
 
     def event(self, name: str, body: Message | None = None) -> None:
-        """Says that something happened.
+        """Send an event.
 
         Raises:
-            ClientGoneError: nobody listens.
+            ClientGoneError: the client has closed the connection.
         """
         self._send({"type": "event", "event": name, **({"body": body} if body else {})})
 
-    def _answer(self, request: Request, answer: dict[str, Any]) -> None:
+    def _answer(self, request: ClientRequest, answer: dict[str, Any]) -> None:
         head = {"type": "response", "request_seq": request.seq, "command": request.command}
         self._send(head | answer)
 

@@ -1,7 +1,7 @@
-"""Messages on a stream of bytes: a header with `Content-Length`, an empty line, JSON.
+"""Message framing: a header with `Content-Length`, an empty line, JSON.
 
-A stream whose headers cannot be understood is of no more use, as nobody knows where the next
-message begins: `BrokenStreamError`. Where just one message is no JSON the next can be read:
+After a malformed header the stream is unusable, as the start of the next message is
+unknown: `BrokenStreamError`. If a message is not valid JSON the next can still be read:
 `BadMessageError`.
 
 >>> import io
@@ -17,32 +17,32 @@ from __future__ import annotations
 import json
 from typing import Any, BinaryIO, Final, NoReturn
 
-LONGEST_LINE: Final = 1024  # of a header [bytes]; chosen by us, real ones have 25
-MOST_LINES: Final = 16  # of a header; chosen by us, real ones have one
-LARGEST_MESSAGE: Final = 8 * 2**20  # that is read [bytes]; chosen by us, real ones have some kB
+MAX_LINE_LENGTH: Final = 1024  # of a header [bytes]; chosen by us, real ones have 25
+MAX_LINES: Final = 16  # of a header; chosen by us, real ones have one
+MAX_MESSAGE_BYTES: Final = 8 * 2**20  # that is read [bytes]; chosen by us, real ones have some kB
 
 Message = dict[str, Any]
 
 
 class BrokenStreamError(Exception):
-    """What comes is not the protocol; nothing that follows can be read."""
+    """The stream violates the protocol; nothing that follows can be read."""
 
 
 class BadMessageError(Exception):
-    """One message is not what it should be."""
+    """A message is malformed."""
 
 
 def encode(message: Message) -> bytes:
-    """Gives a message as it goes over the stream.
+    """Return the encoded message.
 
-    JSON is kept to ASCII, so that whatever a program prints or a file is named can be sent.
+    JSON is restricted to ASCII, so that any output or file name can be sent.
     """
     body = json.dumps(message, separators=(",", ":")).encode("ascii")
     return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
 
 
 def read_message(stream: BinaryIO) -> Message | None:
-    """Reads the next message; gives None where the stream ends between two.
+    """Read the next message; return None at the end of the stream.
 
     Raises:
         BrokenStreamError: the header is not the protocol's, or the stream ends within a message.
@@ -58,10 +58,10 @@ def read_message(stream: BinaryIO) -> Message | None:
 
 
 def _read_size(stream: BinaryIO) -> int | None:
-    """Reads a header; gives its `Content-Length`, or None at the end of the stream."""
+    """Read a header; return its `Content-Length`, or None at the end of the stream."""
     size: int | None = None
-    for number in range(MOST_LINES):
-        line = stream.readline(LONGEST_LINE)
+    for number in range(MAX_LINES):
+        line = stream.readline(MAX_LINE_LENGTH)
         if not line and number == 0:
             return None
         if not line.endswith(b"\n"):
@@ -76,12 +76,12 @@ def _read_size(stream: BinaryIO) -> int | None:
             raise BrokenStreamError("a line of a header has no colon")
         if name.strip().lower() == b"content-length":
             size = _size(value.strip())
-    raise BrokenStreamError(f"a header has more than {MOST_LINES} lines")
+    raise BrokenStreamError(f"a header has more than {MAX_LINES} lines")
 
 
 def _size(digits: bytes) -> int:
-    if not digits.isdigit() or len(digits) > 10 or int(digits) > LARGEST_MESSAGE:
-        raise BrokenStreamError(f"Content-Length must be a number up to {LARGEST_MESSAGE}")
+    if not digits.isdigit() or len(digits) > 10 or int(digits) > MAX_MESSAGE_BYTES:
+        raise BrokenStreamError(f"Content-Length must be a number up to {MAX_MESSAGE_BYTES}")
     return int(digits)
 
 
@@ -89,11 +89,11 @@ def _decode(body: bytes) -> Message:
     try:
         message = json.loads(body.decode("utf-8"), parse_constant=_refuse_constant)
     except (ValueError, RecursionError) as error:  # of decoding bytes, JSON, or too many digits
-        raise BadMessageError(f"a message is no JSON: {error}") from None
+        raise BadMessageError(f"a message is not valid JSON: {error}") from None
     if not isinstance(message, dict):
-        raise BadMessageError("a message is no JSON object")
+        raise BadMessageError("a message is not a JSON object")
     return message
 
 
 def _refuse_constant(name: str) -> NoReturn:
-    raise ValueError(f"{name} is no number in JSON")
+    raise ValueError(f"{name} is not a number in JSON")

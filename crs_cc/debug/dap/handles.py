@@ -1,4 +1,4 @@
-"""Numbers under which a client asks for more: of things that are there while nothing moves.
+"""Handles: numbers by which a client refers to objects until the run moves.
 
 >>> handles = Handles()
 >>> handles.give("a scope"), handles.give("a struct")
@@ -13,38 +13,38 @@ from typing import Any, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 
-MOST: Final = 100_000  # that are given out at one stop; chosen by us
+MAX: Final = 100_000  # handles per stop; chosen by us
 
 
 class Handles:
-    """Things by number. A number is never given a second time, so old ones are found out."""
+    """Objects by number. Numbers are never reused, so stale ones are detected."""
 
     def __init__(self) -> None:
         self._first = 1
         self._things: list[Any] = []
 
     def clear(self) -> None:
-        """Forgets all things: what they were has moved on."""
+        """Invalidate all handles."""
         self._first += len(self._things)
         self._things.clear()
 
     def give(self, thing: Any) -> int:
-        """Gives a number to a thing.
+        """Assign a number to an object.
 
         Raises:
-            RefusalError: too many have one.
+            RefusalError: there are too many.
         """
-        if len(self._things) >= MOST:
-            raise RefusalError("too much is unfolded: let the program go on, or close something")
+        if len(self._things) >= MAX:
+            raise RefusalError("too many variables are expanded: collapse some, or resume")
         self._things.append(thing)
         return self._first + len(self._things) - 1
 
     def take(self, number: int) -> Any:
-        """Gives the thing with a number.
+        """Return the object with a number.
 
         Raises:
-            RefusalError: there is none, or no longer.
+            RefusalError: it is unknown or stale.
         """
         if not self._first <= number < self._first + len(self._things):
-            raise RefusalError("what this number stood for is gone: the programs have moved on")
+            raise RefusalError("the reference is no longer valid: the programs have moved on")
         return self._things[number - self._first]

@@ -1,10 +1,10 @@
-"""Requests that wait for their turn, put in by the thread that reads and taken by the engine's.
+"""The queue of requests from the reading thread to the engine's thread.
 
-While programs run, nobody takes anything; then `put` calls what the engine's thread left with
-`watched`, which lets the run be interrupted.
+While programs run nothing is taken; then `put` calls the function that the engine's thread passed
+to `watched`, which can interrupt the run.
 
 >>> inbox = Inbox()
->>> inbox.put(Request(1, "threads", {}))
+>>> inbox.put(ClientRequest(1, "threads", {}))
 >>> inbox.close()
 >>> inbox.take().command, inbox.take()
 ('threads', None)
@@ -21,17 +21,17 @@ from typing import Any, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 
-MOST: Final = 1000  # requests that wait; chosen by us
+MAX: Final = 1000  # requests that wait; chosen by us
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
-    """What a client wants.
+class ClientRequest:
+    """A request of the client.
 
     Attributes:
         seq: the client's number of it.
         command: its name.
-        arguments: what it says, as it came.
+        arguments: its arguments, not validated.
     """
 
     seq: int
@@ -40,45 +40,45 @@ class Request:
 
 
 class Inbox:
-    """A queue of bounded length, with an end."""
+    """A bounded queue that can be closed."""
 
     def __init__(self) -> None:
-        self._requests: deque[Request] = deque()
+        self._requests: deque[ClientRequest] = deque()
         self._changed = threading.Condition()
         self._closed = False
-        self._interrupt: Callable[[Request | None], None] | None = None
+        self._interrupt: Callable[[ClientRequest | None], None] | None = None
 
-    def put(self, request: Request) -> None:
-        """Puts in a request.
+    def put(self, request: ClientRequest) -> None:
+        """Append a request.
 
         Raises:
-            RefusalError: too many wait already.
+            RefusalError: too many are pending.
         """
         with self._changed:
-            if len(self._requests) >= MOST:
-                raise RefusalError(f"{MOST} requests wait already")
+            if len(self._requests) >= MAX:
+                raise RefusalError(f"{MAX} requests are already pending")
             self._requests.append(request)
             self._changed.notify()
             if self._interrupt is not None:
                 self._interrupt(request)
 
     def close(self) -> None:
-        """Says that nothing more will come."""
+        """Mark the end of the requests."""
         with self._changed:
             self._closed = True
             self._changed.notify()
             if self._interrupt is not None:
                 self._interrupt(None)
 
-    def take(self, *, wait: bool = True) -> Request | None:
-        """Gives the next request; None when none will come, or none is there to be waited for."""
+    def take(self, *, wait: bool = True) -> ClientRequest | None:
+        """Return the next request; None at the end, or if there is none and no wait is wanted."""
         with self._changed:
             while wait and not self._requests and not self._closed:
                 self._changed.wait()
             return self._requests.popleft() if self._requests else None
 
-    def withdraw(self, seq: int) -> Request | None:
-        """Takes out the request with a number, if it still waits."""
+    def withdraw(self, seq: int) -> ClientRequest | None:
+        """Remove a pending request by number."""
         with self._changed:
             found = next((each for each in self._requests if each.seq == seq), None)
             if found is not None:
@@ -87,16 +87,16 @@ class Inbox:
 
     @property
     def closed(self) -> bool:
-        """Tells whether all has been taken that will ever come."""
+        """Return whether the queue is closed and empty."""
         with self._changed:
             return self._closed and not self._requests
 
     @contextmanager
-    def watched(self, interrupt: Callable[[Request | None], None]) -> Iterator[None]:
-        """Calls `interrupt` for what waits now, and whatever comes before the block ends.
+    def watched(self, interrupt: Callable[[ClientRequest | None], None]) -> Iterator[None]:
+        """Call `interrupt` for pending requests and those that arrive during the block.
 
         Args:
-            interrupt: takes the request, None for the end; is called by the reading thread, too.
+            interrupt: receives the request, None for the end; called by the reading thread, too.
         """
         with self._changed:
             for request in self._requests:

@@ -1,14 +1,14 @@
-"""Requests that look around: robots as threads, active functions, scopes, what has happened."""
+"""Requests about the state: robots as threads, stack frames, scopes, exceptions."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.listing import address_of
+from crs_cc.debug.dap.disassembly import address_of
 from crs_cc.debug.dap.locations import NO_PLACE
-from crs_cc.debug.dap.parts import FrameHandle, frame_handle
-from crs_cc.debug.dap.stops import thread_of
+from crs_cc.debug.dap.stop_events import thread_of
+from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame
 from crs_cc.debug.dap.variables import scopes_at
 from crs_cc.debug.world.robot_rows import activity
 
@@ -16,20 +16,20 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.view import Frame
+    from crs_cc.debug.view import BacktraceFrame
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 
 def threads(session: EditorSession, _arguments: Arguments) -> Message:
-    """Gives the robots."""
+    """Return the robots."""
     names = session.debugger.names if session.debugger else ()
     return {"threads": [{"id": thread_of(robot), "name": name} for robot, name in enumerate(names)]}
 
 
 def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives the active functions of a robot's program; without one, what it does instead."""
-    debugger, robot = session.opened(), session.robot(arguments)
-    frames = debugger.frames(robot)
+    """Return the stack frames of a robot's program; without one, its activity."""
+    debugger, robot = session.require_debugger(), session.robot(arguments)
+    frames = debugger.view.frames(robot)
     if not frames:
         label = {
             "id": session.handles.give(FrameHandle(robot)),
@@ -51,7 +51,7 @@ def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
     }
 
 
-def _frame(session: EditorSession, robot: int, frame: Frame, address: int) -> Message:
+def _frame(session: EditorSession, robot: int, frame: BacktraceFrame, address: int) -> Message:
     handle = FrameHandle(robot, frame.number, frame.function)
     return {
         "id": session.handles.give(handle),
@@ -59,26 +59,26 @@ def _frame(session: EditorSession, robot: int, frame: Frame, address: int) -> Me
         "instructionPointerReference": f"{address:#x}",
         "presentationHint": "subtle" if frame.is_library else "normal",
         "canRestart": False,
-        **session.places.place(frame.location),
+        **session.locations.place(frame.location),
     }
 
 
 def scopes(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives what can be looked at from an active function."""
-    session.standing()
+    """Return the scopes of a stack frame."""
+    session.require_stopped()
     arguments.integer("frameId")
-    return {"scopes": list(scopes_at(session, frame_handle(session, arguments)))}
+    return {"scopes": list(scopes_at(session, requested_frame(session, arguments)))}
 
 
 def exception_info(session: EditorSession, arguments: Arguments) -> Message:
-    """Tells more of the error that has stopped a program, or of the happening."""
-    debugger, robot = session.standing(), session.robot(arguments)
+    """Return details of the error or event at which a program has stopped."""
+    debugger, robot = session.require_stopped(), session.robot(arguments)
     stop = debugger.stop
     if debugger.run.has_failed(robot):
         return _failure(debugger.session.fleet.report(robot))
     if stop.reason != "catchpoint" or robot != max(stop.robot, 0):
-        raise RefusalError("nothing has happened to this robot")
-    kind = session.breakpoints.kind_of(stop.breakpoints)
+        raise RefusalError("no exception to report for this robot")
+    kind = session.breakpoints.event_kind(stop.breakpoints)
     return {"exceptionId": kind, "description": stop.text, "breakMode": "always"}
 
 

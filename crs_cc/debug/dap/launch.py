@@ -1,7 +1,7 @@
-"""What an editor says of a run: the attributes of `launch`, one table.
+"""The attributes of `launch`, in one table.
 
-Those that say what is run, and how, become a command line of `crs debug`, so that they mean what
-they mean there and are checked by the same code.
+Those that describe the run become a command line of `crs debug`, so that they have the same
+meaning and are validated by the same code.
 
 >>> values = {"program": "wander.c", "world": "room.xml", "seed": 3, "cwd": "/home/me"}
 >>> launch = read_launch(Arguments(values))
@@ -20,17 +20,17 @@ Kind = Literal["string", "integer", "boolean", "array"]
 
 
 @dataclass(frozen=True, slots=True)
-class Attribute:
+class LaunchAttribute:
     """An attribute of `launch`.
 
     Attributes:
         name: its name.
-        kind: its type in JSON; an `array` is one of strings, for which a single one may stand.
-        meaning: what it says, for people.
-        option: the option of `crs debug` that it becomes; empty for those of the editor alone,
-            and for what stands in a command line without an option.
-        default: what holds where it is not given.
-        choices: what it may be; all, if empty.
+        kind: its type in JSON; an `array` contains strings, and a single string counts as one.
+        meaning: its description for users.
+        option: the option of `crs debug` that it becomes; empty for those of the editor only,
+            and for positional arguments.
+        default: its default.
+        choices: the valid values; empty for any.
     """
 
     name: str
@@ -42,73 +42,79 @@ class Attribute:
 
 
 ATTRIBUTES: Final = (
-    Attribute(
+    LaunchAttribute(
         "program",
         "array",
-        "The C file, or several that make one program. It can be left out where the world names "
-        "a program for each robot.",
+        "The C file, or several files of one program. Optional if the world names a program for"
+        " each robot.",
     ),
-    Attribute("world", "string", "The world file; an empty world by default."),
-    Attribute("args", "array", "What the program's `main` finds behind `argv[0]`."),
-    Attribute(
-        "cwd", "string", "The folder in which files are looked for; by default where `crs` runs."
+    LaunchAttribute("world", "string", "The world file. Default: an empty world."),
+    LaunchAttribute("args", "array", "Arguments of the program, after `argv[0]`."),
+    LaunchAttribute(
+        "cwd",
+        "string",
+        "The directory that file names are relative to. Default: the working directory of `crs`.",
     ),
-    Attribute(
+    LaunchAttribute(
         "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
     ),
-    Attribute(
+    LaunchAttribute(
         "stopAtEnd",
         "boolean",
-        "Stop when all programs have ended, so that one can step back; to continue then ends the "
-        "session.",
+        "Stop when all programs have ended, so that you can step back; continuing then ends the"
+        " session.",
         default=True,
     ),
-    Attribute("seed", "integer", "Start of all random numbers; by default the world's.", "--seed"),
-    Attribute("robot", "string", "The kind of robot where the world says none.", "--robot"),
-    Attribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
-    Attribute(
+    LaunchAttribute("seed", "integer", "Random seed. Default: that of the world.", "--seed"),
+    LaunchAttribute(
+        "robot", "string", "The robot definition, where the world does not name one.", "--robot"
+    ),
+    LaunchAttribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
+    LaunchAttribute(
         "link",
         "string",
-        "Let commands take their time on the line to the robot, or next to none.",
+        "Simulate the delay of the link to the robot (serial), or none (ideal).",
         "--link",
         choices=("serial", "ideal"),
     ),
-    Attribute(
+    LaunchAttribute(
         "client",
         "string",
-        "Behave like the vendor's library for the simulator, or for the robot itself.",
+        "The vendor's library to imitate: for its simulator, or for the robot itself.",
         "--client",
         choices=("nclient", "ndirect"),
     ),
-    Attribute(
+    LaunchAttribute(
         "files",
         "array",
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    Attribute("input", "string", "The file that the programs read as standard input.", "--input"),
-    Attribute("include", "array", "Folders in which `#include` looks.", "--include"),
-    Attribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
-    Attribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),
-    Attribute("standard", "string", "The C that the program is written in, as `gnu17`.", "-std"),
-    Attribute(
+    LaunchAttribute("input", "string", "The standard input of the programs.", "--input"),
+    LaunchAttribute("include", "array", "Directories searched by `#include`.", "--include"),
+    LaunchAttribute(
+        "define", "array", "Macro definitions, each as `NAME` or `NAME=VALUE`.", "--define"
+    ),
+    LaunchAttribute("undefine", "array", "Macros to undefine.", "--undefine"),
+    LaunchAttribute("standard", "string", "The C standard, such as `gnu17`.", "-std"),
+    LaunchAttribute(
         "dialect",
         "string",
-        "Whose functions the program calls.",
+        "The dialect of the program.",
         "--dialect",
         choices=("nomad", "report"),
     ),
-    Attribute(
+    LaunchAttribute(
         "unchecked",
         "boolean",
-        "Leave out the checks of memory accesses.",
+        "Disable the checks of memory accesses.",
         "--unchecked",
         default=False,
     ),
-    Attribute(
+    LaunchAttribute(
         "trapOverflow",
         "boolean",
-        "Stop a program whose signed arithmetic overflows.",
+        "Stop a program on signed overflow.",
         "--trap-overflow",
         default=False,
     ),
@@ -119,22 +125,22 @@ _OF_EDITORS: Final = (
     *("internalConsoleOptions", "presentation", "serverReadyAction", "console", "consoleMode"),
     *("suppressMultipleSessionWarning", "linux", "osx", "windows"),
 )
-"""What editors leave in a configuration that they pass on."""
+"""Attributes of editors' own in a configuration."""
 
 _KNOWN: Final = frozenset({attribute.name for attribute in ATTRIBUTES} | set(_OF_EDITORS))
 
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """What to run, and where to stop by itself.
+    """What to run, and where to stop automatically.
 
     Attributes:
         command_line: arguments of `crs debug`.
-        folder: where they hold, empty for where we are.
+        folder: the working directory, empty for the current one.
         stop_on_entry: whether to stop before the first statement.
         stop_at_end: whether to stop when all programs have ended.
-        debugs: whether to stop anywhere at all.
-        unknown: attributes that mean nothing to us, nor to any editor that we know.
+        debugs: whether to stop at all.
+        unknown: unknown attributes.
     """
 
     command_line: tuple[str, ...]
@@ -146,7 +152,7 @@ class Launch:
 
 
 def read_launch(arguments: Arguments) -> Launch:
-    """Reads the arguments of `launch`.
+    """Read the arguments of `launch`.
 
     Raises:
         RefusalError: an attribute is of the wrong type, or one is missing.
@@ -154,7 +160,7 @@ def read_launch(arguments: Arguments) -> Launch:
     by_name = {each.name: _values(arguments, each) for each in ATTRIBUTES}
     files = by_name["program"] + by_name["world"]
     if not files:
-        raise RefusalError("launch names neither a program nor a world")
+        raise RefusalError("launch specifies neither a program nor a world")
     line = [
         f"{each.option}={value}" if value else each.option
         for each in ATTRIBUTES
@@ -166,7 +172,7 @@ def read_launch(arguments: Arguments) -> Launch:
         line += ["--", *by_name["args"]]
     folder = arguments.text("cwd", "")
     if any("\0" in word for word in (*line, folder)):
-        raise RefusalError("launch has a NUL character in an attribute")
+        raise RefusalError("an attribute of launch contains a NUL character")
     return Launch(
         tuple(line),
         folder,
@@ -177,8 +183,8 @@ def read_launch(arguments: Arguments) -> Launch:
     )
 
 
-def _values(arguments: Arguments, attribute: Attribute) -> list[str]:
-    """Gives what an attribute says, as words of a command line."""
+def _values(arguments: Arguments, attribute: LaunchAttribute) -> list[str]:
+    """Return an attribute as words of a command line."""
     name = attribute.name
     if name not in arguments:
         return []

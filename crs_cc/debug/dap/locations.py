@@ -1,7 +1,7 @@
-"""Places in the words of the client: its paths, or ours; lines from 0 or from 1; sources by number.
+"""Locations in the conventions of the client: form of paths, first line, source references.
 
-Files of the user have paths. Those of the C library are told by a number, under which the client
-asks for their text.
+Files of the user have paths. Those of the C library have numbers, by which the client
+requests their text.
 """
 
 from __future__ import annotations
@@ -13,40 +13,47 @@ from typing import Final
 from urllib.parse import unquote, urlsplit
 
 from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.framing import Message
 from crs_cc.ir.names import LIBRARY
 from crs_cc.session.library import SOURCES
 
 
-class ClientPlaces:
-    """How this client counts and names, and which files the programs are made of."""
+class ClientLocations:
+    """The client's conventions, and the source files of the programs."""
 
-    def __init__(self, arguments: Arguments) -> None:
-        """Takes what the client says of itself.
-
-        Raises:
-            RefusalError: it wants paths in an unknown form.
-        """
-        self._first_line = int(arguments.flag("linesStartAt1", default=True))
-        self._first_column = int(arguments.flag("columnsStartAt1", default=True))
-        form = arguments.text("pathFormat", "path")
-        if form not in {"path", "uri"}:
-            raise RefusalError(f"there are no paths in the form '{form}': there are path and uri")
-        self._has_uris = form == "uri"
+    def __init__(self) -> None:
+        self._first_line = 1
+        self._first_column = 1
+        self._has_uris = False
         self._files: list[str] = []
 
+    def configure(self, client: Arguments) -> None:
+        """Adopt the conventions that a client announces.
+
+        Raises:
+            RefusalError: it wants an unknown format of paths.
+        """
+        first_line = int(client.flag("linesStartAt1", default=True))
+        first_column = int(client.flag("columnsStartAt1", default=True))
+        form = client.text("pathFormat", "path")
+        if form not in {"path", "uri"}:
+            raise RefusalError(unknown("path format", form, ("path", "uri")))
+        self._first_line, self._first_column = first_line, first_column
+        self._has_uris = form == "uri"
+
     def know(self, files: Iterable[str]) -> None:
-        """Takes the names of the files that the programs are made of; a file keeps its number."""
+        """Add the names of source files; a file keeps its number."""
         known = set(self._files)
         self._files += [file for file in dict.fromkeys(files) if file not in known]
 
     def sources(self) -> list[Message]:
-        """Gives all files that are known."""
+        """Return all source files."""
         return [self.source(file) for file in self._files]
 
     def source(self, file: str) -> Message:
-        """Gives a file as the client calls it."""
+        """Return the protocol's `Source` of a file."""
         name = file.rpartition("/")[2]
         if file.startswith(LIBRARY):
             self.know([file])
@@ -59,10 +66,10 @@ class ClientPlaces:
         return {"name": name, "path": path.as_uri() if self._has_uris else str(path)}
 
     def key(self, source: Arguments) -> str:
-        """Gives what tells a client's source from all others, whether programs have it or not.
+        """Return a unique key of a client's source, whether or not a program has it.
 
         Raises:
-            RefusalError: it says neither a path nor a number.
+            RefusalError: it has neither a path nor a number.
         """
         number = source.natural("sourceReference", 0)
         if number:
@@ -73,43 +80,43 @@ class ClientPlaces:
         return "" if "\0" in path else os.path.realpath(path)
 
     def file_at(self, key: str) -> str | None:
-        """Gives the name that the programs have for the source with a key; None if they have none.
+        """Return the programs' file name for a key; None if there is none.
 
-        Known are the names with which the user has called them, and the library's own.
+        These are the names as the user wrote them, and the library's own.
         """
         if key in self._files:
             return key
         return next((file for file in self._files if os.path.realpath(file) == key), None)
 
     def text(self, file: str, lines: Sequence[str]) -> str:
-        """Gives the text of a file.
+        """Return the text of a file.
 
         Args:
             file: its name.
-            lines: what the programs know of it; of the C library they know nothing.
+            lines: its lines as the programs have them; none for the C library.
         """
         if not file.startswith(LIBRARY):
             return "\n".join(lines)
         return (SOURCES / file.removeprefix(LIBRARY)).read_text("utf-8")
 
     def line(self, line: int) -> int:
-        """Gives a line as the client counts."""
+        """Return the client's number for a line."""
         return line - 1 + self._first_line
 
     def column(self, column: int) -> int:
-        """Gives a column as the client counts; unknown ones are at the beginning."""
+        """Return the client's number for a column; unknown ones become the first."""
         return max(column, 1) - 1 + self._first_column
 
-    def our_line(self, line: int) -> int:
-        """Gives a client's line as we count."""
+    def to_line(self, line: int) -> int:
+        """Return the line for a client's number."""
         return line + 1 - self._first_line
 
-    def our_column(self, column: int) -> int:
-        """Gives a client's column as we count."""
+    def to_column(self, column: int) -> int:
+        """Return the column for a client's number."""
         return column + 1 - self._first_column
 
     def place(self, location: Location) -> Message:
-        """Gives a place: source, line and column."""
+        """Return a location: source, line and column."""
         return {
             "source": self.source(location.file),
             "line": self.line(location.line),

@@ -1,4 +1,4 @@
-"""The way in: sessions with editors on standard streams, or on a port of this computer alone."""
+"""The entry point: sessions on standard streams, or on a port of the loopback interface."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any, BinaryIO, Final
 
-from crs_cc.debug.dap.arguments import LARGEST, Arguments, RefusalError
+from crs_cc.debug.dap.arguments import MAX_INTEGER, Arguments, RefusalError
 from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
 from crs_cc.debug.dap.framing import BadMessageError, BrokenStreamError, Message, read_message
-from crs_cc.debug.dap.inbox import Inbox, Request
-from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.inbox import ClientRequest, Inbox
+from crs_cc.debug.dap.request_table import HANDLERS
 from crs_cc.debug.dap.server import Server, explain
 from crs_cc.debug.dap.session import EditorSession
 
@@ -30,33 +30,33 @@ taken as it is used."""
 
 
 def serve_stdio(open_run: OpenRun) -> None:
-    """Serves the editor that has started this process, until it ends the session.
+    """Serve the editor that has started this process, until it ends the session.
 
     Args:
-        open_run: makes a debugger of a command line of `crs debug`.
+        open_run: makes a debugger from a command line of `crs debug`.
     """
     sys.stdout.flush()
     source = _StandardInput()
     with (
-        contextlib.suppress(ConnectionError),  # what is unwritten is for nobody
+        contextlib.suppress(ConnectionError),  # unwritten output has no reader
         os.fdopen(os.dup(1), "wb") as sink,
     ):
-        os.dup2(2, 1)  # whatever else is printed must not come between messages
+        os.dup2(2, 1)  # other output must not mix with messages
         serve(io.BufferedReader(source), sink, open_run, source.end)
 
 
 class _StandardInput(io.RawIOBase):
-    """Our standard input, which another thread can end."""
+    """Standard input that another thread can end."""
 
     def __init__(self) -> None:
         self._is_over, self._over = os.pipe()
 
     def readable(self) -> bool:
-        """Tells that it can be read."""
+        """Return True: it can be read."""
         return True
 
     def readinto(self, room: Any, /) -> int:
-        """Waits for bytes, and gives how many have come: none at the end."""
+        """Wait for bytes; return how many were read, 0 at the end."""
         ready, _, _ = select.select([0, self._is_over], [], [])
         if self._is_over in ready:
             return 0
@@ -66,20 +66,20 @@ class _StandardInput(io.RawIOBase):
         return len(content)
 
     def end(self) -> None:
-        """Lets it end, for who waits for it, too."""
+        """End the stream, for a blocked reader, too."""
         os.write(self._over, b"x")
 
 
 def serve_port(port: int, open_run: OpenRun, announce: Callable[[str], None]) -> None:
-    """Serves one editor after the other on a port of the loopback interface, until interrupted.
+    """Serve editors, one after the other, on a port of the loopback interface until interrupted.
 
     Args:
         port: its number; 0 for any that is free.
-        open_run: makes a debugger of a command line of `crs debug`.
-        announce: is told where editors can connect.
+        open_run: makes a debugger from a command line of `crs debug`.
+        announce: receives the address to connect to.
 
     Raises:
-        OSError: the port is taken.
+        OSError: the port is in use.
     """
     folder = os.getcwd()  # noqa: PTH109
     with socket.create_server(("127.0.0.1", port)) as listener:
@@ -107,13 +107,13 @@ def serve(
     open_run: OpenRun,
     hang_up: Callable[[], None] = lambda: None,
 ) -> None:
-    """Serves one session.
+    """Serve one session.
 
     Args:
-        source: what the client says.
-        sink: what it is told.
-        open_run: makes a debugger of a command line of `crs debug`.
-        hang_up: lets a read from the client end.
+        source: the stream from the client.
+        sink: the stream to the client.
+        open_run: makes a debugger from a command line of `crs debug`.
+        hang_up: ends a blocking read from the client.
     """
     connection, inbox = Connection(sink), Inbox()
     session = EditorSession(connection, inbox, open_run)
@@ -122,7 +122,7 @@ def serve(
         try:
             Server(session, inbox, HANDLERS).serve()
         except ClientGoneError:
-            pass  # then nobody is left to be told
+            pass  # then nobody is left to tell
         except Exception as error:
             sys.stderr.write(f"crs: {explain(error)}\n")
         finally:
@@ -142,10 +142,10 @@ def serve(
 
 
 def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: EditorSession) -> None:
-    """Puts what the client wants into the inbox, until it says no more.
+    """Put the client's requests into the inbox, up to the end of the stream.
 
     Raises:
-        ClientGoneError: nobody listens.
+        ClientGoneError: the client has closed the connection.
     """
     while not session.over:
         try:
@@ -165,8 +165,8 @@ def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: Edito
                 return
 
 
-def _request(message: Message) -> Request | None:
-    """Gives the request that a message is; None for one that answers something.
+def _request(message: Message) -> ClientRequest | None:
+    """Return the request in a message; None for a response.
 
     Raises:
         BadMessageError: it is neither.
@@ -175,15 +175,15 @@ def _request(message: Message) -> Request | None:
     if message.get("type") == "response":
         return None
     if message.get("type") != "request" or not isinstance(command, str):
-        raise BadMessageError("a message is no request")
-    if not isinstance(seq, int) or isinstance(seq, bool) or abs(seq) > LARGEST:
-        raise BadMessageError("a request has no number")
+        raise BadMessageError("a message is not a request")
+    if not isinstance(seq, int) or isinstance(seq, bool) or abs(seq) > MAX_INTEGER:
+        raise BadMessageError("a request has no 'seq'")
     arguments = message.get("arguments")
-    return Request(seq, command, {} if arguments is None else arguments)
+    return ClientRequest(seq, command, {} if arguments is None else arguments)
 
 
-def _sort(request: Request, connection: Connection, inbox: Inbox) -> None:
-    """Lets a request wait for its turn; one that withdraws another is fulfilled at once."""
+def _sort(request: ClientRequest, connection: Connection, inbox: Inbox) -> None:
+    """Queue a request; answer a cancellation at once."""
     try:
         if request.command != "cancel":
             inbox.put(request)

@@ -1,9 +1,9 @@
-"""The loop that answers requests: one after the other, and between them what they set in motion.
+"""The loop that answers requests one after the other, and moves the run between them.
 
-The thread that reads puts requests into the inbox; this one, the engine's, takes them out. While
-programs run it is busy. Then what comes in interrupts the run and is answered, and the run goes on,
-so that a breakpoint can be set at any time and nobody waits; steps are too short for that, and
-are interrupted only by those who want them to end.
+The reading thread puts requests into the inbox; this one, the engine's, takes them out. While
+programs run it is busy. Then a request interrupts the run and is answered, and the run continues,
+so that a breakpoint can be set at any time; steps are too short for that, and
+are interrupted only by requests to stop.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from crs_cc.core.errors import CrsError
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.connection import ClientGoneError
 from crs_cc.debug.dap.framing import Message
-from crs_cc.debug.dap.stops import tell_stop
+from crs_cc.debug.dap.stop_events import report_stop
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
-    from crs_cc.debug.dap.inbox import Inbox, Request
-    from crs_cc.debug.dap.session import EditorSession, Motion
+    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
+    from crs_cc.debug.dap.session import EditorSession, Execution
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
 
@@ -41,20 +41,20 @@ class Server:
         self._handlers = handlers
 
     def serve(self) -> None:
-        """Answers requests until the session is over, or no more can come.
+        """Answer requests until the session is over, or no more can come.
 
         Raises:
-            ClientGoneError: nobody listens.
+            ClientGoneError: the client has closed the connection.
         """
         session = self._session
         while not session.over and (request := self._inbox.take()) is not None:
             self._answer(request)
-            while session.motion is not None and not session.over:
-                motion, session.motion = session.motion, None
+            while session.execution is not None and not session.over:
+                motion, session.execution = session.execution, None
                 self._move(motion)
 
-    def _answer(self, request: Request) -> None:
-        """Fulfils a request, or says why not."""
+    def _answer(self, request: ClientRequest) -> None:
+        """Answer a request, or refuse it."""
         connection = self._session.connection
         handler = self._handlers.get(request.command)
         if handler is None:
@@ -73,18 +73,18 @@ class Server:
             self._tell_more()
 
     def _tell_more(self) -> None:
-        """Tells what a request has brought about."""
+        """Report the effects of a request."""
         session = self._session
-        afterwards, session.afterwards = session.afterwards, None
-        if afterwards is not None:
-            afterwards()
+        after_response, session.after_response = session.after_response, None
+        if after_response is not None:
+            after_response()
 
-    def _move(self, motion: Motion) -> None:
-        """Lets the programs run, and tells where they stop."""
+    def _move(self, motion: Execution) -> None:
+        """Run the programs and report where they stop."""
         session = self._session
-        debugger = session.opened()
+        debugger = session.require_debugger()
         session.handles.clear()
-        session.moves, session.paused = True, False
+        session.is_running, session.paused = True, False
         try:
             stop = self._run(motion, debugger)
         except ClientGoneError:
@@ -92,14 +92,14 @@ class Server:
         except Exception as error:
             session.output.say(explain(error), "stderr")
             stop = debugger.stop
-        session.moves = False
+        session.is_running = False
         session.handles.clear()  # of what was asked for on the way
         if session.debugger is debugger:
             session.output.flush()
-            tell_stop(session, stop)
+            report_stop(session, stop)
 
-    def _run(self, motion: Motion, debugger: Debugger) -> Stop:
-        """Lets the programs run until they stop, or a request wants them to."""
+    def _run(self, motion: Execution, debugger: Debugger) -> Stop:
+        """Run the programs until they stop or a request interrupts them."""
         session = self._session
         go = motion.go
         while True:
@@ -122,7 +122,7 @@ class Server:
 
 
 def explain(error: Exception) -> str:
-    """Gives an error in words for people."""
+    """Return the user's message for an error."""
     if isinstance(error, DebugError | CrsError | OSError):
         return str(error)
     if os.environ.get("CRS_DEBUG"):

@@ -1,4 +1,4 @@
-"""A session with an editor: what is known of the client, of the run, and of what it asked for."""
+"""The state of a session with an editor."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.handles import Handles
-from crs_cc.debug.dap.locations import ClientPlaces
-from crs_cc.debug.dap.output import OutputEvents
+from crs_cc.debug.dap.locations import ClientLocations
+from crs_cc.debug.dap.output_events import OutputEvents
 from crs_cc.debug.engine import Debugger
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.connection import Connection
-    from crs_cc.debug.dap.inbox import Inbox, Request
+    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
     from crs_cc.debug.dap.launch import Launch
     from crs_cc.debug.stop import Stop
     from crs_cc.session.host import Output
@@ -33,13 +33,13 @@ command line is wrong."""
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
-    """Something that lets the programs run, forward or backward.
+class Execution:
+    """A pending execution, forward or backward.
 
     Attributes:
         go: starts it.
-        go_on: goes on when it was interrupted by a request that did not mean it; None when it
-            cannot, so that such requests wait.
+        go_on: continues it after an interruption by an unrelated request; None if it
+            cannot be continued, so that such requests wait.
     """
 
     go: Callable[[], Stop]
@@ -47,37 +47,37 @@ class Motion:
 
 
 class EditorSession:
-    """What requests are answered with.
+    """The state that request handlers share.
 
     Attributes:
-        connection: the way to the client.
-        client: what the client says of itself.
-        places: how it names places.
-        launch: what it wants to run; None before it has said so.
-        breakpoints: where it wants to stop.
-        handles: what it can ask more of, while nothing moves.
-        output: where the programs' output goes.
-        motion: what is to be done when the current request has been answered; None for nothing.
-        afterwards: what is to be told then.
-        has_begun: whether the run has.
-        moves: whether the client thinks that the programs run.
-        paused: whether it wants them to stop.
-        shell: what does commands; None where nothing is launched.
-        over: whether the session is to end.
+        connection: sends messages to the client.
+        client: the client's capabilities.
+        locations: its conventions for source locations.
+        launch: what it has launched; None for nothing.
+        breakpoints: its breakpoints.
+        handles: objects that it can refer to until the run moves.
+        output: the programs' output.
+        execution: the execution to start after the response; None for none.
+        after_response: sends events after the response; None for none.
+        has_started: whether the run has started.
+        is_running: whether the programs run as far as the client knows.
+        paused: whether it has requested a pause.
+        shell: executes commands; None if nothing is launched.
+        over: whether the session should end.
     """
 
     def __init__(self, connection: Connection, inbox: Inbox, open_run: OpenRun) -> None:
         self.connection = connection
         self.client = Arguments({})
-        self.places = ClientPlaces(self.client)
+        self.locations = ClientLocations()
         self.launch: Launch | None = None
-        self.breakpoints = EditorBreakpoints()
+        self.breakpoints = EditorBreakpoints(connection, self.locations)
         self.handles = Handles()
         self.output = OutputEvents(connection)
-        self.motion: Motion | None = None
-        self.afterwards: Callable[[], None] | None = None
-        self.has_begun = False
-        self.moves = False
+        self.execution: Execution | None = None
+        self.after_response: Callable[[], None] | None = None
+        self.has_started = False
+        self.is_running = False
         self.paused = False
         self.over = False
         self.shell: Shell | None = None
@@ -86,114 +86,116 @@ class EditorSession:
         self._debugger: Debugger | None = None
         self._folder = os.getcwd()  # noqa: PTH109
 
-    def meet(self, client: Arguments) -> None:
-        """Learns what a client says of itself.
+    def configure_client(self, client: Arguments) -> None:
+        """Store the client's capabilities.
 
         Raises:
-            RefusalError: it wants what there is not.
+            RefusalError: they are not supported.
         """
-        self.client, self.places = client, ClientPlaces(client)
+        self.locations.configure(client)
+        self.client = client
 
     @property
     def debugger(self) -> Debugger | None:
-        """The debugger; None where nothing is launched."""
+        """The debugger; None if nothing is launched."""
         return self._debugger
 
-    def opened(self) -> Debugger:
-        """Gives the debugger.
+    def require_debugger(self) -> Debugger:
+        """Return the debugger.
 
         Raises:
             RefusalError: nothing is launched.
         """
         if self._debugger is None:
-            raise RefusalError("nothing is launched")
+            raise RefusalError("no program is launched")
         return self._debugger
 
-    def standing(self) -> Debugger:
-        """Gives the debugger of programs that stand still.
+    def require_stopped(self) -> Debugger:
+        """Return the debugger of stopped programs.
 
         Raises:
-            RefusalError: they run, or nothing is launched.
+            RefusalError: they are running, or nothing is launched.
         """
-        debugger = self.opened()
-        if self.moves:
-            raise RefusalError("the programs run: pause them first", "notStopped")
+        debugger = self.require_debugger()
+        if self.is_running:
+            raise RefusalError("the programs are running: pause them first", "notStopped")
         return debugger
 
     def robot(self, arguments: Arguments) -> int:
-        """Gives the robot that a request means as a thread.
+        """Return the robot of a request's `threadId`.
 
         Raises:
             RefusalError: there is no such robot.
         """
         robot = arguments.integer("threadId") - 1
-        if not 0 <= robot < len(self.opened().names):
-            raise RefusalError("'threadId' is that of no robot")
+        if not 0 <= robot < len(self.require_debugger().names):
+            raise RefusalError("unknown 'threadId'")
         return robot
 
     def open(self, launch: Launch) -> None:
-        """Makes a run, instead of the one before if there is one.
+        """Start a new run, which replaces the previous one.
 
         Raises:
-            RefusalError: its folder is none.
-            DebugError: the command line is wrong.
-            CrsError: a program or the world is.
+            RefusalError: its working directory is invalid.
+            DebugError: the command line is invalid.
+            CrsError: a program or the world is invalid.
         """
         try:
             os.chdir(os.path.join(self._folder, launch.folder))  # noqa: PTH118
         except OSError as error:
             raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
         for name in launch.unknown:
-            self.output.say(f"launch has no attribute '{name}': it is passed over", "important")
+            self.output.say(f"unknown attribute '{name}' of launch: ignored", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
-        self.launch, self._debugger, self.has_begun = launch, debugger, False
+        self.launch, self._debugger, self.has_started = launch, debugger, False
+        self.breakpoints.debugger = debugger
         self.shell = Shell(debugger)
-        debugger.say = self.output.say
+        debugger.stop_points.say = self.output.say
         self.output.begin(debugger.names)
         self.handles.clear()
         for program in debugger.run.programs:
-            self.places.know(program.executable.detail().lines)
+            self.locations.know(program.executable.detail().lines)
 
     def begin(self) -> None:
-        """Lets the run begin: up to its first statement, or its first breakpoint."""
-        launch, debugger = self.launch, self.opened()
+        """Start the run: go to its first statement, or its first breakpoint."""
+        launch, debugger = self.launch, self.require_debugger()
         assert launch is not None
-        self.has_begun = True
+        self.has_started = True
         if launch.stop_on_entry and launch.debugs:
-            self.motion = Motion(lambda: replace(debugger.start(), reason="start"))
+            self.execution = Execution(lambda: replace(debugger.start(), reason="start"))
         else:
-            self.motion = Motion(debugger.resume, go_on=debugger.resume)
+            self.execution = Execution(debugger.resume, go_on=debugger.resume)
 
     def close(self) -> None:
-        """Forgets the run."""
-        self._debugger = self.shell = None
+        """Close the run."""
+        self._debugger = self.shell = self.breakpoints.debugger = None
         self.handles.clear()
 
     @contextmanager
     def interruptible(self, *, by_all: bool) -> Iterator[None]:
-        """Lets a request that comes in interrupt what runs in the block.
+        """Let arriving requests interrupt the run in the block.
 
         Args:
-            by_all: whether every request does; else only those that want the programs to stop.
+            by_all: whether every request does; else only those that stop the programs.
         """
-        debugger = self.opened()
+        debugger = self.require_debugger()
 
-        def interrupt(request: Request | None) -> None:
+        def interrupt(request: ClientRequest | None) -> None:
             if request is None or by_all or request.command in ENDING:
                 debugger.interrupt()
 
         with self._inbox.watched(interrupt):
             yield
-        debugger.forget_interrupt()  # by what came when it had stopped
+        debugger.forget_interrupt()  # an interrupt that arrived after the stop
 
-    def tell_changed(self) -> None:
-        """Tells that whatever the client knows of the programs may be another now."""
+    def report_invalidated(self) -> None:
+        """Report that the client's view of the programs is outdated."""
         if self.client.flag("supportsInvalidatedEvent", default=False):
             self.connection.event("invalidated", {"areas": ["all"]})
 
-    def tell_written(self, reference: str, count: int) -> None:
-        """Tells that bytes of a program's memory are others now."""
+    def report_memory_written(self, reference: str, count: int) -> None:
+        """Report that bytes of a program's memory have changed."""
         if self.client.flag("supportsMemoryEvent", default=False):
             where = {"memoryReference": reference, "offset": 0, "count": count}
             self.connection.event("memory", where)
-        self.tell_changed()
+        self.report_invalidated()

@@ -1,4 +1,4 @@
-"""What stands in scopes: variables, `State[]`, a robot, the world; and which C names these have."""
+"""The contents of scopes: variables, `State[]`, robot, world; and C expressions for them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.parts import FrameHandle, Parts, part_of, parts_of, shown
+from crs_cc.debug.dap.value_messages import (
+    ExpandableValue,
+    FrameHandle,
+    child_expression,
+    child_messages,
+    value_message,
+)
 from crs_cc.debug.world.robot_rows import robot_rows
 from crs_cc.debug.world.state_rows import state_rows
 from crs_cc.debug.world.world_rows import world_rows
@@ -23,16 +29,16 @@ if TYPE_CHECKING:
 
 _INDEX: Final = re.compile(r"\[(\d+)\].*")
 _HIDDEN: Final = " (hidden)"
-_MOST: Final = 10_000  # parts in one answer; chosen by us
+_MAX: Final = 10_000  # parts in one answer; chosen by us
 
 
 @dataclass(frozen=True, slots=True)
-class Scope:
-    """What can be looked at from an active function.
+class ScopeHandle:
+    """A scope of a stack frame.
 
     Attributes:
-        name: which of it.
-        at: the function.
+        name: its name.
+        at: the frame.
     """
 
     name: str
@@ -40,56 +46,56 @@ class Scope:
 
 
 @dataclass(frozen=True, slots=True)
-class Rows:
+class RowsHandle:
     """Rows of text."""
 
     rows: Sequence[Row]
 
 
 def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    """Gives the scopes of an active function, or of a program without one."""
+    """Return the scopes of a frame, or of a program without one."""
     hints = {"Locals": "locals"}
     for name in _SCOPES:
         if at.frame is None and name == "Locals":
             continue
-        if name == "State" and not session.opened().told_state(at.robot):
+        if name == "State" and not session.require_debugger().view.vendor_state(at.robot):
             continue
         scope = {
             "name": name,
-            "variablesReference": session.handles.give(Scope(name, at)),
+            "variablesReference": session.handles.give(ScopeHandle(name, at)),
             "expensive": False,
         }
         yield scope | ({"presentationHint": hints[name]} if name in hints else {})
 
 
 def variables(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives what stands in a scope, or the parts of a value."""
+    """Return the variables of a scope, or the parts of a value."""
     thing = session.handles.take(arguments.integer("variablesReference"))
     start, count = arguments.natural("start", 0), arguments.natural("count", 0)
     wanted = arguments.text("filter", "")
     match thing:
-        case Parts():
+        case ExpandableValue():
             is_array = isinstance(thing.value.type, ArrayType)
             if wanted and (wanted == "indexed") != is_array:
                 return {"variables": []}
-            made = list(parts_of(session, thing, start, min(count or _MOST, _MOST)))
+            made = list(child_messages(session, thing, start, min(count or _MAX, _MAX)))
             left = thing.value.child_count - start - len(made)
             if left > 0 and not count:  # for clients that do not ask piece by piece
                 made.append({"name": "...", "value": f"{left:,} more", "variablesReference": 0})
             return {"variables": made}
-        case Rows():
+        case RowsHandle():
             made = [_row(session, row) for row in thing.rows]
-        case Scope():
+        case ScopeHandle():
             made = list(_SCOPES[thing.name](session, thing.at))
         case _:
-            raise RefusalError("'variablesReference' is that of nothing with parts")
+            raise RefusalError("unknown 'variablesReference'")
     if wanted == "indexed":
         return {"variables": []}
     return {"variables": made[start : start + count] if count else made[start:]}
 
 
 def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
-    """Gives the C expression for what has a name in something with parts, and where it holds.
+    """Return the C expression for a named part of a variable, and its scope.
 
     Raises:
         RefusalError: there is none.
@@ -97,20 +103,20 @@ def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHa
     thing = session.handles.take(arguments.integer("variablesReference"))
     name = arguments.text("name")
     expression = ""
-    if isinstance(thing, Parts):
-        expression = part_of(thing.expression, name)
-    elif isinstance(thing, Scope) and thing.name in {"Locals", "Globals"}:
+    if isinstance(thing, ExpandableValue):
+        expression = child_expression(thing.expression, name)
+    elif isinstance(thing, ScopeHandle) and thing.name in {"Locals", "Globals"}:
         expression = "" if name.endswith(_HIDDEN) else name
-    elif isinstance(thing, Scope) and thing.name == "State":
+    elif isinstance(thing, ScopeHandle) and thing.name == "State":
         found = _INDEX.fullmatch(name)
         expression = f"State[{found[1]}]" if found else ""
     if not expression:
-        raise RefusalError(f"'{name}' has no name in C: it can only be looked at")
+        raise RefusalError(f"'{name}' cannot be expressed in C: it is read only")
     return thing.at, expression
 
 
 def _row(session: EditorSession, row: Row) -> Message:
-    parts = session.handles.give(Rows(row.children)) if row.children else 0
+    parts = session.handles.give(RowsHandle(row.children)) if row.children else 0
     hint = {"attributes": ["readOnly"]}
     return {
         "name": row.name,
@@ -121,12 +127,12 @@ def _row(session: EditorSession, row: Row) -> Message:
 
 
 def _locals(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    found = session.opened().variables(robot=at.robot, frame=at.frame)
+    found = session.require_debugger().view.variables(robot=at.robot, frame=at.frame)
     return _variables(session, found, at)
 
 
 def _globals(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    return _variables(session, session.opened().globals_(robot=at.robot), at)
+    return _variables(session, session.require_debugger().view.globals_(robot=at.robot), at)
 
 
 def _variables(
@@ -135,12 +141,12 @@ def _variables(
     for each in found:
         expression = "" if each.is_hidden else each.name
         name = each.name + _HIDDEN * each.is_hidden
-        yield {"name": name, **shown(session, each.value, expression, at)}
+        yield {"name": name, **value_message(session, each.value, expression, at)}
 
 
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    """Gives the numbers of `State[]` with their names and units."""
-    told = session.opened().told_state(at.robot)
+    """Return the numbers of `State[]` with their names and units."""
+    told = session.require_debugger().view.vendor_state(at.robot)
     for row, (field, _) in zip(state_rows(told), told, strict=True):
         yield {
             "name": row.name,
@@ -151,12 +157,12 @@ def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
 
 
 def _robot(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    for row in robot_rows(session.opened().session, at.robot):
+    for row in robot_rows(session.require_debugger().session, at.robot):
         yield _row(session, row)
 
 
 def _world(session: EditorSession, _at: FrameHandle) -> Iterator[Message]:
-    for row in world_rows(session.opened().session.environment):
+    for row in world_rows(session.require_debugger().session.environment):
         yield _row(session, row)
 
 

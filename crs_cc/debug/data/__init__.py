@@ -1,1 +1,1 @@
-"""What a stopped program's data are: expressions in the words of C, and values by their types."""
+"""The data of a stopped program: C expressions, and values by type."""

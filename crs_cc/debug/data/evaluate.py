@@ -1,10 +1,10 @@
-"""C expressions, evaluated where a program has stopped.
+"""Evaluation of C expressions in a stopped program.
 
-An expression means what it would mean in the source at the place where the function stands: the
-variables of its open blocks, then the names of its file. It is compiled once for each place, as the
-conditions of breakpoints are evaluated often.
+Names have the meaning that they would have in the source at the current location: the
+variables of open blocks, then the names of the file. An expression is compiled once per location,
+as conditions of breakpoints are evaluated often.
 
-What an expression changes, the program finds changed; a mistake inside changes nothing.
+Side effects of an expression apply to the program; a failed evaluation has none.
 """
 
 from __future__ import annotations
@@ -16,25 +16,25 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from crs_cc.core.source import Location
-from crs_cc.debug.data.expression_memory import EvaluationError
-from crs_cc.debug.data.interpret import SCRATCH, Interpreter
-from crs_cc.debug.data.memory import Saved, StoppedMemory
-from crs_cc.debug.data.memory_inspection import Sight
-from crs_cc.debug.data.notation import Slice, kept_in, slice_in
-from crs_cc.debug.data.operators import unsigned
-from crs_cc.debug.data.prepare import (
-    Names,
-    Preparation,
-    Prepared,
-    Standing,
+from crs_cc.debug.data.expression_compiler import (
+    ExpressionCompiler,
+    ExpressionContext,
+    PreparedExpression,
+    SourceNames,
     UnknownSizeError,
     Use,
 )
-from crs_cc.debug.data.scope import Frame, Scopes
+from crs_cc.debug.data.expression_memory import EvaluationError
+from crs_cc.debug.data.interpret import SCRATCH, Interpreter
+from crs_cc.debug.data.memory import SavedRegister, StoppedMemory
+from crs_cc.debug.data.memory_inspection import MemoryInspector
+from crs_cc.debug.data.notation import Slice, convenience_assignment, slice_in
+from crs_cc.debug.data.operators import unsigned
+from crs_cc.debug.data.scope import FrameAddresses, Scopes
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.state_rows import StateField
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import LIBRARY, in_library, plain_name
 from crs_cc.ir.program import Data, Function
@@ -50,7 +50,7 @@ from crs_cc.ir.types import (
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.session.library import library
 
-MOST_ELEMENTS: Final = 100_000
+MAX_ELEMENTS: Final = 100_000
 """Longer slices are refused."""
 _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
 """The parts of the library that programs need not have linked for expressions to use them."""
@@ -58,11 +58,11 @@ _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string"
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """What an expression has come to.
+    """The result of an evaluation.
 
     Attributes:
         value: its value.
-        changed: whether the program's memory is another one now.
+        changed: whether the program's memory has changed.
     """
 
     value: Value
@@ -70,15 +70,15 @@ class Evaluation:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
-    """An object that an expression names, to be watched.
+class ObjectLocation:
+    """The object that an expression names.
 
     Attributes:
         address: its first byte.
-        size: [bytes].
+        size: its size [bytes].
         type: its type.
-        frame: the active function whose variables the expression uses: with it the place ends;
-            None when it uses global ones only.
+        frame: the frame whose variables the expression uses, and with which the object ends;
+            None if it uses only globals.
     """
 
     address: int
@@ -91,52 +91,53 @@ class Evaluator:
     """Evaluates expressions in a robot's program.
 
     Attributes:
-        kept: the values that `$name = expression` has kept; the last one that was evaluated for a
-            user may be kept as `$`, which has no name.
+        convenience_values: the values of `$name` by name; that of `$` has an empty name.
     """
 
     def __init__(
         self,
         stopped: Callable[[], Stopped],
-        names: Names,
-        kept: dict[str, Value] | None = None,
+        names: SourceNames,
+        convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
     ) -> None:
-        """Makes an evaluator.
+        """Create an evaluator.
 
         Args:
-            stopped: tells where the program stands now.
-            names: what its names mean.
-            kept: values that users keep, of other programs too.
-            fields: what the numbers of `State[]` mean for its robot.
+            stopped: returns the current state of the program.
+            names: the names of its source files.
+            convenience_values: the convenience variables, shared with other programs.
+            fields: the fields of `State[]` for its robot.
         """
-        self.kept: dict[str, Value] = {} if kept is None else kept
-        self._replaced: list[tuple[str, Value | None]] = []  # by the last expression, of `kept`
+        self.convenience_values: dict[str, Value] = (
+            {} if convenience_values is None else convenience_values
+        )
+        self._replaced: list[tuple[str, Value | None]] = []  # by the last expression
         self._stopped = stopped
         self._names = names
         self._fields = fields
         now = stopped()
         self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
-        self._preparation = Preparation(names, self._scopes, self.kept)
+        self._preparation = ExpressionCompiler(names, self._scopes, self.convenience_values)
         self._memory = StoppedMemory(now, self._explain)
         self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
-        """Evaluates an expression.
+        """Evaluate an expression.
 
         Args:
             text: the expression; or a slice, or `$name = expression`, see `notation`.
-            frame: the active function to look from; by default the innermost of the user's files.
+            frame: the frame whose scope applies; by default the innermost of the user's.
 
         Raises:
-            DebugError: it means nothing here, or cannot be evaluated.
+            DebugError: it is invalid here, or cannot be evaluated.
         """
-        keeping = kept_in(text)
+        keeping = convenience_assignment(text)
         if keeping is not None:
             found = self.evaluate(keeping[1], frame)
-            self._replaced.append((keeping[0], self.kept.get(keeping[0])))
-            self.kept[keeping[0]] = found.value
+            self._replaced.append((keeping[0], self.convenience_values.get(keeping[0])))
+            self.convenience_values[keeping[0]] = found.value
             return found
         self._replaced.clear()
         stopped = self._stopped()
@@ -153,17 +154,17 @@ class Evaluator:
         return Evaluation(value, self._memory.has_changed())
 
     def undo(self) -> None:
-        """Takes back what the last expression changed, in what is kept, too."""
+        """Undo the side effects of the last expression, on convenience variables, too."""
         self._memory.undo()
         while self._replaced:
             name, before = self._replaced.pop()
             if before is None:
-                del self.kept[name]
+                del self.convenience_values[name]
             else:
-                self.kept[name] = before
+                self.convenience_values[name] = before
 
     def holds(self, text: str, frame: StackFrame | None = None) -> bool:
-        """Tells whether a condition is true; whatever it does is taken back.
+        """Return whether a condition is true; its side effects are undone.
 
         Raises:
             DebugError: as for `evaluate`.
@@ -174,94 +175,98 @@ class Evaluator:
         return bool(result)
 
     def check(self, text: str, function: str, place: Location) -> None:
-        """Finds out whether an expression will mean something at a place.
+        """Check that an expression is valid at a location.
 
         Raises:
-            DebugError: it does not.
+            DebugError: it is not.
         """
         with contextlib.suppress(UnknownSizeError):
-            self._preparation.of(text, Standing(function, place))
+            self._preparation.of(text, ExpressionContext(function, place))
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
-        """Gives the type of an expression, which is not evaluated.
+        """Return the type of an expression, which is not evaluated.
 
         Raises:
-            DebugError: it means nothing here.
+            DebugError: it is invalid here.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
         wanted = slice_in(text)
         if wanted is not None:
             return self._slice(wanted, frame).type
-        standing = self._standing(stopped, frame, Frame.of(stopped, frame))
+        standing = self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
         return self._preparation.of(text, standing).compiled.type
 
-    def place(self, text: str, frame: StackFrame | None = None) -> Place:
-        """Gives where the object lies that an expression names.
+    def place(self, text: str, frame: StackFrame | None = None) -> ObjectLocation:
+        """Return the location of the object that an expression names.
 
         Raises:
-            DebugError: it names none.
+            DebugError: it names no object.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
         wanted = slice_in(text)
         prepared, result = self._run(text if wanted is None else wanted.base, stopped, frame)
         self._memory.undo()
-        is_local = any(isinstance(use, Use) and use.home.in_frame for use in prepared.uses)
+        is_local = any(isinstance(use, Use) and use.storage.in_frame for use in prepared.uses)
         depends_on = frame if is_local else None
         if wanted is not None:
             value = self._slice(wanted, frame)
-            return Place(value.address or 0, value.type.size, value.type, depends_on)
+            return ObjectLocation(value.address or 0, value.type.size, value.type, depends_on)
         address, compiled = unsigned(result or 0, 32), prepared.compiled
         if not compiled.is_place or address >= SCRATCH:
-            raise DebugError(f"'{text}' is a value and no object in memory")
-        return Place(address, compiled.type.size, compiled.type, depends_on)
+            raise DebugError(f"'{text}' is a value, not an object in memory")
+        return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first.
+        """Return the variables of a frame, those of the innermost block first.
 
-        Parameters come last; variables that are declared behind the place are left out.
+        Parameters come last; variables that are declared later are left out.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
         if frame is None or in_library(frame.location):
             return []
         type_of = self._names.types(frame.function, frame.location.file)
-        return variables_of(self._scopes, type_of, self.sight(), frame)
+        return variables_of(self._scopes, type_of, self.inspector(), frame)
 
     def globals_(self) -> list[Variable]:
-        """Gives the global variables of the user's own files, by their names."""
-        return globals_of(self._scopes, self.sight())
+        """Return the global variables of the user's files, sorted by name."""
+        return globals_of(self._scopes, self.inspector())
 
-    def sight(self) -> Sight:
-        """Gives what looks at the program's memory as it is now."""
-        return Sight(self._stopped(), self._interpreter.scratch, self._fields)
+    def inspector(self) -> MemoryInspector:
+        """Return an inspector of the program's current memory."""
+        return MemoryInspector(self._stopped(), self._interpreter.scratch, self._fields)
 
     # -- running -----------------------------------------------------------------------------
 
-    def _standing(self, stopped: Stopped, frame: StackFrame | None, known: Frame) -> Standing:
+    def _standing(
+        self, stopped: Stopped, frame: StackFrame | None, known: FrameAddresses
+    ) -> ExpressionContext:
         if frame is None:
-            return Standing()
+            return ExpressionContext()
         extents = self._scopes.extents(frame.function)
         sizes = known.sizes(extents, stopped.memory)
-        return Standing(frame.function, frame.location, sizes)
+        return ExpressionContext(frame.function, frame.location, sizes)
 
-    def _run(self, text: str, stopped: Stopped, frame: StackFrame | None) -> tuple[Prepared, Any]:
-        """Evaluates an expression; gives it compiled, and its value or address."""
-        known = Frame.of(stopped, frame)
+    def _run(
+        self, text: str, stopped: Stopped, frame: StackFrame | None
+    ) -> tuple[PreparedExpression, Any]:
+        """Evaluate an expression; return it compiled, and its value or address."""
+        known = FrameAddresses.of(stopped, frame)
         prepared = self._preparation.of(text, self._standing(stopped, frame, known))
         arguments: list[int | bytes] = []
-        saved: list[Saved] = []
+        saved: list[SavedRegister] = []
         for use in prepared.uses:
             if isinstance(use, bytes):
                 arguments.append(use)
                 continue
             where = known if not use.inside else _frame_of(use.inside, stopped, frame)
-            own = where.saved(use.home)
+            own = where.saved(use.storage)
             if own is not None:
                 saved.append(own)
-            arguments.append(where.address(use.home))
-            if use.home.variable.is_indirect:
+            arguments.append(where.address(use.storage))
+            if use.storage.variable.is_indirect:
                 arguments[-1] = self._pointer(use, own, arguments[-1])
         self._memory.begin(saved)
         try:
@@ -271,32 +276,32 @@ class Evaluator:
             raise DebugError(str(wrong)) from None
         except RecursionError:
             self._memory.undo()
-            raise DebugError("too many calls inside each other") from None
+            raise DebugError("too many nested calls") from None
         return prepared, value
 
-    def _pointer(self, use: Use, saved: Saved | None, address: int | bytes) -> int:
-        """Gives the address of an array that a hidden pointer stands for."""
+    def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:
+        """Return the address of an array that is held by a hidden pointer."""
         assert isinstance(address, int)
         memory = self._stopped().memory
         if saved is not None and not saved.has_value(memory):
-            raise DebugError(f"'{use.home.variable.name}' does not exist yet")
+            raise DebugError(f"'{use.storage.variable.name}' does not exist yet")
         return int(memory[address : address + 4].view("<u4")[0])
 
     def _value(self, compiled: CompiledExpression, result: Any) -> Value:
-        ctype, sight = compiled.type, self.sight()
+        ctype, inspector = compiled.type, self.inspector()
         if isinstance(ctype, FunctionType):
             ctype = PointerType(ctype)
         if not compiled.is_place:
-            return Value(sight, ctype, _bytes(ctype, result))
+            return Value(inspector, ctype, _bytes(ctype, result))
         address = unsigned(result, 32)
         if address >= SCRATCH:
-            return Value(sight, ctype, self._interpreter.scratch(address, ctype.size))
+            return Value(inspector, ctype, self._interpreter.scratch(address, ctype.size))
         if not isinstance(ctype, ArrayType) or ctype.size:
             self._memory.read(address, 1, judged=False)
-        return sight.value(address, ctype)
+        return inspector.value(address, ctype)
 
     def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
-        """Gives objects in a row as an array."""
+        """Return a slice as an array."""
         base = self._part(wanted.base, frame)
         first = self._whole(wanted.first, frame)
         if not wanted.last:
@@ -310,19 +315,19 @@ class Evaluator:
 
     def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
         if address is None or not is_complete(ctype):
-            raise DebugError("only objects in memory stand in a row")
-        if not 0 < count <= MOST_ELEMENTS:
-            raise DebugError(f"a slice has 1 to {MOST_ELEMENTS:,} elements, not {count:,}")
+            raise DebugError("only objects in memory can form a slice")
+        if not 0 < count <= MAX_ELEMENTS:
+            raise DebugError(f"invalid slice length {count:,} (expected 1 to {MAX_ELEMENTS:,})")
         start = unsigned(address + first * ctype.size, 32)
         try:
             self._memory.read(start, ctype.size * count, judged=False)
         except EvaluationError as wrong:
             raise DebugError(str(wrong)) from None
-        value = self.sight().value(start, ArrayType(ctype, count))
+        value = self.inspector().value(start, ArrayType(ctype, count))
         return replace(value, first=first)
 
     def _part(self, text: str, frame: StackFrame | None) -> Value:
-        """Evaluates a part of a slice, which may change nothing."""
+        """Evaluate a part of a slice, without side effects."""
         found = self.evaluate(text, frame)
         if found.changed:
             self._memory.undo()
@@ -332,15 +337,15 @@ class Evaluator:
     def _whole(self, text: str, frame: StackFrame | None) -> int:
         value = self._part(text, frame)
         if not isinstance(value.number, int) or isinstance(value.type, PointerType):
-            raise DebugError(f"'{text}' is no whole number")
+            raise DebugError(f"'{text}' is not an integer")
         return value.number
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
-        return self.sight().explain(address, size, reading)
+        return self.inspector().explain(address, size, reading)
 
 
 def _lend(name: str) -> Function | Data | None:
-    """Gives what the library has of a name, if it is of use without the world outside."""
+    """Return a function or object of the library, if it does not need the simulated world."""
     found = library().find(name)
     return None if found is None or not found.location.file.startswith(_PURE) else found
 
@@ -349,17 +354,17 @@ def _innermost(stopped: Stopped) -> StackFrame | None:
     return next((each for each in stopped.stack if not in_library(each.location)), None)
 
 
-def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> Frame:
-    """Gives the frame of a function: the nearest one outside of another, or else the innermost."""
+def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> FrameAddresses:
+    """Return the frame of a function: the nearest outer one, or else the innermost."""
     active = [each for each in stopped.stack if each.function == function]
     if not active:
-        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables now")
+        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables")
     outside = [each for each in active if frame is None or each.fp >= frame.fp]
-    return Frame.of(stopped, (outside or active)[0])
+    return FrameAddresses.of(stopped, (outside or active)[0])
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:
-    """Gives a value as it would lie in memory."""
+    """Return the object representation of a value."""
     if isinstance(ctype, VoidType) or result is None:
         return b""
     if isinstance(ctype, FloatType):

@@ -1,4 +1,4 @@
-"""Memory that only an expression has, above all addresses of the program."""
+"""Scratch memory of an expression, above all addresses of the program."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class EvaluationError(Exception):
 
 
 class Scratch:
-    """Bytes in a row that are handed out one after the other.
+    """A bump allocator.
 
     >>> scratch = Scratch(0x8000_0000, 64)
     >>> hex(scratch.allocate(5)), hex(scratch.allocate(4))
@@ -23,7 +23,7 @@ class Scratch:
     """
 
     def __init__(self, start: int, size: int) -> None:
-        """Takes the first address, and how many bytes there may be."""
+        """Store the first address and the capacity."""
         self._start = start
         self._most = size
         self._bytes = bytearray()
@@ -32,10 +32,10 @@ class Scratch:
         return self._start <= address < self._start + self._most
 
     def allocate(self, size: int) -> int:
-        """Gives the address of so many bytes, all zero.
+        """Return the address of zeroed bytes.
 
         Raises:
-            EvaluationError: there are not so many.
+            EvaluationError: the capacity is exceeded.
         """
         first = -(-len(self._bytes) // ALIGN) * ALIGN
         if first + size > self._most:
@@ -44,37 +44,37 @@ class Scratch:
         return self._start + first
 
     def mark(self) -> int:
-        """Gives what `release` takes."""
+        """Return a mark for `release`."""
         return len(self._bytes)
 
     def release(self, mark: int) -> None:
-        """Takes back all that was handed out since a mark."""
+        """Free all allocations since a mark."""
         del self._bytes[mark:]
 
     def read(self, address: int, size: int) -> bytes:
-        """Gives bytes.
+        """Return bytes.
 
         Raises:
-            EvaluationError: they were not handed out.
+            EvaluationError: they are not allocated.
         """
         at = address - self._start
         self._check(address, at + size)
         return bytes(self._bytes[at : at + size])
 
     def write(self, address: int, content: bytes) -> None:
-        """Changes bytes.
+        """Change bytes.
 
         Raises:
-            EvaluationError: they were not handed out.
+            EvaluationError: they are not allocated.
         """
         at = address - self._start
         self._check(address, at + len(content))
         self._bytes[at : at + len(content)] = content
 
     def peek(self, address: int, size: int) -> bytes:
-        """Gives bytes, as many as were handed out."""
+        """Return bytes, as many as are allocated."""
         return bytes(self._bytes[max(0, address - self._start) :][:size])
 
     def _check(self, address: int, end: int) -> None:
         if end > len(self._bytes):
-            raise EvaluationError(f"no object is at {address:#x}")
+            raise EvaluationError(f"no object at {address:#x}")

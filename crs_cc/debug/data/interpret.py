@@ -1,9 +1,9 @@
-"""Runs IR on a stopped program's memory: what the expressions of a debugger's user come down to.
+"""An interpreter of IR on a stopped program's memory, for the user's expressions.
 
-The program itself runs as machine code and stays as it is; an expression, and the functions of the
+The program itself runs as machine code; an expression, and the functions of the
 program that it calls, are interpreted here. Their own variables, and the strings in the expression,
-lie in scratch memory above the program's. What would go out of the program (a request) or leave the
-functions (`longjmp`) is refused, and so is what runs too long.
+are in scratch memory above the program's. Whatever would leave the program (a request) or the
+functions (`longjmp`) is refused, and so is a long evaluation.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ from crs_cc.ir.program import (
     Unary,
 )
 
-MOST_INSTRUCTIONS: Final = 1_000_000
-MOST_CALLS: Final = 200
+MAX_INSTRUCTIONS: Final = 1_000_000
+MAX_CALLS: Final = 200
 SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
@@ -75,42 +75,42 @@ _FORMAT: Final[dict[MemoryType, str]] = {
 _STORED: Final[dict[MemoryType, int]] = {"i8": 8, "u8": 8, "i16": 16, "u16": 16}
 
 
-class Memory(Protocol):
+class InterpreterMemory(Protocol):
     """A stopped program's memory.
 
     Attributes:
-        trusting: whether who asks knows what it does, as the allocator.
+        trusting: whether accesses are not checked, as for the allocator.
     """
 
     trusting: bool
 
     def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
-        """Gives bytes; they need not have values unless they are `judged`.
+        """Return bytes; they must be initialised if `judged`.
 
         Raises:
             EvaluationError: C may not read them.
         """
 
     def write(self, address: int, content: bytes, states: bytes = b"") -> None:
-        """Changes bytes; they have values unless `states` says otherwise.
+        """Write bytes; they become initialised unless `states` says otherwise.
 
         Raises:
             EvaluationError: C may not write them.
         """
 
     def states(self, address: int, size: int) -> bytes:
-        """Gives what C may do with bytes, as `ByteState`s."""
+        """Return the `ByteState`s of bytes."""
 
     def state(self, address: int) -> int:
-        """Gives what C may do with a byte, one of `ByteState`."""
+        """Return the `ByteState` of a byte."""
 
     def mark(self, address: int, size: int, state: int) -> None:
-        """Says what C may do with bytes."""
+        """Set the `ByteState`s of bytes."""
 
 
 @dataclass(slots=True)
-class _Frame:
-    """One call: its registers and slots, and where its variable arguments are."""
+class _CallFrame:
+    """An active call: registers, slots, and variable arguments."""
 
     values: dict[Register, Any] = field(default_factory=dict)
     slots: dict[Slot, int] = field(default_factory=dict)
@@ -124,17 +124,17 @@ class Interpreter:
         self,
         program: Program,
         addresses: Mapping[str, int],
-        memory: Memory,
+        memory: InterpreterMemory,
         lend: Lend = _nothing,
     ) -> None:
-        """Makes an interpreter.
+        """Create an interpreter.
 
         Args:
             program: a linked program.
             addresses: of its objects, and function pointers of its functions.
             memory: its memory.
-            lend: gives what the program has not, but an expression may use: functions of the
-                library, and their objects, which are as new for each expression.
+            lend: returns what the program lacks but an expression may use: functions of the
+                library, and their objects, fresh for each expression.
         """
         self._program = program
         self._addresses = dict(addresses)
@@ -146,25 +146,25 @@ class Interpreter:
         self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
         self._lend = lend
         self._borrowed: list[str] = []
-        self._left = MOST_INSTRUCTIONS
+        self._left = MAX_INSTRUCTIONS
         self._depth = 0
 
     def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
-        """Calls a function of a small program that may use all of the large one.
+        """Call a function of an expression's program, which may use all of the stopped one.
 
         Args:
-            expression: the small program.
+            expression: the expression's program.
             name: its function.
-            arguments: i32 arguments; of bytes it gets the address.
+            arguments: i32 arguments; bytes are passed by address.
 
         Returns:
-            What it returns, None if that is nothing. What it points to may be had from `scratch`
+            Its value, or None. Scratch memory that it points to is valid
             until the next evaluation.
 
         Raises:
             EvaluationError: it cannot be evaluated.
         """
-        self._left, self._memory.trusting = MOST_INSTRUCTIONS, False
+        self._left, self._memory.trusting = MAX_INSTRUCTIONS, False
         self._scratch.release(0)
         self._lent.release(0)
         while self._borrowed:
@@ -178,7 +178,7 @@ class Interpreter:
         return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
 
     def scratch(self, address: int, size: int) -> bytes:
-        """Gives bytes of the scratch memory, fewer at its end."""
+        """Return bytes of the scratch memory, fewer at its end."""
         return (self._lent if address in self._lent else self._scratch).peek(address, size)
 
     def _kept(self, content: bytes) -> int:
@@ -194,7 +194,7 @@ class Interpreter:
             self._write(address + relocation.offset, value.to_bytes(4, "little"))
 
     def _known(self, name: str) -> int:
-        """Gives the address of an object or function."""
+        """Return the address of an object or function."""
         if name not in self._addresses and name not in self._program.functions:
             found = self._lend(name)
             if isinstance(found, Data):
@@ -226,7 +226,7 @@ class Interpreter:
         return struct.unpack(form, self._read(address, MEMORY_SIZE[memory], judged=judged))[0]
 
     def _copy(self, target: int, source: int, size: int) -> None:
-        """Copies bytes; those without values take that along."""
+        """Copy bytes with their states."""
         content, source = self._read(source, size, judged=False), unsigned(source, 32)
         states = self._memory.states(source, size) if source < SCRATCH else b""
         self._write(target, content, states)
@@ -243,9 +243,9 @@ class Interpreter:
 
     def _call(self, function: Function, arguments: list[tuple[MemoryType | None, Any, int]]) -> Any:
         self._depth += 1
-        if self._depth > MOST_CALLS:
-            raise EvaluationError("too many calls inside each other")
-        mark, frame, trusting = self._scratch.mark(), _Frame(), self._memory.trusting
+        if self._depth > MAX_CALLS:
+            raise EvaluationError("too many nested calls")
+        mark, frame, trusting = self._scratch.mark(), _CallFrame(), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
             self._memory.trusting = function.trusted
@@ -259,10 +259,10 @@ class Interpreter:
     def _enter(
         self,
         function: Function,
-        frame: _Frame,
+        frame: _CallFrame,
         arguments: list[tuple[MemoryType | None, Any, int]],
     ) -> None:
-        """Lays out the arguments as a caller does, and the slots."""
+        """Lay out arguments, as a caller does, and slots."""
         sizes = [-(-size // 4) * 4 for _, _, size in arguments]
         wanted = sum(-(-each.size // 4) * 4 for each in function.parameters)
         at = start = self._scratch.allocate(max(sum(sizes), wanted))
@@ -283,7 +283,7 @@ class Interpreter:
         for slot in function.slots:
             frame.slots[slot] = self._scratch.allocate(max(1, slot.size))
 
-    def _run(self, function: Function, frame: _Frame) -> Any:
+    def _run(self, function: Function, frame: _CallFrame) -> Any:
         block = function.blocks[0]
         while True:
             for instruction in block.instructions:
@@ -296,15 +296,15 @@ class Interpreter:
             block = self._next(frame, end)
 
     def _request(self, _code: int, _message: int) -> int:
-        """Answers a request to the world outside, whose message lies at an address: refuses it."""
-        raise EvaluationError("it calls a function that needs the world outside")
+        """Refuse a request to the simulated world."""
+        raise EvaluationError("the expression calls a function that needs the simulated world")
 
     def _spend(self) -> None:
         self._left -= 1
         if self._left < 0:
-            raise EvaluationError(f"not done after {MOST_INSTRUCTIONS:,} instructions")
+            raise EvaluationError(f"evaluation exceeds {MAX_INSTRUCTIONS:,} instructions")
 
-    def _next(self, frame: _Frame, end: Any) -> Block:
+    def _next(self, frame: _CallFrame, end: Any) -> Block:
         match end:
             case Jump(target=target):
                 return target
@@ -322,17 +322,17 @@ class Interpreter:
                 frame.values[end.result] = self._request(code, message)
                 return end.then
             case SetJump() | LongJump():
-                raise EvaluationError("it calls setjmp or longjmp")
+                raise EvaluationError("the expression calls setjmp or longjmp")
             case Stop(kind=kind):
                 raise EvaluationError(kind)
         raise AssertionError(end)
 
-    def _call_by(self, frame: _Frame, call: Call) -> Any:
+    def _call_by(self, frame: _CallFrame, call: Call) -> Any:
         name = call.callee
         if isinstance(name, Register):
             pointer = self._value(frame, name)
             if pointer not in self._functions:
-                raise EvaluationError(f"{unsigned(pointer, 32):#x} is no function")
+                raise EvaluationError(f"{unsigned(pointer, 32):#x} is not a function's address")
             name = self._functions[pointer]
         function = self._program.functions.get(name) or self._lend(name)
         if not isinstance(function, Function) or self._is_missing(function):
@@ -343,17 +343,17 @@ class Interpreter:
         return self._call(function, arguments)
 
     def _is_missing(self, function: Function) -> bool:
-        """Tells whether a function works on what the program has not: its heap."""
+        """Return whether a function works on a heap that the program lacks."""
         return function.trusted and function.name not in self._program.functions
 
     # -- instructions ------------------------------------------------------------------------
 
-    def _value(self, frame: _Frame, operand: Operand) -> Any:
+    def _value(self, frame: _CallFrame, operand: Operand) -> Any:
         if isinstance(operand, Constant):
             return operand.value
         return frame.values.get(operand, 0)
 
-    def _address(self, frame: _Frame, base: Base, offset: int) -> int:
+    def _address(self, frame: _CallFrame, base: Base, offset: int) -> int:
         match base:
             case Register():
                 start = self._value(frame, base)
@@ -363,7 +363,7 @@ class Interpreter:
                 start = self._known(base)
         return unsigned(start + offset, 32)
 
-    def _execute(self, frame: _Frame, it: Instruction) -> None:
+    def _execute(self, frame: _CallFrame, it: Instruction) -> None:
         match it:
             case Move():
                 frame.values[it.result] = self._value(frame, it.source)
@@ -383,7 +383,7 @@ class Interpreter:
             case _:
                 self._access(frame, it)
 
-    def _access(self, frame: _Frame, it: Instruction) -> None:
+    def _access(self, frame: _CallFrame, it: Instruction) -> None:
         match it:
             case Load():
                 address = self._address(frame, it.base, it.offset)
@@ -420,7 +420,7 @@ class Interpreter:
 
 
 def _truncated(op: str, value: float) -> int:
-    """Converts to an integer as `runtime.codegen.selection` does: i386 with SSE2."""
+    """Convert to an integer as `runtime.codegen.selection` does: i386 with SSE2."""
     kind, _, name = op.partition(".")
     source, bits = name[6:9], 32 if kind == "i32" else 64
     if name.endswith("_s"):

@@ -1,8 +1,8 @@
-"""A stopped program's memory, as expressions see it: what C forbids is said in words.
+"""A stopped program's memory as expressions access it, checked by the rules of C.
 
-What an evaluation changes can be undone, all of it, byte states too: an error inside leaves nothing
-behind. Variables that live in registers lie in the frame while the program is stopped; C cannot
-reach these bytes, so the variables that an expression names are given as `Saved`.
+The side effects of an evaluation can be undone, byte states included: a failed evaluation has
+none. Variables in registers are saved to the frame while the program is stopped; C cannot
+reach these bytes, so the variables that an expression names are passed as `SavedRegister`.
 """
 
 from __future__ import annotations
@@ -21,21 +21,21 @@ from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 
 Explain = Callable[[int, int, bool], str]
-"""Says why C may not read (or else write) so many bytes at an address."""
+"""Returns why C may not read (or else write) so many bytes at an address."""
 
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
 
 
 @dataclass(frozen=True, slots=True)
-class Saved:
-    """A variable that lives in a register, where it lies while the program is stopped.
+class SavedRegister:
+    """A variable in a register, saved to the frame while the program is stopped.
 
     Attributes:
         name: the variable.
         ctype: its type.
-        address: where it lies.
-        flag: where it stands whether it has a value; None when it needs no telling.
-        is_unset: whether it surely has none.
+        address: its address.
+        flag: the address of its initialised flag; None if it needs none.
+        is_unset: whether it is certainly uninitialised.
     """
 
     name: str
@@ -46,17 +46,17 @@ class Saved:
 
     @property
     def end(self) -> int:
-        """The address behind it."""
+        """The address after it."""
         return self.address + self.ctype.size
 
     def has_value(self, memory: ByteArray) -> bool:
-        """Tells whether it has a value."""
+        """Return whether it is initialised."""
         if self.flag is None:
             return not self.is_unset
         return not self.is_unset and bool(memory[self.flag : self.flag + 4].any())
 
     def widened(self, content: bytes) -> bytes:
-        """Gives the whole register with a value, as the program keeps it."""
+        """Return the whole register for a value, as the program stores it."""
         ctype = self.ctype
         if not isinstance(ctype, IntegerType | FloatType | EnumType | PointerType):
             return content
@@ -67,32 +67,32 @@ class Saved:
 
 
 class StoppedMemory:
-    """The memory of a program that has stopped; it stays valid when the program goes on.
+    """The memory of a stopped program; stays valid when the program resumes.
 
     Attributes:
-        trusting: whether the bytes may be read that C cannot touch, as the allocator does.
+        trusting: whether inaccessible bytes may be accessed, as by the allocator.
     """
 
     def __init__(self, stopped: Stopped, explain: Explain) -> None:
         self.trusting = False
         self._memory, self._shadow = stopped.memory, stopped.shadow
         self._explain = explain
-        self._saved: dict[int, Saved] = {}
+        self._saved: dict[int, SavedRegister] = {}
         self._journal: list[tuple[int, bytes, bytes]] = []
 
-    def begin(self, saved: Iterable[Saved]) -> None:
-        """Begins an evaluation that may use these variables."""
+    def begin(self, saved: Iterable[SavedRegister]) -> None:
+        """Start an evaluation that may use these variables."""
         self._saved = {each.address: each for each in saved}
         self._journal = []
 
     def undo(self) -> None:
-        """Takes back all changes since `begin`."""
+        """Undo all changes since `begin`."""
         while self._journal:
             address, content, states = self._journal.pop()
             self._put(address, content, states)
 
     def has_changed(self) -> bool:
-        """Tells whether there are other bytes, or states, than there were at `begin`."""
+        """Return whether bytes or states have changed since `begin`."""
         before: dict[int, tuple[int, int]] = {}
         for address, content, states in reversed(self._journal):
             known = states or _VALUED * len(content)
@@ -104,7 +104,7 @@ class StoppedMemory:
         )
 
     def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
-        """Gives bytes; they need not have values unless they are `judged`.
+        """Return bytes; they must be initialised if `judged`.
 
         Raises:
             EvaluationError: C may not read them.
@@ -126,21 +126,21 @@ class StoppedMemory:
             raise EvaluationError(self._explain(address, size, True))
 
     def states(self, address: int, size: int) -> bytes:
-        """Gives the states of bytes, fewer at the end of the memory."""
+        """Return the states of bytes, fewer at the end of the memory."""
         if len(self._shadow):
             return self._shadow[address : address + size].tobytes()
         inside = min(address + size, MEMORY_BYTES) - max(address, NULL_SIZE)
         return _VALUED * inside if address >= NULL_SIZE else b""
 
-    def _saved_at(self, address: int, size: int) -> Saved | None:
-        """Gives the variable in a register that bytes belong to."""
+    def _saved_at(self, address: int, size: int) -> SavedRegister | None:
+        """Return the saved register that contains bytes."""
         for each in self._saved.values():
             if each.address <= address and address + size <= each.end:
                 return each
         return None
 
     def write(self, address: int, content: bytes, states: bytes = b"") -> None:
-        """Changes bytes; they have values unless `states` says otherwise.
+        """Write bytes; they become initialised unless `states` says otherwise.
 
         Raises:
             EvaluationError: C may not write them.
@@ -161,17 +161,17 @@ class StoppedMemory:
         self._change(address, content, known if is_own else states or _VALUED * size)
 
     def state(self, address: int) -> int:
-        """Gives the state of a byte."""
+        """Return the state of a byte."""
         return int(self._shadow[address]) if address < len(self._shadow) else 0
 
     def mark(self, address: int, size: int, state: int) -> None:
-        """Sets the states of bytes."""
+        """Set the states of bytes."""
         if len(self._shadow):
             content = self._memory[address : address + size].tobytes()
             self._change(address, content, bytes([state]) * len(content))
 
     def _change(self, address: int, content: bytes, states: bytes) -> None:
-        """Puts bytes, and states if there are any, and notes what was there."""
+        """Write bytes, and states if given, and record the old ones."""
         part = slice(address, address + len(content))
         known = self._shadow[part].tobytes() if states and len(self._shadow) else b""
         self._journal.append((address, self._memory[part].tobytes(), known))

@@ -1,6 +1,6 @@
-"""Looks at a stopped program's memory: what lies at an address, and why C may not touch it.
+"""Inspection of a stopped program's memory: objects at addresses, and why accesses are invalid.
 
-What is seen is that of the moment; when the program goes on, another look is needed.
+An inspector is valid until the program resumes.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Final
 
 from crs_cc.debug.data.interpret import SCRATCH
-from crs_cc.debug.data.memory import Saved
-from crs_cc.debug.data.scope import Frame, homes, is_own
+from crs_cc.debug.data.memory import SavedRegister
+from crs_cc.debug.data.scope import FrameAddresses, frame_storage, is_own
 from crs_cc.debug.data.values import GONE, Value
-from crs_cc.debug.world.state_rows import StateField
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType
@@ -48,8 +48,8 @@ _WORD: Final = 4
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
 
-class Sight:
-    """Reads a stopped program for people.
+class MemoryInspector:
+    """Describes the memory of a stopped program.
 
     Attributes:
         stopped: the program.
@@ -61,12 +61,12 @@ class Sight:
         scratch: Callable[[int, int], bytes],
         fields: tuple[StateField, ...] = (),
     ) -> None:
-        """Looks at a program.
+        """Create an inspector.
 
         Args:
             stopped: the program.
             scratch: reads the scratch memory of expressions.
-            fields: what the numbers of `State[]` mean for its robot.
+            fields: the fields of `State[]` for its robot.
         """
         self.stopped = stopped
         self._fields = fields
@@ -75,25 +75,25 @@ class Sight:
 
     @cached_property
     def short(self) -> Values:
-        """Writes values in at most a line."""
+        """Formats values in at most a line."""
         return self._values(SHORT)
 
     @cached_property
     def full(self) -> Values:
-        """Writes values as far as anybody wants to read."""
+        """Formats values at length."""
         return self._values(FULL)
 
     def _values(self, style: Style) -> Values:
         return Values(self.read, self.states, self.name_of, self.function_at, style)
 
     def read(self, address: int, size: int) -> bytes:
-        """Gives the bytes at an address, as many as there are."""
+        """Return the bytes at an address, as many as exist."""
         if address >= SCRATCH:
             return self._scratch(address, size)
         return self._variables.read(address, size)
 
     def states(self, address: int, size: int) -> bytes:
-        """Gives the states of bytes; nothing where all have values."""
+        """Return the states of bytes; empty if all are initialised."""
         if address >= SCRATCH:
             return b""
         states = self._variables.states(address, size)
@@ -103,26 +103,26 @@ class Sight:
         return b"" if saved.has_value(self.stopped.memory) else _WITHOUT * size
 
     def is_accessible(self, address: int, size: int) -> bool:
-        """Tells whether C may look at bytes, with values or not."""
+        """Return whether C may access bytes, initialised or not."""
         there, states = self.read(address, size), self.states(address, size)
         return len(there) == size and ByteState.INACCESSIBLE not in states
 
     def value(self, address: int, ctype: CType) -> Value:
-        """Gives the object of a type at an address; it need not have a value."""
+        """Return the object of a type at an address; it may be uninitialised."""
         content, states = self.read(address, ctype.size), self.states(address, ctype.size)
         fields = self._state_fields(address, ctype) if self._fields else ()
         return Value(self, ctype, content, states, address, fields=fields)
 
     def _state_fields(self, address: int, ctype: CType) -> tuple[StateField, ...]:
-        """Gives what the numbers at an address mean if they are some of `State[]`."""
+        """Return the fields of `State[]` at an address, if it is in there."""
         number = ctype.element if isinstance(ctype, ArrayType) else ctype
         if self._state is None or not isinstance(number, IntegerType) or number.size != _WORD:
             return ()
         first, rest = divmod(address - self._state, _WORD)
         return self._fields[first:][: ctype.size // _WORD] if first >= 0 and not rest else ()
 
-    def told_state(self) -> list[tuple[StateField, Value]]:
-        """Gives the numbers of the vendor's `State[]`; none when the program has it not."""
+    def vendor_state(self) -> list[tuple[StateField, Value]]:
+        """Return the vendor's `State[]`; empty if the program has none."""
         if self._state is None:
             return []
         places = range(self._state, self._state + _WORD * len(self._fields), _WORD)
@@ -133,7 +133,7 @@ class Sight:
 
     @cached_property
     def _state(self) -> int | None:
-        """The address of the vendor's `State[]`; None when the program has it not."""
+        """The address of the vendor's `State[]`; None if the program has none."""
         for name in STATE_NAMES:
             data = self.stopped.program.data.get(name)
             if data is not None and not is_own(data.location):
@@ -141,11 +141,11 @@ class Sight:
         return None
 
     def function_at(self, pointer: int) -> str:
-        """Gives the name of the function that a pointer stands for; "" if there is none."""
+        """Return the name of the function of a function pointer, or ""."""
         return self._variables.values.function_at(pointer)
 
     def name_of(self, address: int, target: CType) -> str:
-        """Says what a pointer to a type points to."""
+        """Return a description of the target of a pointer."""
         known = self._saved(address)
         if known is not None and known.address == address:
             return f"&{known.name}"
@@ -155,32 +155,32 @@ class Sight:
             return f"{address:#x} ({what})"
         found = self._variables.objects.at(address)
         if found is None:
-            return f"{address:#x} (nothing is there)"
+            return f"{address:#x} (no object)"
         named = self._variables.values.object_at(address, target)
         if named and found.state == "alive":
             return named
         return f"{named or hex(address)} ({_described(found, address)})"
 
-    def _saved(self, address: int, size: int = 1) -> Saved | None:
-        """Gives the variable whose register is saved at an address."""
+    def _saved(self, address: int, size: int = 1) -> SavedRegister | None:
+        """Return the register that is saved at an address."""
         if address >= STACK_TOP:
             return None
         stack = self.stopped.stack
         around = bisect_right(stack, address, key=lambda each: each.fp)
-        # What was passed to a function that has no room for its frame lies above that.
+        # Arguments of a function without room for its frame are above that.
         for active in [*stack[:1], *stack[around : around + 1]]:
-            frame = Frame.of(self.stopped, active)
-            for home in homes(self.stopped.compiled.info(active.function)):
-                saved = frame.saved(home)
+            frame = FrameAddresses.of(self.stopped, active)
+            for storage in frame_storage(self.stopped.compiled.info(active.function)):
+                saved = frame.saved(storage)
                 if saved and saved.address <= address and address + size <= saved.end:
                     return saved
         return None
 
     def explain(self, address: int, size: int, reading: bool) -> str:
-        """Says why C may not read, or else write, bytes."""
+        """Return why C may not read, or else write, bytes."""
         beside = self._saved(address)
         if beside is not None:
-            return f"'{beside.name}' lives in a register: nothing is beside it"
+            return f"'{beside.name}' is in a register: nothing is adjacent to it"
         kind, blamed, found = diagnose(self.stopped, address, size, "read" if reading else "write")
         what = "an unknown object" if found is None else object_name(found)
         match kind:
@@ -191,22 +191,22 @@ class Sight:
             case "use after free":
                 return f"{what} is freed{_at(found.freed) if found else ''}"
             case "use after scope" | "use after return":
-                return f"{what} does not exist now: its block has ended, or not begun"
+                return f"{what} is out of scope: its block has ended or not started"
             case "out of bounds" if found is not None:
                 side = "before the start" if blamed < found.address else "past the end"
                 return f"{address:#x} is {side} of {what}"
-        return f"{address:#x} is outside of all objects of the program"
+        return f"{address:#x} is not inside any object of the program"
 
 
 def _part(found: Object | None, address: int) -> str:
-    """Names the part of a variable at an address."""
+    """Name the part of a variable at an address."""
     if found is None or found.variable is None:
         return ""
     return f"'{place_name(found.name, found.variable.ctype, address - found.address)}'"
 
 
 def _described(found: Object, address: int) -> str:
-    """Says what an object is that an address lies in, or near."""
+    """Return a description of the object in or near which an address is."""
     distance = found.distance(address)
     where = ""
     if distance:
@@ -223,7 +223,7 @@ def _described(found: Object, address: int) -> str:
 
 
 def _at(sites: tuple[CallSite, ...], word: str = "at") -> str:
-    """Says where the user's code did something: ` at wander.c:12`."""
+    """Return a location in the user's code: ` at wander.c:12`."""
     for site in sites:
         if not in_library(site.location):
             return f" {word} {Path(site.location.file).name}:{site.location.line}"

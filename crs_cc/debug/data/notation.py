@@ -1,11 +1,11 @@
-"""What users of a debugger write beyond C: slices, names of other functions and files, `$` values.
+"""Extensions of C expressions: slices, qualified names, and convenience variables.
 
 >>> slice_in("a[i + 1..5]"), slice_in("*p@4"), slice_in("a[1]")
 (Slice(base='a', first='i + 1', last='5'), Slice(base='*p', first='4', last=''), None)
 >>> rewritten("turn::count + 'map.c'::size - $speed")[0]
 '__crs_0 + __crs_1 - __crs_2'
->>> rewritten("turn::count + 'map.c'::size - $speed")[1]
-(Outer(inside='turn', name='count'), Outer(inside='map.c', name='size'), Kept(name='speed'))
+>>> rewritten("'map.c'::size - $speed")[1]
+(QualifiedName(inside='map.c', name='size'), ConvenienceVariable(name='speed'))
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ NAME: Final = "__crs_{}"
 
 @dataclass(frozen=True, slots=True)
 class Slice:
-    """Some objects in a row: `base[first..last]`, or `base@first` when there is no `last`."""
+    """A slice: `base[first..last]`, or `base@first` if there is no `last`."""
 
     base: str
     first: str
@@ -39,7 +39,7 @@ class Slice:
 
 
 @dataclass(frozen=True, slots=True)
-class Outer:
+class QualifiedName:
     """`inside::name`: a variable of another function, or of a file."""
 
     inside: str
@@ -47,14 +47,14 @@ class Outer:
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
-    """`$name`: a value that was kept; the last one has no name."""
+class ConvenienceVariable:
+    """`$name`: a convenience variable; the last value has no name."""
 
     name: str
 
 
 def slice_in(text: str) -> Slice | None:
-    """Gives the slice that an expression is; None when it is none."""
+    """Parse a slice; return None for other expressions."""
     text, opened = text.strip(), -1
     for symbol, start, depth in _tokens(text):
         if depth == 0 and symbol == "@":
@@ -72,7 +72,7 @@ def slice_in(text: str) -> Slice | None:
 
 
 def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
-    """Gives the tokens with their places and how many parentheses are open before them."""
+    """Return the tokens with their offsets and the depth of parentheses."""
     depth = 0
     for match in _TOKEN.finditer(text):
         token = match[0]
@@ -81,24 +81,24 @@ def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
         depth += token in {"(", "[", "{"}
 
 
-def kept_in(text: str) -> tuple[str, str] | None:
-    """Gives name and expression of `$name = expression`; None when it is not that."""
+def convenience_assignment(text: str) -> tuple[str, str] | None:
+    """Parse `$name = expression`; return None for other expressions."""
     match = _SETS.fullmatch(text)
     return None if match is None else (match[1], match[2].strip())
 
 
-def rewritten(text: str) -> tuple[str, tuple[Outer | Kept, ...]]:
-    """Gives an expression in C, and what its names `__crs_0`, `__crs_1` and so on stand for."""
+def rewritten(text: str) -> tuple[str, tuple[QualifiedName | ConvenienceVariable, ...]]:
+    """Return an expression in C, and the meanings of its names `__crs_0`, `__crs_1` and so on."""
     if "::" not in text and "$" not in text:
         return text, ()
-    found: list[Outer | Kept] = []
+    found: list[QualifiedName | ConvenienceVariable] = []
 
     def replaced(match: re.Match[str]) -> str:
         if match["name"] is not None:
             inside = match["quoted"] or match["path"] or match["function"]
-            found.append(Outer(inside, match["name"]))
+            found.append(QualifiedName(inside, match["name"]))
         elif match["kept"] is not None:
-            found.append(Kept(match["kept"]))
+            found.append(ConvenienceVariable(match["kept"]))
         else:
             return match[0]
         return NAME.format(len(found) - 1)
@@ -106,9 +106,13 @@ def rewritten(text: str) -> tuple[str, tuple[Outer | Kept, ...]]:
     return _SPECIAL.sub(replaced, text), tuple(found)
 
 
-def restored(message: str, found: tuple[Outer | Kept, ...]) -> str:
-    """Puts the names that the user wrote back into a message."""
+def restored(message: str, found: tuple[QualifiedName | ConvenienceVariable, ...]) -> str:
+    """Restore the user's names in a message."""
     for number, each in enumerate(found):
-        name = f"${each.name}" if isinstance(each, Kept) else f"{each.inside}::{each.name}"
+        name = (
+            f"${each.name}"
+            if isinstance(each, ConvenienceVariable)
+            else f"{each.inside}::{each.name}"
+        )
         message = message.replace(NAME.format(number), name)
     return message

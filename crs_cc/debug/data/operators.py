@@ -1,7 +1,7 @@
-"""What the IR's operators compute, in Python, for the expressions that users of the debugger write.
+"""The operators of the IR in Python, for the user's expressions.
 
-Integers are kept in the signed range of their type, as `ir.Constant` has them; a `f32` is a float
-that 32 bits can hold. Division by zero and what else C leaves undefined raises `ArithmeticError`.
+Integers are in the signed range of their type, as in `ir.Constant`; an `f32` is a float
+that 32 bits can represent. Division by zero and other undefined behaviour raises `ArithmeticError`.
 
 >>> compute("i32.add", 2147483647, 1), compute("i32.lt_u", -1, 1), compute("f64.div", 1.0, 4.0)
 (-2147483648, 0, 0.25)
@@ -22,7 +22,7 @@ _FORMAT: Final = {"i32": "<i", "i64": "<q", "f32": "<f", "f64": "<d"}
 
 
 def compute(op: str, *operands: float) -> Any:
-    """Gives what an operator of `ir.operators.OPERATORS` makes of its operands.
+    """Return the result of an operator of `ir.operators.OPERATORS`.
 
     Raises:
         ArithmeticError: division by zero, or a quotient that does not fit.
@@ -37,13 +37,13 @@ def compute(op: str, *operands: float) -> Any:
 
 
 def signed(value: int, bits: int) -> int:
-    """Gives the low bits of a number, as a signed number."""
+    """Return the low bits of a number, as a signed number."""
     value &= (1 << bits) - 1
     return value - (1 << bits) if value >> bits - 1 else value
 
 
 def unsigned(value: int, bits: int) -> int:
-    """Gives the low bits of a number, as an unsigned number."""
+    """Return the low bits of a number, as an unsigned number."""
     return value & (1 << bits) - 1
 
 
@@ -134,7 +134,7 @@ def _convert(kind: str, name: str, value: float) -> float:
 
 
 def _truncated(value: float, bits: int, sign: bool) -> int:
-    """Truncates towards 0 and saturates (WebAssembly 2.0, 4.3.3)."""
+    """Truncate towards 0 and saturate (WebAssembly 2.0, 4.3.3)."""
     if math.isnan(value):
         return 0
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if sign else (0, (1 << bits) - 1)
@@ -143,7 +143,7 @@ def _truncated(value: float, bits: int, sign: bool) -> int:
 
 
 def float_or_int(kind: str, value: float) -> float:
-    """Gives a number as a value of a type is kept."""
+    """Return a number in the representation of a type."""
     return int(value) if kind in _BITS else float(value)
 
 

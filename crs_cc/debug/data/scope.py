@@ -1,8 +1,8 @@
-"""Which variables names mean where a program has stopped, and where these lie.
+"""Name lookup where a program has stopped, and the addresses of variables.
 
-A name means the variable of the innermost block that has one of that name, whose declaration stands
-before the place. Each variable has a `Home`: in the frame of its function or, if it is static, at a
-fixed address.
+A name refers to the variable of the innermost block that declares it before the location (C17
+6.2.1). Each variable has a `Storage`: in the frame of its function or, if it is static, at a fixed
+address.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Final, Literal
 
 from crs_cc.core.arrays import ByteArray
 from crs_cc.core.source import Location
-from crs_cc.debug.data.memory import Saved
+from crs_cc.debug.data.memory import SavedRegister
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.vla import EXTENT
 from crs_cc.ir.names import in_library, plain_name
@@ -27,25 +27,25 @@ from crs_cc.session.library import HEADERS
 _SYSTEM: Final = f"{HEADERS}/"
 """What the library's headers declare has its place there."""
 
-Kind = Literal["parameter", "local", "static", "global"]
+VariableKind = Literal["parameter", "local", "static", "global"]
 
 
 @dataclass(frozen=True, slots=True)
-class Home:
-    """Where a variable lies.
+class Storage:
+    """The storage of a variable.
 
     Attributes:
         variable: the variable.
-        kind: "static" is one that a function keeps.
-        at: its address; of one in a frame, how far from the frame's lower end.
-        in_frame: whether it lies in a frame.
-        register: the register that it lives in while the program runs.
-        flag: where it stands, from the frame's lower end, whether the register has a value.
-        passed: where it was passed, from the frame's lower end, if it is a parameter.
+        kind: its kind; "static" is local to a function.
+        at: its address; in a frame, the offset from the frame's lower end.
+        in_frame: whether it is in a frame.
+        register: its register while the program runs.
+        flag: the offset of the register's initialised flag.
+        passed: the offset where it was passed, if it is a parameter.
     """
 
     variable: Variable
-    kind: Kind
+    kind: VariableKind
     at: int
     in_frame: bool = False
     register: Register | None = None
@@ -53,15 +53,15 @@ class Home:
     passed: int | None = None
 
     def is_visible(self, place: Location) -> bool:
-        """Tells whether the name means this variable at a place, if no inner one has it.
+        """Return whether the name means this variable at a place, if no inner one has it.
 
-        A function that has no room for its frame stands before its parameters.
+        A function without room for its frame is before its parameters.
         """
         return self.kind == "parameter" or self.variable.is_visible(place)
 
 
 def is_own(location: Location) -> bool:
-    """Tells whether a place is in the user's files, and not in the library's or its headers."""
+    """Return whether a location is in the user's files, not in the library or its headers."""
     return not in_library(location) and not location.file.startswith(_SYSTEM)
 
 
@@ -70,37 +70,37 @@ class Scopes:
 
     def __init__(self, program: Program, compiled: Compiled) -> None:
         self._compiled = compiled
-        self._statics: dict[str, list[Home]] = {}
-        self._globals: list[Home] = []
-        self._extents: dict[str, tuple[Home, ...]] = {}
+        self._statics: dict[str, list[Storage]] = {}
+        self._globals: list[Storage] = []
+        self._extents: dict[str, tuple[Storage, ...]] = {}
         for data in program.data.values():
             if data.variable is not None:
                 self._enter(data, data.variable)
 
     def _enter(self, data: Data, variable: Variable) -> None:
-        """Enters an object: `wander.c:turn.count` is a function's, `wander.c:count` is not."""
+        """Enter an object: `wander.c:turn.count` is a function's, `wander.c:count` is not."""
         address, name = self._compiled.addresses[data.name], plain_name(data.name)
         function, dot, _ = name.partition(".")
         if dot:
-            self._statics.setdefault(function, []).append(Home(variable, "static", address))
+            self._statics.setdefault(function, []).append(Storage(variable, "static", address))
         elif is_own(variable.location):
-            self._globals.append(Home(variable, "global", address))
+            self._globals.append(Storage(variable, "global", address))
 
-    def globals_(self) -> list[Home]:
-        """Gives the global variables of the user's own files, in the order of their names."""
+    def globals_(self) -> list[Storage]:
+        """Return the global variables of the user's own files, in the order of their names."""
         return sorted(self._globals, key=lambda each: (each.variable.name, each.variable.location))
 
-    def extents(self, function: str) -> tuple[Home, ...]:
-        """Gives what the sizes of types are kept in that only the running program knows."""
+    def extents(self, function: str) -> tuple[Storage, ...]:
+        """Return the hidden variables that hold the sizes of variably modified types."""
         if function not in self._extents:
-            found = homes(self._compiled.info(function))
+            found = frame_storage(self._compiled.info(function))
             self._extents[function] = tuple(each for each in found if each.variable.name == EXTENT)
         return self._extents[function]
 
-    def of(self, function: str) -> list[Home]:
-        """Gives all variables of a function, those of the innermost blocks first."""
+    def of(self, function: str) -> list[Storage]:
+        """Return all variables of a function, those of the innermost blocks first."""
         info = self._compiled.info(function)
-        known = {(each.variable.name, each.variable.location): each for each in homes(info)}
+        known = {(each.variable.name, each.variable.location): each for each in frame_storage(info)}
         file = info.function.location.file
         statics = [
             each
@@ -111,7 +111,7 @@ class Scopes:
         return sorted(found, key=_order, reverse=True)
 
     def functions(self, name: str) -> list[str]:
-        """Gives the linker's names of the functions of a name, those of the user's own first."""
+        """Return the linker's names of the functions of a name, those of the user's own first."""
         known = [
             info.function.name
             for info in self._compiled.functions
@@ -120,8 +120,8 @@ class Scopes:
         place = {each: self._compiled.info(each).function.location for each in known}
         return sorted(known, key=lambda each: in_library(place[each]))
 
-    def static(self, name: str, file: str) -> Home | None:
-        """Gives a global variable that a file declares, by the file's name or the end of that."""
+    def static(self, name: str, file: str) -> Storage | None:
+        """Return a global variable that a file declares, by the file's name or the end of that."""
         for each in self._globals:
             known = each.variable.location.file
             if each.variable.name == name and (known == file or known.endswith(f"/{file}")):
@@ -129,16 +129,16 @@ class Scopes:
         return None
 
 
-def _order(home: Home) -> tuple[Location, Location, Location]:
-    """Sorts outer blocks before inner ones, and in a block the last declaration first."""
-    place = home.variable.location
+def _order(storage: Storage) -> tuple[Location, Location, Location]:
+    """Sort outer blocks before inner ones, and in a block the last declaration first."""
+    place = storage.variable.location
     outside = Location(place.file)
-    first, last = home.variable.block or (outside, outside)
+    first, last = storage.variable.block or (outside, outside)
     return first, last, Location(place.file, -place.line, -place.column)
 
 
-def homes(info: FunctionInfo) -> Iterator[Home]:
-    """Gives what lies in the frames of a function; one that lies twice counts at the last."""
+def frame_storage(info: FunctionInfo) -> Iterator[Storage]:
+    """Return the variables in the frames of a function; the last place of one stored twice."""
     passed: dict[tuple[str, Location], int] = {}
     for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
         variable = parameter.variable or parameter.place.variable
@@ -148,20 +148,20 @@ def homes(info: FunctionInfo) -> Iterator[Home]:
         variable = place.variable
         if variable is not None and variable.name:
             argument = passed.get((variable.name, variable.location))
-            kind: Kind = "local" if argument is None else "parameter"
+            kind: VariableKind = "local" if argument is None else "parameter"
             register = place if isinstance(place, Register) else None
             flag = None if register is None else info.flags.get(register)
             at = None if flag is None else info.frame.offsets[flag]
-            yield Home(variable, kind, offset, True, register, at, argument)
+            yield Storage(variable, kind, offset, True, register, at, argument)
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class FrameAddresses:
     """The frame of an active function, in which homes become addresses.
 
     Attributes:
         sp: its lower end.
-        place: where the function stands: variables that are declared behind it have no values.
+        place: the current location: variables that are declared later are uninitialised.
         unset: the registers that surely have none either.
     """
 
@@ -170,51 +170,53 @@ class Frame:
     unset: frozenset[Register] = frozenset()
 
     @classmethod
-    def of(cls, stopped: Stopped, active: StackFrame | None) -> Frame:
-        """Finds the frame; that of no function has nothing in it."""
+    def of(cls, stopped: Stopped, active: StackFrame | None) -> FrameAddresses:
+        """Find the frame; that of no function has nothing in it."""
         if active is None:
             return cls(0, Location(""))
         info = stopped.compiled.info(active.function)
         landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
-        if not stopped.saved and active is stopped.stack[0]:  # nobody knows what they held
+        if not stopped.saved and active is stopped.stack[0]:  # their values are unknown
             unset = frozenset(info.function.registers)
         return cls(active.fp - info.frame.size, active.location, unset)
 
     @property
     def has_no_room(self) -> bool:
-        """Whether the stack was too small: then there is nothing but what was passed."""
+        """Whether the stack was too small: then only passed arguments exist."""
         return 0 < self.sp < NULL_SIZE or self.sp < 0
 
-    def address(self, home: Home) -> int:
-        """Gives the address of a variable."""
-        if not home.in_frame:
-            return home.at
-        if self.has_no_room and home.passed is not None:
-            return self.sp + home.passed
-        return self.sp + home.at
+    def address(self, storage: Storage) -> int:
+        """Return the address of a variable."""
+        if not storage.in_frame:
+            return storage.at
+        if self.has_no_room and storage.passed is not None:
+            return self.sp + storage.passed
+        return self.sp + storage.at
 
-    def saved(self, home: Home) -> Saved | None:
-        """Gives a variable that lives where C cannot reach it; None for all others."""
-        if self.has_no_room and home.passed is not None:
-            return Saved(home.variable.name, home.variable.ctype, self.address(home))
-        if home.register is None:
+    def saved(self, storage: Storage) -> SavedRegister | None:
+        """Return a variable that lives where C cannot reach it; None for all others."""
+        if self.has_no_room and storage.passed is not None:
+            return SavedRegister(
+                storage.variable.name, storage.variable.ctype, self.address(storage)
+            )
+        if storage.register is None:
             return None
-        flag = None if home.flag is None else self.sp + home.flag
-        variable = home.variable
-        is_unset = home.register in self.unset or not home.is_visible(self.place)
-        return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)
+        flag = None if storage.flag is None else self.sp + storage.flag
+        variable = storage.variable
+        is_unset = storage.register in self.unset or not storage.is_visible(self.place)
+        return SavedRegister(variable.name, variable.ctype, self.address(storage), flag, is_unset)
 
-    def sizes(self, extents: Iterable[Home], memory: ByteArray) -> dict[Location, int]:
-        """Gives the sizes of types that only the running program knows, by their lengths' places.
+    def sizes(self, extents: Iterable[Storage], memory: ByteArray) -> dict[Location, int]:
+        """Return the sizes of types that only the running program knows, by their lengths' places.
 
-        Two of one place, which come from one macro, cannot be told from each other.
+        Two at one location, which come from one macro, cannot be distinguished.
         """
         found: dict[Location, int] = {}
         twice: set[Location] = set()
-        for home in extents:
-            place, saved = home.variable.location, self.saved(home)
+        for storage in extents:
+            place, saved = storage.variable.location, self.saved(storage)
             twice.update({place} if place in found else ())
             if saved is not None and saved.has_value(memory):
                 found[place] = int(memory[saved.address :][:4].view("<u4")[0])
@@ -222,7 +224,7 @@ class Frame:
 
 
 def concrete(ctype: CType, sizes: Mapping[Location, int]) -> CType | None:
-    """Gives a type with the lengths that it has in the running program; None while unknown."""
+    """Return a type with the lengths that it has in the running program; None while unknown."""
     if not is_variably_modified(ctype):
         return ctype
     if isinstance(ctype, PointerType):

@@ -1,7 +1,7 @@
-"""Values of a stopped program: a line of text each, and their parts when somebody asks for them.
+"""Values of a stopped program: a line of text each, and their parts on demand.
 
-A value holds the bytes that were there when it was made. Behind pointers it looks into the memory
-as that is now, so it is of use until the program goes on.
+A value holds the bytes at its creation. Pointers are followed in the
+current memory, so it is valid until the program resumes.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import (
@@ -27,12 +27,32 @@ from crs_cc.ir.types import (
 from crs_cc.runtime.diagnosis.values import Values, bit_field
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.memory_inspection import Sight
-    from crs_cc.debug.world.state_rows import StateField
+    from crs_cc.debug.world.state_fields import StateField
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
 GONE: Final = bytes([ByteState.INACCESSIBLE])
+
+
+class ValueReader(Protocol):
+    """What a value needs of the stopped program: formatting, and the memory behind pointers."""
+
+    @property
+    def short(self) -> Values:
+        """Format values in at most a line."""
+
+    @property
+    def full(self) -> Values:
+        """Format values at length."""
+
+    def read(self, address: int, size: int) -> bytes:
+        """Return the bytes at an address, as many as exist."""
+
+    def is_accessible(self, address: int, size: int) -> bool:
+        """Return whether C may access bytes, initialised or not."""
+
+    def value(self, address: int, ctype: CType) -> Value:
+        """Return the object of a type at an address."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,16 +60,16 @@ class Value:
     """A value.
 
     Attributes:
-        sight: what looks at the program.
+        inspector: the inspector of the program.
         type: its C type.
         content: its bytes; those of a bit-field are those of an object of its type.
         states: the `ByteState`s of these bytes; none when all have values.
-        address: where it lies; None for a value that was computed, and for a bit-field.
+        address: its address; None for a computed value, and for a bit-field.
         first: the number of its first element, if it is a slice of an array.
-        fields: what the numbers of `State[]` are called and mean, if these are some of them.
+        fields: the fields of `State[]`, if it is part of that.
     """
 
-    sight: Sight
+    inspector: ValueReader
     type: CType
     content: bytes
     states: bytes = b""
@@ -59,23 +79,23 @@ class Value:
 
     @property
     def is_initialised(self) -> bool:
-        """Tells whether all its bytes have values."""
+        """Return whether all its bytes have values."""
         return not self.states.strip(_VALUED)
 
     @property
     def exists(self) -> bool:
-        """Tells whether C may look at any of its bytes."""
+        """Return whether C may look at any of its bytes."""
         return not self.states or bool(self.states.strip(GONE))
 
     @property
     def text(self) -> str:
-        """Gives the value in a line."""
-        return self._written(self.sight.short)
+        """Return the value in a line."""
+        return self._written(self.inspector.short)
 
     @property
     def full(self) -> str:
-        """Gives the value in a line that may be long: up to 200 elements of each array."""
-        return self._written(self.sight.full)
+        """Return the value in a line that may be long: up to 200 elements of each array."""
+        return self._written(self.inspector.full)
 
     def _written(self, values: Values) -> str:
         if isinstance(self.type, VoidType):
@@ -90,7 +110,7 @@ class Value:
 
     @property
     def number(self) -> int | float | None:
-        """Gives a number, an enum or the address in a pointer; None for all else."""
+        """Return a number, an enum or the address in a pointer; None for all else."""
         if not self.is_initialised or not self.content:
             return None
         if isinstance(self.type, FloatType):
@@ -103,7 +123,7 @@ class Value:
 
     @property
     def child_count(self) -> int:
-        """Gives how many parts it has."""
+        """Return how many parts it has."""
         match self.type:
             case ArrayType():
                 size = self.type.element.size
@@ -115,7 +135,7 @@ class Value:
         return 0
 
     def children(self, start: int = 0, count: int | None = None) -> Iterator[tuple[str, Value]]:
-        """Gives its parts with their names: members, elements, or what a pointer points to.
+        """Return its parts with their names: members, elements, or what a pointer points to.
 
         Args:
             start: number of the first one.
@@ -136,21 +156,21 @@ class Value:
                     yield "*", target
 
     def element(self, number: int) -> Value:
-        """Gives an element of an array."""
+        """Return an element of an array."""
         assert isinstance(self.type, ArrayType)
         size = self.type.element.size
         part = self._part(self.type.element, number * size, size)
         return replace(part, fields=self.fields[number : number + 1])
 
     def _members(self) -> Iterator[Member]:
-        """Gives the members that hold anything: no bit-fields without names."""
+        """Return the members that hold anything: no bit-fields without names."""
         assert isinstance(self.type, RecordType)
         for member in self.type.record.members or []:
             if member.name is not None or isinstance(member.type, RecordType):
                 yield member
 
     def member(self, member: Member) -> Value:
-        """Gives a member of a struct or union."""
+        """Return a member of a struct or union."""
         part = self._part(member.type, member.offset, member.spread or member.type.size)
         if member.bit_width is None:
             return part
@@ -159,14 +179,14 @@ class Value:
     def _part(self, ctype: CType, offset: int, size: int) -> Value:
         part = slice(offset, offset + size)
         address = None if self.address is None else self.address + offset
-        return Value(self.sight, ctype, self.content[part], self.states[part], address)
+        return Value(self.inspector, ctype, self.content[part], self.states[part], address)
 
     def target(self) -> Value | None:
-        """Gives what a pointer points to, if C may look at it and it is not just text."""
+        """Return what a pointer points to, if C may look at it and it is not just text."""
         assert isinstance(self.type, PointerType)
         target, address = self.type.target, self.number
         if not isinstance(address, int) or isinstance(target, FunctionType | VoidType):
             return None
-        if not self.sight.is_accessible(address, target.size) or not target.size:
+        if not self.inspector.is_accessible(address, target.size) or not target.size:
             return None
-        return self.sight.value(address, target)
+        return self.inspector.value(address, target)

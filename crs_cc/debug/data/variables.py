@@ -1,12 +1,12 @@
-"""The variables that a stopped program has, with their values."""
+"""The variables of a stopped program, with their values."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from crs_cc.debug.data.memory_inspection import Sight
-from crs_cc.debug.data.prepare import TypeOf
-from crs_cc.debug.data.scope import Frame, Kind, Scopes, concrete
+from crs_cc.debug.data.expression_compiler import TypeOf
+from crs_cc.debug.data.memory_inspection import MemoryInspector
+from crs_cc.debug.data.scope import FrameAddresses, Scopes, VariableKind, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 
@@ -19,42 +19,44 @@ class Variable:
         name: its name.
         value: its value.
         scope: "parameter", "local", "static" (of a function) or "global".
-        is_hidden: whether its name means another one where the function stands.
+        is_hidden: whether it is shadowed at the current location.
     """
 
     name: str
     value: Value
-    scope: Kind
+    scope: VariableKind
     is_hidden: bool = False
 
 
 def variables_of(
-    scopes: Scopes, type_of: TypeOf, sight: Sight, active: StackFrame
+    scopes: Scopes, type_of: TypeOf, inspector: MemoryInspector, active: StackFrame
 ) -> list[Variable]:
-    """Gives the variables of an active function, those of the innermost block first.
+    """Return the variables of a frame, those of the innermost block first.
 
-    Parameters come last; what is declared behind the place, or does not exist there, is left out.
+    Parameters come last; variables that are declared later, or do not exist yet, are left out.
     """
-    frame = Frame.of(sight.stopped, active)
-    sizes = frame.sizes(scopes.extents(active.function), sight.stopped.memory)
+    frame = FrameAddresses.of(inspector.stopped, active)
+    sizes = frame.sizes(scopes.extents(active.function), inspector.stopped.memory)
     found: dict[str, None] = {}
     variables = []
-    for home in scopes.of(active.function):
-        name, ctype = home.variable.name, concrete(type_of(home.variable), sizes)
-        if ctype is None or not home.is_visible(active.location):
+    for storage in scopes.of(active.function):
+        name, ctype = storage.variable.name, concrete(type_of(storage.variable), sizes)
+        if ctype is None or not storage.is_visible(active.location):
             continue
-        value = sight.value(frame.address(home), ctype)
-        if home.variable.is_indirect:
+        value = inspector.value(frame.address(storage), ctype)
+        if storage.variable.is_indirect:
             value = value.target() or value
         if value.exists:
-            variables.append(Variable(name, value, home.kind, name in found))
+            variables.append(Variable(name, value, storage.kind, name in found))
             found[name] = None
     return sorted(variables, key=lambda each: each.scope == "parameter")
 
 
-def globals_of(scopes: Scopes, sight: Sight) -> list[Variable]:
-    """Gives the global variables of the user's own files, by their names."""
+def globals_of(scopes: Scopes, inspector: MemoryInspector) -> list[Variable]:
+    """Return the global variables of the user's files, sorted by name."""
     return [
-        Variable(home.variable.name, sight.value(home.at, home.variable.ctype), home.kind)
-        for home in scopes.globals_()
+        Variable(
+            storage.variable.name, inspector.value(storage.at, storage.variable.ctype), storage.kind
+        )
+        for storage in scopes.globals_()
     ]

@@ -1,1 +1,1 @@
-"""The debugger's plain screen: lines in, lines out."""
+"""The debugger's prompt."""

@@ -1,4 +1,4 @@
-"""What a user types, or a stream that stands for him: commands, and lines that programs read."""
+"""Standard input: commands, and lines that programs read."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.command import Line
-from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.answer import Line
+from crs_cc.debug.commands.completion import complete
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
@@ -21,26 +21,26 @@ _DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
 
 
 def _ignore() -> None:
-    """Hears of Ctrl-C where nothing runs."""
+    """Ignore Ctrl-C while nothing runs."""
 
 
 class Keyboard:
-    """Our standard input.
+    """Standard input.
 
     Attributes:
-        is_typed: whether somebody types there.
-        on_interrupt: what Ctrl-C does while something runs.
+        is_typed: whether it is a terminal.
+        on_interrupt: called on Ctrl-C while the programs run.
     """
 
     def __init__(self, terminal: Terminal) -> None:
-        """Takes what is written to, so that both keep out of each other's way."""
+        """Store the terminal, so that prompts and output do not mix."""
         self.is_typed = sys.stdin is not None and not sys.stdin.closed and sys.stdin.isatty()
         self.on_interrupt: Callable[[], None] = _ignore
         self._terminal = terminal
         self._is_asking = False
 
     def command(self, prompt: str) -> str | None:
-        """Asks for a command; None when there are no more. Ctrl-C drops what was typed."""
+        """Prompt for a command; return None at the end of input. Ctrl-C discards the line."""
         self._terminal.settle()
         while True:
             try:
@@ -51,9 +51,9 @@ class Keyboard:
                 self._terminal.line(Line('Type "quit" or Ctrl-D to end the debugger.'))
 
     def read(self, _robot: int, wanted: int) -> bytes:
-        """Gives what a program reads: at most so many bytes, at most one line.
+        """Read input for a program: at most so many bytes, at most one line.
 
-        Ctrl-C ends the input, and lets the program stop behind that.
+        Ctrl-C ends the input, and the program stops after that.
         """
         self._terminal.settle()
         if sys.stdin is None or sys.stdin.closed:
@@ -68,7 +68,7 @@ class Keyboard:
 
     @contextmanager
     def listening(self) -> Iterator[None]:
-        """Lets Ctrl-C break what waits for the user, and interrupt what runs."""
+        """Make Ctrl-C end a prompt, or interrupt the programs."""
         if threading.current_thread() is not threading.main_thread():
             yield
             return
@@ -108,7 +108,7 @@ class Keyboard:
 
 
 def offer_completion(shell: Shell) -> None:
-    """Lets the tabulator key complete what is typed, where Python has `readline`."""
+    """Enable completion by the tab key, if Python has `readline`."""
     try:
         import readline
     except ImportError:
@@ -119,13 +119,13 @@ def offer_completion(shell: Shell) -> None:
 
 
 def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str | None]:
-    """Gives what readline asks for the first, second, ... word that may stand in a place."""
+    """Return readline's completer function."""
     found: list[str] = []
 
     def give(word: str, number: int) -> str | None:
         if number == 0:
             text = line()
-            completion = complete(shell, text)
+            completion = complete(shell.context, text)
             skipped = len(text) - len(word) - completion.start  # readline splits words elsewhere
             found[:] = [each[max(0, skipped) :] for each in completion.words]
         return found[number] if number < len(found) else None

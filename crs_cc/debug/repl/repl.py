@@ -1,4 +1,4 @@
-"""The plain screen: a prompt, what is typed there or stands in scripts, and the answers."""
+"""The prompt: commands from scripts and from the user, and their answers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.commands.command import Line
+from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.scripts import read_script
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Scripts:
-    """What is done before anybody is asked.
+    """Commands to execute before the prompt.
 
     Attributes:
-        files: files of commands.
-        commands: commands behind them.
+        files: scripts.
+        commands: further commands.
     """
 
     files: Sequence[Path] = ()
     commands: Sequence[str] = ()
 
     def lines(self) -> Iterator[str]:
-        """Gives their lines; an empty one does not repeat the one before, as it would if typed.
+        """Return their lines; an empty one does not repeat the one before it.
 
         Raises:
             DebugError: a file cannot be read.
@@ -42,7 +42,7 @@ class Scripts:
 
 
 class Repl:
-    """A debugger at a prompt.
+    """A debugger with a prompt.
 
     Attributes:
         shell: its command line.
@@ -54,17 +54,17 @@ class Repl:
         self._keyboard = keyboard
         self._interrupted = False
         keyboard.on_interrupt = self._interrupt
-        debugger.say = self._log
+        debugger.stop_points.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
-        """Does what scripts say, then what the user says.
+        """Execute scripts, then the user's commands.
 
         Args:
-            scripts: these come first.
-            batch: whether to end behind them.
+            scripts: the scripts.
+            batch: whether to exit after the scripts.
 
         Returns:
-            How many commands could not be done, or scripts.
+            How many commands or scripts have failed.
         """
         with self._keyboard.listening():
             for line in self.shell.greet():
@@ -86,7 +86,7 @@ class Repl:
         except DebugError as error:
             self._refuse(str(error))
         if self._interrupted:
-            self._refuse("the script is left where it was interrupted")
+            self._refuse("script interrupted")
 
     def _refuse(self, text: str) -> None:
         self.shell.failures += 1
@@ -102,7 +102,7 @@ class Repl:
             self._do(text)
 
     def _interrupt(self) -> None:
-        """Hears Ctrl-C while something runs: that stops, and so does the script that it is in."""
+        """Interrupt the programs and the current script."""
         self._interrupted = True
         self.shell.debugger.interrupt()
 
@@ -110,6 +110,6 @@ class Repl:
         self._terminal.line(Line(text, "log"))
 
     def _do(self, text: str) -> None:
-        self.shell.debugger.forget_interrupt()  # it came too late for the command before
+        self.shell.debugger.forget_interrupt()  # one that arrived too late for the previous command
         for line in self.shell.execute(text):
             self._terminal.line(line)

@@ -1,6 +1,6 @@
-r"""What the plain screen writes: answers with colours where they are wanted, and programs' output.
+r"""Output of the prompt: answers, maybe coloured, and the output of programs.
 
-Both go to one stream in their order. What a program prints begins a line of its own, and so does an
+Both go to one stream in order. The output of a program starts on a new line, and so does an
 answer; with several robots each of their lines begins with the robot's name.
 
 >>> import io
@@ -27,10 +27,10 @@ from rich.syntax import Syntax
 from rich.text import Text
 
 from crs_cc.core.file_names import displayed
-from crs_cc.debug.commands.command import Kind, Line, SourceLine
+from crs_cc.debug.commands.answer import Line, LineKind, SourceLine
 
-_LONGEST_LINE: Final = 4096
-_STYLES: Final[dict[Kind, str]] = {
+_MAX_LINE_LENGTH: Final = 4096
+_STYLES: Final[dict[LineKind, str]] = {
     "text": "", "stop": "bold yellow", "place": "cyan", "log": "green", "error": "bold red",
 }  # fmt: skip
 _THEME: Final = "ansi_dark"
@@ -42,12 +42,12 @@ _CONTROLS: Final = dict.fromkeys(
 
 
 class Terminal:
-    """A stream of text that somebody, or a test, reads."""
+    """A text stream."""
 
     def __init__(
         self, stream: BinaryIO, names: Sequence[str], *, is_coloured: bool = False
     ) -> None:
-        """Takes the stream, the robots' names, and whether to write colours."""
+        """Store the stream, the robots' names, and whether to write colours."""
         self._stream = stream
         self._names = names
         self._is_coloured = is_coloured
@@ -55,26 +55,26 @@ class Terminal:
         self._at_start = True  # of a line
 
     def program(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes; with one robot as it is, else in whole lines."""
+        """Write output of a program: unchanged with one robot, else in whole lines."""
         if len(self._names) == 1:
             self._write(content)
             return
         *lines, rest = (self._begun.get((robot, stream), b"") + content).split(b"\n")
-        while len(rest) >= _LONGEST_LINE:
-            lines.append(rest[:_LONGEST_LINE])
-            rest = rest[_LONGEST_LINE:]
+        while len(rest) >= _MAX_LINE_LENGTH:
+            lines.append(rest[:_MAX_LINE_LENGTH])
+            rest = rest[_MAX_LINE_LENGTH:]
         self._begun[robot, stream] = rest
         head = f"[{self._names[robot]}] ".encode()
         self._write(b"".join(head + line + b"\n" for line in lines))
 
     def line(self, line: Line | SourceLine) -> None:
-        """Writes a line of an answer."""
+        """Write a line of an answer."""
         self.settle()
         text = self._coloured(line) if self._is_coloured else _clean(line.text)
         self._write(text.encode(errors="replace") + b"\n")
 
     def settle(self) -> None:
-        """Ends lines that programs have begun, and lets the reader have all of it."""
+        """Complete lines of programs, and flush."""
         for (robot, _), rest in sorted(self._begun.items()):
             if rest:
                 self._write(f"[{self._names[robot]}] ".encode() + rest + b"\n")
@@ -84,11 +84,11 @@ class Terminal:
         self._stream.flush()
 
     def broken(self) -> None:
-        """Hears that somebody else has left a line without an end."""
+        """Record that the cursor is not at the start of a line."""
         self._at_start = False
 
     def echo(self, prompt: str, line: str) -> None:
-        """Writes a line that nobody typed as if somebody had."""
+        """Write a line of a script as if typed."""
         self.settle()
         self._write(f"{prompt}{_clean(line)}\n".encode(errors="replace"))
 
@@ -109,7 +109,7 @@ class Terminal:
 
 
 def _clean(text: str) -> str:
-    """Gives a line without characters that would do harm on a terminal."""
+    """Return a line without control characters."""
     return displayed(text).expandtabs().translate(_CONTROLS)
 
 

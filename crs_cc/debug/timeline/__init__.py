@@ -1,1 +1,1 @@
-"""A run at any instant of itself: snapshots, what was written and given, and going there again."""
+"""Recorded runs: snapshots, console, logged input, and replay."""

@@ -1,11 +1,11 @@
-"""Many snapshots in little memory: what did not change from one to the next is held once.
+"""Snapshots that share unchanged data.
 
-Large arrays and byte strings are cut into chunks, and equal chunks are one: of a program's memory a
-timestep changes a few chunks, and robots that run the same program have most of theirs in common.
-What snapshots share as objects, they go on sharing. All that is held is counted, so that `size`
-says what would be free if everything were dropped.
+Large arrays and byte strings are cut into chunks, and equal chunks are stored once: a timestep
+changes a few chunks of a program's memory, and robots with the same program share most of theirs.
+Objects that snapshots share stay shared. The size of everything stored is counted, so that `size`
+is the memory that dropping everything would free.
 
->>> store = Store()
+>>> store = ChunkStore()
 >>> first = store.take((np.zeros(5 * CHUNK, np.uint8), "a name"))
 >>> second = store.take((np.arange(5 * CHUNK) // CHUNK == 4, "a name"))
 >>> store.size < 3 * CHUNK, store.give(second)[0].sum()
@@ -50,12 +50,12 @@ class _Chunked:
 
 @dataclass(slots=True)
 class _Held:
-    """Something that is held once.
+    """An object that is stored once.
 
     Attributes:
-        value: the thing itself, so that its `id` stays its own.
-        size: what it takes by itself [bytes].
-        uses: how many hold it.
+        value: the object, so that its `id` is not reused.
+        size: its own size [bytes].
+        uses: its reference count.
     """
 
     value: Any
@@ -63,15 +63,15 @@ class _Held:
     uses: int
 
 
-class Store:
-    """Snapshots that share what they have in common.
+class ChunkStore:
+    """A store of snapshots that share equal data.
 
     A snapshot is made of dataclasses, tuples, dictionaries, arrays and byte strings, and is never
-    changed. Whatever else is in it takes the room of a small object.
+    changed. Anything else in it counts as a small object.
 
     Attributes:
-        size: what is held [bytes].
-        most_bytes: what those who use it keep to [bytes].
+        size: the memory in use [bytes].
+        most_bytes: the limit that its users observe [bytes].
     """
 
     def __init__(self, most_bytes: int = 0) -> None:
@@ -81,7 +81,7 @@ class Store:
         self._objects: dict[int, _Held] = {}
 
     def take(self, value: Any) -> Any:
-        """Takes a snapshot; gives what stands for it here."""
+        """Store a snapshot; return its key."""
         held = self._objects.get(id(value))
         if held is not None:
             held.uses += 1
@@ -103,7 +103,7 @@ class Store:
         return self._hold(value)
 
     def give(self, taken: Any) -> Any:
-        """Gives the snapshot back that something stands for; it stays here as well."""
+        """Return the snapshot of a key; it stays stored."""
         if isinstance(taken, _Chunked):
             content = b"".join(taken.chunks)
             if taken.dtype is None:
@@ -117,7 +117,7 @@ class Store:
         return taken if same else _made_of(taken, given)
 
     def drop(self, taken: Any) -> None:
-        """Forgets a snapshot, but for what others share with it."""
+        """Drop a snapshot, except for data that others share."""
         held = self._objects.get(id(taken))
         if held is None:
             self.size -= _SMALL
@@ -161,12 +161,12 @@ class Store:
 
 @cache
 def _names(kind: Hashable) -> tuple[str, ...] | None:
-    """Gives the names of the fields of a dataclass, None for any other type."""
+    """Return the names of the fields of a dataclass, None for any other type."""
     return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None
 
 
 def _parts(value: Any) -> list[Any] | None:
-    """Gives what something is made of; None for what is not looked into."""
+    """Return the parts of a value; None for an atomic one."""
     if isinstance(value, tuple):
         return list(value)
     if isinstance(value, dict):
@@ -176,7 +176,7 @@ def _parts(value: Any) -> list[Any] | None:
 
 
 def _made_of(value: Any, parts: list[Any]) -> Any:
-    """Gives the like of something, made of other parts."""
+    """Return a copy of a value with other parts."""
     if isinstance(value, tuple):
         return tuple(parts)
     if isinstance(value, dict):

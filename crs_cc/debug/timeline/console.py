@@ -1,12 +1,12 @@
-"""What programs wrote and read: the run goes back, and this goes back with it.
+"""Recorded standard streams, which go back with the run.
 
-All output of the run so far is one text, and the run stands at a place in it. While a piece of the
-run is done again that has been done before, the same pieces come again, and are not taken twice.
-What was read is known as well: a run that goes back reads the same again, and asks for more only
-behind all that it has ever read.
+All output of the run is one text, and the run is at a position in it. When a part of the run is
+replayed, the same pieces are written again and are not recorded twice.
+Input is recorded as well: a run that goes back reads the same again, and asks for more only
+after all that it has ever read.
 
 >>> from crs_cc.session.host import no_input
->>> console = Console(lambda robot, stream, content: print(robot, content.decode()), no_input)
+>>> console = ReplayConsole(lambda robot, stream, content: print(robot, content.decode()), no_input)
 >>> start = console.snapshot()
 >>> console.is_live = True
 >>> console.write(0, 1, b"hello")
@@ -37,28 +37,28 @@ _STREAMS: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
-class ConsolePlace:
-    """A place in what was written and read: how many pieces of each, the latter by robot."""
+class ConsolePosition:
+    """A position in output and input: the number of pieces of each, the latter by robot."""
 
     written: int
     read: tuple[int, ...]
 
 
-class Console:
+class ReplayConsole:
     """The standard streams of all programs.
 
     Attributes:
-        is_live: whether what programs write is shown as they do, for the first time or again.
-        shows_new: whether what they write for the first time is shown in any case.
+        is_live: whether output is shown, new or replayed.
+        shows_new: whether new output is shown in any case.
     """
 
     def __init__(self, output: Output, read: Input) -> None:
-        """Takes what shows the output, and what gives the input."""
+        """Store the functions that show output and read input."""
         self.is_live = self.shows_new = False
         self._show = output
         self._ask = read
         self._content = bytearray()
-        self._ends = array("q", [0])  # of the pieces in the content, a place before them
+        self._ends = array("q", [0])  # the ends of pieces, preceded by 0
         self._writers = array("q")  # of each piece
         self._at = 0
         self._reads: dict[int, list[bytes]] = {}
@@ -66,14 +66,14 @@ class Console:
 
     @property
     def at(self) -> int:
-        """Gives how many pieces have been written up to here."""
+        """Return how many pieces have been written up to here."""
         return self._at
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes.
+        """Write output of a program.
 
         Raises:
-            InternalError: it has been here before, and did not write this.
+            InternalError: the run was here before and wrote something else.
         """
         writer, at = robot * _STREAMS + stream, self._at
         is_new = at == len(self._writers)
@@ -89,7 +89,7 @@ class Console:
             self._show(robot, stream, content)
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Gives what a program reads: the same again where it has been read before."""
+        """Return input for a program: recorded input first."""
         known, at = self._reads.setdefault(robot, []), self._read_at.get(robot, 0)
         if at == len(known):
             known.append(self._ask(robot, wanted))
@@ -98,26 +98,26 @@ class Console:
         self._read_at[robot] = at + 1
         return known[at]
 
-    def snapshot(self) -> ConsolePlace:
-        """Gives the place where the run is."""
+    def snapshot(self) -> ConsolePosition:
+        """Return the current position."""
         robots = range(max(self._read_at, default=-1) + 1)
-        return ConsolePlace(self._at, tuple(self._read_at.get(robot, 0) for robot in robots))
+        return ConsolePosition(self._at, tuple(self._read_at.get(robot, 0) for robot in robots))
 
-    def restore(self, place: ConsolePlace) -> None:
-        """Goes to a place where the run has been."""
+    def restore(self, place: ConsolePosition) -> None:
+        """Go to a recorded position."""
         self._at = place.written
         self._read_at = dict(enumerate(place.read))
 
     def truncate(self) -> None:
-        """Forgets the output behind this place, as it will be another one.
+        """Discard the output after this position.
 
-        The input stays: it is there to be read, whatever the programs do.
+        The input stays: it does not depend on what the programs do.
         """
         del self._content[self._ends[self._at] :]
         del self._ends[self._at + 1 :], self._writers[self._at :]
 
-    def fork(self) -> Console:
-        """Gives a console of its own, as this one was at this place."""
+    def fork(self) -> ReplayConsole:
+        """Return an independent copy up to this position."""
         other = copy.copy(self)
         other._content, other._ends = self._content[:], self._ends[:]
         other._writers, other._read_at = self._writers[:], dict(self._read_at)
@@ -126,18 +126,18 @@ class Console:
         return other
 
     def text(self, robot: int | None = None, since: int = 0) -> bytes:
-        """Gives what has been written up to here, by one program or by all.
+        """Return the output up to here, of one program or of all.
 
         Args:
-            robot: whose output; None for all.
-            since: the piece to begin with, see `at`.
+            robot: the robot; None for all.
+            since: the first piece, see `at`.
         """
         if robot is None:
             return bytes(self._content[self._ends[since] : self._ends[self._at]])
         return b"".join(piece for writer, _, piece in self.pieces(since) if writer == robot)
 
     def pieces(self, since: int = 0) -> Iterator[tuple[int, int, bytes]]:
-        """Gives robot, stream and bytes of each piece that was written up to here."""
+        """Return robot, stream and bytes of each piece of output up to here."""
         for at in range(since, self._at):
             yield *divmod(self._writers[at], _STREAMS), self._piece(at)
 

@@ -1,15 +1,15 @@
-"""Snapshots of a run by their instants: how many there are, and which.
+"""Snapshots of a run by position, and which of them to keep.
 
-The shorter the way from a snapshot to where the user wants to be, the sooner the run is there; but
-snapshots take time and memory. So on the way forward there is one every few timesteps, as many as
-cost little beside running (`INTERVAL`), and more of them just before the place that the user went
-back to last, as the next wish is most often a step further back. When there is no memory
-left, snapshots are thinned: those go first whose gap would be small beside their distance from
-where the run is. So they lie dense near the user and ever sparser far away, and where the user goes
-back to, running again fills the gaps. None of this looks at a clock.
+The shorter the replay from a snapshot to the target, the sooner the run is there; but
+snapshots take time and memory. So on the way forward one is taken every few timesteps, as many as
+cost little compared with running (`INTERVAL`), and more of them just before the position that the
+user last went back to, as the next command is often a step further back. When memory runs out,
+snapshots are thinned: those go first whose gap would be small relative to their distance from
+the current position. So they are dense near it and ever sparser far away, and where the user goes
+back to, replaying fills the gaps. None of this depends on a clock.
 
-The start is always kept, and so is the snapshot behind every change that the user makes: the
-programs do not do that again by themselves.
+The start is always kept, and so is the snapshot after every change by the user: the
+programs do not repeat that by themselves.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.debug.timeline.chunk_store import Store
+from crs_cc.debug.timeline.chunk_store import ChunkStore
 from crs_cc.debug.timeline.position import Position
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.console import ConsolePlace
+    from crs_cc.debug.timeline.console import ConsolePosition
     from crs_cc.session.result import SessionSnapshot
 
-MOST_BYTES: Final = 256 * 2**20
+MAX_BYTES: Final = 256 * 2**20
 """Memory for snapshots by default [bytes]; chosen by us."""
 
 INTERVAL: Final = 5
@@ -41,51 +41,51 @@ ROBOTS_LATER: Final = 8
 NEAR, FINER = 2, 5
 """So many intervals before the place that the user went back to, they are so much shorter."""
 
-LONGEST_WALK: Final = 64
+MAX_REPLAY_INTERVALS: Final = 64
 """The most intervals that are run through at once on the way back."""
 
-_LEFT: Final = 7 / 8  # of the memory, when snapshots have been thinned
-_ROUNDS: Final = 1e-3  # what a round counts of a timestep, about
+_LEFT: Final = 7 / 8  # of the memory, after thinning
+_ROUNDS: Final = 1e-3  # the weight of a round in timesteps, about
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
-    """A whole run: the session, and what had been written and read."""
+class RunSnapshot:
+    """The state of a run: the session, and the position of its console."""
 
     session: SessionSnapshot
-    console: ConsolePlace
+    console: ConsolePosition
 
 
 class History:
-    """The snapshots of one run, and where the user has changed it."""
+    """The snapshots of one run, and the positions of the user's changes."""
 
-    def __init__(self, most_bytes: int = MOST_BYTES, robots: int = 1) -> None:
-        """Begins with no snapshot; the first one that it is given is the start.
+    def __init__(self, most_bytes: int = MAX_BYTES, robots: int = 1) -> None:
+        """Create an empty history; the first snapshot kept is the start.
 
         Args:
-            most_bytes: how much memory the snapshots may take, unless all are needed.
+            most_bytes: the memory for snapshots, unless all are needed.
             robots: how many robots the run has.
         """
         self._more_bytes = most_bytes // 2
         self._interval = INTERVAL + robots // ROBOTS_LATER
-        self._farthest = LONGEST_WALK * self._interval
-        self._store = Store(most_bytes)
+        self._farthest = MAX_REPLAY_INTERVALS * self._interval
+        self._store = ChunkStore(most_bytes)
         self._positions: list[Position] = []
-        self._kept: dict[Position, Kept] = {}
+        self._kept: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
-        self._user: Position | None = None  # where the user went back to last
+        self._user: Position | None = None  # the last position that the user went back to
         self._here = Position(0, 0)
 
     @property
     def size(self) -> int:
-        """Gives the memory that the snapshots take [bytes]."""
+        """Return the size of the snapshots [bytes]."""
         return self._store.size
 
     def __len__(self) -> int:
         return len(self._positions)
 
     def wants(self, position: Position) -> bool:
-        """Tells whether a snapshot of the start of a timestep is worth its cost."""
+        """Return whether a snapshot of the start of a timestep is worth its cost."""
         number = bisect_right(self._positions, position)
         gap = position.timestep - self._positions[number - 1].timestep
         interval = self._interval
@@ -94,8 +94,8 @@ class History:
             interval //= FINER if 0 <= ahead < NEAR * interval else 1
         return gap >= interval
 
-    def keep(self, position: Position, kept: Kept) -> None:
-        """Takes a snapshot."""
+    def keep(self, position: Position, kept: RunSnapshot) -> None:
+        """Store a snapshot."""
         if position in self._kept:
             self._store.drop(self._kept[position])
         else:
@@ -105,8 +105,8 @@ class History:
         if self.size > self._store.most_bytes:
             self._thin()
 
-    def branch(self, position: Position, kept: Kept) -> None:
-        """Takes the snapshot behind a change: all that was later is no longer so."""
+    def branch(self, position: Position, kept: RunSnapshot) -> None:
+        """Store the snapshot after a change; discard all later ones."""
         first = bisect_left(self._positions, position)
         for each in self._positions[first:]:
             self._store.drop(self._kept.pop(each))
@@ -116,10 +116,10 @@ class History:
         self.keep(position, kept)
 
     def fork(self, position: Position) -> History:
-        """Gives a history of its own that has the snapshots up to an instant.
+        """Return an independent history with the snapshots up to a position.
 
-        Both share what they have in common, and there is room for more, half of what one has: the
-        snapshots of the one that is left must not take all room from the other.
+        Both share common data, and the limit is raised by half of the original one: the
+        snapshots of the inactive one must not take all memory from the other.
         """
         other = copy.copy(self)
         self._store.most_bytes += self._more_bytes
@@ -128,41 +128,41 @@ class History:
         other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
         return other
 
-    def at(self, position: Position) -> Kept:
-        """Gives the snapshot of an instant of which there is one."""
+    def at(self, position: Position) -> RunSnapshot:
+        """Return the snapshot at a position that has one."""
         kept = self._store.give(self._kept[position])
-        assert isinstance(kept, Kept)
+        assert isinstance(kept, RunSnapshot)
         return kept
 
     def latest(self) -> Position:
-        """Gives the latest instant of which there is a snapshot."""
+        """Return the latest position with a snapshot."""
         return self._positions[-1]
 
     def places(self, before: Position) -> Sequence[Position]:
-        """Gives all instants before this one of which there are snapshots, rising."""
+        """Return all earlier positions with snapshots, ascending."""
         return self._positions[: bisect_left(self._positions, before)]
 
     def visit(self, position: Position) -> None:
-        """Takes note that the user is here, or just before, and not at the latest instant."""
+        """Record that the user is at or just before a position, not at the latest one."""
         self._user = self._here = position
 
-    def before(self, position: Position) -> tuple[Position, Kept]:
-        """Gives the latest snapshot that is not later than an instant, where the user wants to be.
+    def before(self, position: Position) -> tuple[Position, RunSnapshot]:
+        """Return the latest snapshot that is not later than a target position.
 
-        What lies before it is filled in when the run comes there again.
+        Gaps before it are filled when the run gets there again.
         """
         found = self._positions[bisect_right(self._positions, position) - 1]
         self.visit(position)
         return found, self.at(found)
 
     def back_from(self, position: Position) -> Iterator[Position]:
-        """Gives the instants of snapshots before this one, the latest first, for a walk back.
+        """Return the positions of earlier snapshots, the latest first, for a backward search.
 
-        Those near are given one by one. Then some are left out: more and more, as whoever looks for
-        something that far back will look further still, and every piece of the way has its price.
+        Near ones are returned one by one. Then more and more are left out, as a search for
+        something far back is likely to go further still, and every interval has its cost.
         """
         place, reach = position, 0
-        while number := bisect_left(self._positions, place):  # some may have gone meanwhile
+        while number := bisect_left(self._positions, place):  # some may have been dropped meanwhile
             number -= 1
             while number and place.timestep - self._positions[number - 1].timestep <= reach:
                 number -= 1
@@ -171,18 +171,18 @@ class History:
             reach = min(2 * reach + self._interval, self._farthest)
 
     def next_edit(self, position: Position) -> Position | None:
-        """Gives the next instant behind this one at which the user has changed something."""
+        """Return the position of the user's next change after this position."""
         number = bisect_right(self._edits, position)
         return self._edits[number] if number < len(self._edits) else None
 
     def _thin(self) -> None:
-        """Drops snapshots until there is room."""
+        """Drop snapshots until the limit is met."""
         places = np.array([each.timestep + _ROUNDS * each.round for each in self._positions])
         here = self._here.timestep + _ROUNDS * self._here.round
         needed = np.array([each in self._edits for each in self._positions])
         needed[0] = True
         left = list(range(len(places)))
-        fewest = len(left) // 2  # what other branches have, too, takes no less for being dropped
+        fewest = len(left) // 2  # dropping data shared with other branches frees nothing
         while self.size > _LEFT * self._store.most_bytes and len(left) > fewest:
             at, free = places[left], ~needed[left]
             free[-1] = False

@@ -20,7 +20,7 @@ from crs_cc.requests import MESSAGE
 if TYPE_CHECKING:
     from crs_cc.runtime.fleet import Fleet
 
-MOST_BYTES: Final = 128 * 2**20
+MAX_BYTES: Final = 128 * 2**20
 """Memory for what is noted [bytes]; chosen by us."""
 
 _ROUND: Final = 800
@@ -28,7 +28,7 @@ _ROUND: Final = 800
 
 
 @dataclass(frozen=True, slots=True)
-class Round:
+class RoundInput:
     """What programs were given in a round.
 
     Messages are mostly zeros, and only the other bytes are kept.
@@ -52,19 +52,19 @@ class Round:
         fuel: Int64Array,
         messages: Records,
     ) -> Self:
-        """Makes it of what robots got, and the messages, of dtype `MESSAGE`, that they found."""
+        """Create it from the robots, their fuel and their messages, of dtype `MESSAGE`."""
         content = messages.view(np.uint8)
         places = content != 0
         return cls(robots, fuel, np.packbits(places), content[places])
 
     @property
     def size(self) -> int:
-        """Gives what it takes [bytes]."""
+        """Return its size [bytes]."""
         arrays = self.robots, self.fuel, self.places, self.content
         return _ROUND + sum(array.nbytes for array in arrays)
 
     def give(self, fleet: Fleet) -> None:
-        """Gives it to the programs again."""
+        """Feed it to the programs again."""
         messages = np.zeros(len(self.robots), MESSAGE)
         content = messages.view(np.uint8)
         content[np.unpackbits(self.places, count=len(content)).view(np.bool_)] = self.content
@@ -73,50 +73,50 @@ class Round:
         fleet.reply(self.robots, messages)
 
 
-class Tape:
+class InputLog:
     """The rounds of a run, and how many each timestep had."""
 
-    def __init__(self, most_bytes: int = MOST_BYTES) -> None:
+    def __init__(self, most_bytes: int = MAX_BYTES) -> None:
         self._most_bytes = most_bytes
         self._bytes = 0
-        self._rounds: dict[tuple[int, int], Round] = {}
+        self._rounds: dict[tuple[int, int], RoundInput] = {}
         self._counts: dict[int, int] = {}
         self._ended: dict[int, tuple[int, ...]] = {}
 
     def note(self, place: Position, pending: Int64Array, fleet: Fleet) -> None:
-        """Notes a round that begins.
+        """Record a round that starts.
 
         Args:
-            place: the instant before it.
-            pending: by robot, the fuel that it gets; 0 for those that do not run.
-            fleet: the programs, which have been answered.
+            place: the position before it.
+            pending: by robot, its fuel; 0 for those that do not run.
+            fleet: the programs, with their replies.
         """
         key = place.timestep, place.round
         if key in self._rounds:
             return
         robots = np.flatnonzero(pending)
-        self._rounds[key] = Round.of(robots, pending[robots], fleet.messages(robots))
+        self._rounds[key] = RoundInput.of(robots, pending[robots], fleet.messages(robots))
         self._bytes += self._rounds[key].size
         while self._bytes > self._most_bytes:
             oldest = next(iter(self._rounds))
             self._bytes -= self._rounds.pop(oldest).size
 
     def end(self, timestep: int, rounds: int, ended: tuple[int, ...] = ()) -> None:
-        """Notes how many rounds a timestep had, and whose programs ended with it."""
+        """Record how many rounds a timestep had, and which programs ended with it."""
         self._counts[timestep] = rounds
         if ended:
             self._ended[timestep] = ended
 
     def ended_in(self, timestep: int) -> tuple[int, ...]:
-        """Gives the robots whose programs ended with a timestep, as they left."""
+        """Return the robots that left with a timestep."""
         return self._ended.get(timestep, ())
 
-    def round_at(self, place: Position) -> Round | None:
-        """Gives the round that begins at an instant; None when it is not known."""
+    def round_at(self, place: Position) -> RoundInput | None:
+        """Return the round that starts at a position; None if it is not logged."""
         return self._rounds.get((place.timestep, place.round))
 
     def knows(self, begin: Position, limit: Position) -> bool:
-        """Tells whether all rounds from one instant up to another are known."""
+        """Return whether all rounds between two positions are logged."""
         first = begin.round
         for timestep in range(begin.timestep, limit.timestep + 1):
             is_last = timestep == limit.timestep
@@ -129,11 +129,11 @@ class Tape:
         return True
 
     def rounds_in(self, timestep: int) -> int | None:
-        """Gives how many rounds a timestep had; None when that is not known."""
+        """Return how many rounds a timestep had; None if it is not logged."""
         return self._counts.get(timestep)
 
     def forget(self, place: Position) -> None:
-        """Forgets the rounds that begin at an instant or later, as they will be other ones."""
+        """Discard the rounds from a position on."""
         here = place.timestep, place.round + (place.robot >= 0)
         for key in [each for each in self._rounds if each >= here]:
             self._bytes -= self._rounds.pop(key).size

@@ -1,7 +1,7 @@
-"""An instant of a run, by what has been done and not by the clock.
+"""A position in a run, by progress and not by the clock.
 
-A run is made of timesteps, these of rounds, and in a round one program after the other runs on. A
-program's statements are counted, so that `robot` and `statements` name one instant of a run; the
+A run consists of timesteps, these of rounds, and in a round one program after the other runs. A
+program's statements are counted, so that `robot` and `statements` identify a position; the
 others say when that is.
 
 >>> Position(3, 0, robot=1, statements=40) < Position(3, 1) < Position(4, 0)
@@ -15,13 +15,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, order=True, slots=True)
 class Position:
-    """An instant of a run; earlier ones are smaller.
+    """A position in a run; earlier ones are smaller.
 
     Attributes:
         timestep: how many timesteps have ended.
         round: how many rounds of this timestep have ended.
         robot: the program that has stopped in the middle of a round; -1 for none, before the round.
-        statements: how many statements of that program have begun: it stands before the next.
+        statements: how many statements of that program have started: it is before the next.
     """
 
     timestep: int

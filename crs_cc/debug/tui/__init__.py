@@ -1,5 +1,5 @@
-"""The full screen of the debugger: source, stack, values, robots, a map, output and a time line.
+"""The full screen of the debugger: source, stack, values, robots, map, output and time line.
 
-`app` is the one place that talks to the debugger: in a thread of its own, one command at a time.
-After each it takes a `look` at the stopped run, plain data, and the panes show that.
+Only `app` talks to the debugger: through a `Backend` in a worker thread, one request at a time.
+Each reply has the data of the stopped run, which the panes show.
 """

@@ -1,7 +1,7 @@
-"""The screen as a whole: keys and commands go to the debugger, what it looks like then comes back.
+"""The application: sends requests to the debugger and shows its replies.
 
-The debugger works in a thread of its own, one order after the other, so that the screen stays
-alive; the one thing done to it from here while it works is to interrupt it.
+The debugger works in a thread of its own, one request after the other, so that the screen stays
+responsive; the only thing done to it meanwhile is to interrupt it.
 """
 
 from __future__ import annotations
@@ -19,34 +19,34 @@ from textual.timer import Timer
 from textual.widgets import Label
 
 from crs_cc.debug.commands.shell import PROMPT
-from crs_cc.debug.tui.bars import Button, ButtonBar, StatusBar
-from crs_cc.debug.tui.choices import Choices
+from crs_cc.debug.tui.backend import Backend, BackendReply, BackendRequest
+from crs_cc.debug.tui.choices import ChoiceList
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
 from crs_cc.debug.tui.keys import SHORTCUTS
-from crs_cc.debug.tui.map_pane import ChartPane
+from crs_cc.debug.tui.logs import ConsoleLog, OutputLog
+from crs_cc.debug.tui.map_pane import MapPane
 from crs_cc.debug.tui.panes import Panes
-from crs_cc.debug.tui.screen_data import OPEN, Look
+from crs_cc.debug.tui.screen_data import OPEN, ScreenData
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.status_bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from crs_cc.debug.tui.work import Done, Order, Work
 
-_WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
-
-
-@dataclass
-class Finished(Message):
-    """An order is done."""
-
-    order: Order
-    done: Done
+_WAIT_S: Final = 0.15  # between updates of the running command
 
 
 @dataclass
-class Asked(Message):
-    """A robot's program waits for a line of input."""
+class RequestFinished(Message):
+    """A request is complete."""
+
+    request: BackendRequest
+    done: BackendReply
+
+
+@dataclass
+class InputRequested(Message):
+    """A program waits for a line of input."""
 
     robot: str
 
@@ -55,7 +55,7 @@ class DebugApp(App[int]):
     """The full screen of the debugger.
 
     Args:
-        work: the debugger's side.
+        backend: the backend.
     """
 
     TITLE = "crs debug"
@@ -80,89 +80,89 @@ class DebugApp(App[int]):
         ),
     ]
 
-    def __init__(self, work: Work) -> None:
+    def __init__(self, backend: Backend) -> None:
         super().__init__()
-        self._work = work
-        self._orders: deque[Order] = deque()
-        self._current: Order | None = None
+        self._backend = backend
+        self._requests: deque[BackendRequest] = deque()
+        self._current: BackendRequest | None = None
         self._slow: Timer | None = None
         self._unfolded = set(OPEN)
-        self._chart_size = (0, 0)
-        self._file = ""  # to be shown instead of the one where the run stands
-        self._goto_s: float | None = None  # where the time line was dragged to
-        self._look = Look()
+        self._map_size = (0, 0)
+        self._file = ""  # to show instead of the current one
+        self._goto_s: float | None = None  # the target of the time line
+        self._snapshot = ScreenData()
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input
 
     def show(self, *, headless: bool = False) -> None:
-        """Shows the screen until the user leaves; on no terminal if it is `headless`."""
+        """Show the screen until the user quits; without a terminal if `headless`."""
         self.run(headless=headless)
         if self._exception is not None:
             raise self._exception
 
     def _fatal_error(self) -> None:
-        """Ends the screen after a mistake of ours, without the traceback that Textual shows."""
+        """Exit after an internal error, without Textual's traceback."""
         self._close_messages_no_wait()
 
     def compose(self) -> ComposeResult:
-        """Makes the screen."""
+        """Create the widgets."""
         yield StatusBar(id="status")
         yield Panes(id="panes")
         yield TimeLine(id="time")
         with Horizontal(id="prompt"):
             yield Label(PROMPT)
-            yield CommandLine(self._work.complete, id="command")
+            yield CommandLine(self._backend.complete, id="command")
         yield ButtonBar(id="keys")
 
     def on_mount(self) -> None:
-        """Shows the start."""
+        """Request the first data."""
         self.main.query_one("#keys", ButtonBar).buttons = tuple(
             Button(each.label, f"simulate('{each.keys.split(',')[0]}')", each.shown)
             for each in SHORTCUTS
             if each.label
         )
         self.main.query_one(CommandLine).focus()
-        self._work.listen(self._hear)
-        self._order(Order())
+        self._backend.listen(self._hear)
+        self._request(BackendRequest())
 
     @property
     def main(self) -> Screen[object]:
-        """Gives the screen below the page of help."""
+        """Return the main screen, below the help page."""
         return self.screen_stack[0]
 
     @property
     def is_idle(self) -> bool:
-        """Tells whether the debugger has nothing to do."""
-        return self._current is None and not self._orders
+        """Return whether the debugger is idle."""
+        return self._current is None and not self._requests
 
     # -- orders to the debugger ----------------------------------------------------------------
 
-    def _order(self, order: Order) -> None:
-        """Passes an order on, when those before are done."""
-        self._orders.append(order)
+    def _request(self, request: BackendRequest) -> None:
+        """Queue a request."""
+        self._requests.append(request)
         self._go_on()
 
     def _go_on(self) -> None:
-        if self._current is not None or not self._orders:
+        if self._current is not None or not self._requests:
             return
-        order = self._current = self._orders.popleft()
-        wanted = frozenset(self._unfolded), self._chart_size, self._file
-        order = Order(order.line, order.is_typed, *wanted)
-        if order.line is not None:
+        request = self._current = self._requests.popleft()
+        wanted = frozenset(self._unfolded), self._map_size, self._file
+        request = BackendRequest(request.line, request.is_typed, *wanted)
+        if request.line is not None:
             self._slow = self.set_interval(_WAIT_S, self._say_running)
-        self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
+        self.run_worker(lambda: self._do(request), thread=True, exit_on_error=False)
 
-    def _do(self, order: Order) -> None:
-        """Does an order; in the debugger's thread."""
-        self.post_message(Finished(order, self._work.do(order)))
+    def _do(self, request: BackendRequest) -> None:
+        """Execute a request; in the debugger's thread."""
+        self.post_message(RequestFinished(request, self._backend.do(request)))
 
     def _hear(self, robot: str) -> None:
-        """Hears that a program waits for input; in the debugger's thread."""
-        self.post_message(Asked(robot))
+        """Post that a program waits for input; in the debugger's thread."""
+        self.post_message(InputRequested(robot))
 
-    def on_finished(self, message: Finished) -> None:
-        """Shows what came of an order."""
-        order, done = message.order, message.done
+    def on_request_finished(self, message: RequestFinished) -> None:
+        """Show a reply."""
+        request, done = message.request, message.done
         self._current = None
         if self._slow is not None:
             self._slow.stop()
@@ -170,106 +170,106 @@ class DebugApp(App[int]):
         if self._leaving or done.leaves:
             self.exit(0)
             return
-        self._tell(order, done)
+        self._tell(request, done)
         self.main.query_one("#prompt Label", Label).update(done.prompt)
-        self._show(done.look, moved=done.moved)
+        self._show(done.snapshot, moved=done.moved)
         self._go_on()
         self._pursue()
 
-    def _tell(self, order: Order, done: Done) -> None:
-        console = self.main.query_one("#console", Console)
-        if order.line is not None and (order.is_typed or done.answer.plain or done.errors):
-            console.echo(order.line)
+    def _tell(self, request: BackendRequest, done: BackendReply) -> None:
+        console = self.main.query_one("#console", ConsoleLog)
+        if request.line is not None and (request.is_typed or done.answer.plain or done.errors):
+            console.echo(request.line)
         console.answer(done.answer)
         for line in done.errors:
             console.error(line)
-        has_failed = done.moved and done.look.badge == "error"
-        if (order.is_typed and done.answer.plain) or done.errors or has_failed:
+        has_failed = done.moved and done.snapshot.badge == "error"
+        if (request.is_typed and done.answer.plain) or done.errors or has_failed:
             self.main.query_one(Panes).pick("console")
             self.main.add_class("-answer")
 
-    def _show(self, look: Look, *, moved: bool) -> None:
+    def _show(self, snapshot: ScreenData, *, moved: bool) -> None:
         if moved:
             self.main.remove_class("-answer")
-        if look.source.file != self._file:
+        if snapshot.source.file != self._file:
             self._file = ""
-        self._look = look
-        self.main.query_one(StatusBar).look = look
-        self.main.query_one(Panes).show(look, moved=moved)
+        self._snapshot = snapshot
+        self.main.query_one(StatusBar).snapshot = snapshot
+        self.main.query_one(Panes).show(snapshot, moved=moved)
         line = self.main.query_one(TimeLine)
-        line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
+        line.end_s, line.time_s, line.happened = snapshot.end_s, snapshot.time_s, snapshot.events
 
     def _say_running(self) -> None:
-        """Says what runs, how far it is, and what it writes; most orders are done before."""
+        """Show the running command, its progress and new output; most commands end before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
-            self.main.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
-            self.main.query_one("#output", Output).add(self._work.take_output())
+            self.main.query_one(StatusBar).running = f"{line}: {self._backend.time_s:.2f} s"
+            self.main.query_one("#output", OutputLog).add(self._backend.take_output())
 
     # -- what the user does --------------------------------------------------------------------
 
     def action_press(self, command: str) -> None:
-        """Does what a key stands for, unless something runs: keys held down do not pile up."""
+        """Execute the command of a key, unless one is running: keys held down do not pile up."""
         if self._current is None:
-            self._order(Order(command))
+            self._request(BackendRequest(command))
 
     def action_interrupt(self) -> None:
-        """Stops what runs; else copies what is marked."""
+        """Interrupt the running command, or else copy the selection."""
         if self._current is not None:
-            self._orders.clear()
+            self._requests.clear()
             self._ask_for("")
-            self._work.interrupt()
+            self._backend.interrupt()
         elif marked := self.screen.get_selected_text():
             self.copy_to_clipboard(marked)
 
     async def action_quit(self) -> None:
-        """Leaves as soon as what runs has stopped."""
+        """Quit as soon as the running command has stopped."""
         self._leaving = True
         if self._current is None:
             self.exit(0)
-        self._work.interrupt()
+        self._backend.interrupt()
 
     def action_breakpoint(self) -> None:
-        """Sets a breakpoint at the marked line of the source, or removes it."""
+        """Toggle a breakpoint at the cursor."""
         self._toggle(self.main.query_one(SourcePane).cursor)
 
     def action_here(self) -> None:
-        """Runs to the marked line."""
+        """Run to the cursor."""
         source = self.main.query_one(SourcePane)
         self.action_press(f"advance {source.file}:{source.cursor}")
 
     def _toggle(self, line: int) -> None:
-        source = self._look.source
+        source = self._snapshot.source
         if line in source.breakpoints:
             self.action_press(f"delete {source.breakpoints[line].number}")
         elif source.file:
             self.action_press(f"break {source.file}:{line}")
 
     def action_file(self) -> None:
-        """Shows another file of the program."""
-        files = self._look.source.files
+        """Show the next source file."""
+        files = self._snapshot.source.files
         if files:
             shown = files.index(self.main.query_one(SourcePane).file)
             self._file = files[(shown + 1) % len(files)]
             self._look_again()
 
     def action_help(self) -> None:
-        """Shows the keys."""
+        """Show the help page."""
         if not isinstance(self.screen, HelpPage):
             self.push_screen(HelpPage())
 
     def action_pane(self, steps: int) -> None:
-        """Shows another of the lower panes."""
+        """Switch between the lower panes."""
         self.main.query_one(Panes).move(steps)
 
     def action_pick(self, name: str) -> None:
-        """Shows one of the lower panes."""
+        """Switch to a lower pane."""
         panes = self.main.query_one(Panes)
         panes.pick(name)
         panes.pane(name).focus()
 
     def action_zoom(self) -> None:
-        """Shows the pane with the focus alone, or all again."""
+        """Maximise the focused pane, or restore the layout."""
         panes = self.main.query_one(Panes)
         alone = self.focused if self.focused in panes.children else self.main.query_one(SourcePane)
         for each in panes.children:
@@ -277,7 +277,7 @@ class DebugApp(App[int]):
         self.main.toggle_class("-zoomed")
 
     def action_type(self) -> None:
-        """Goes to the command line, or from there to the source."""
+        """Toggle focus between command line and source."""
         if isinstance(self.screen, HelpPage):
             self.pop_screen()
             return
@@ -285,78 +285,78 @@ class DebugApp(App[int]):
         (self.main.query_one(SourcePane) if line.has_focus else line).focus()
 
     def action_simulate(self, key: str) -> None:
-        """Does as if a key had been pressed."""
+        """Simulate a key press."""
         self.simulate_key(key)
 
     # -- what the panes say --------------------------------------------------------------------
 
     def on_command_line_typed(self, message: CommandLine.Typed) -> None:
-        """Takes a command, or a line that a program waits for."""
+        """Handle a command, or input for a program."""
         if self._asks:
             self._give(message.line)
         else:
-            self._order(Order(message.line, is_typed=True))
+            self._request(BackendRequest(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:
-        """Leaves, or ends the input of a program that waits for more."""
+        """Quit, or end the input of a waiting program."""
         if self._asks:
             self._give(None)
         else:
             await self.action_quit()
 
-    def on_asked(self, message: Asked) -> None:
-        """Lets the user type what a program reads."""
+    def on_input_requested(self, message: InputRequested) -> None:
+        """Prompt for a program's input."""
         self._ask_for(message.robot)
         self.main.query_one(CommandLine).focus()
 
     def _ask_for(self, robot: str) -> None:
-        """Takes what is typed as the input of a robot's program; as commands for an empty name."""
+        """Direct typed lines to a robot's program; to the debugger for an empty name."""
         self._asks = robot
         self.main.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
 
     def _give(self, line: str | None) -> None:
-        self.main.query_one("#console", Console).echo(line or "", _reads(self._asks))
+        self.main.query_one("#console", ConsoleLog).echo(line or "", _reads(self._asks))
         self._ask_for("")
-        self._work.give(line)
+        self._backend.give(line)
 
     def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
-        """Sets or removes a breakpoint."""
+        """Toggle a breakpoint."""
         self._toggle(message.line)
 
-    def on_choices_chosen(self, message: Choices.Chosen) -> None:
-        """Looks at another frame or robot."""
+    def on_choice_list_chosen(self, message: ChoiceList.Chosen) -> None:
+        """Select a frame or robot."""
         what = {"stack": "frame", "robots": "robot"}[message.pane.id or ""]
         self.action_press(f"{what} {message.number}")
 
     def on_variables_pane_unfolded(self, message: VariablesPane.Unfolded) -> None:
-        """Shows the parts of a value, or no more."""
+        """Expand or collapse a value."""
         (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)
         self._look_again()
 
-    def on_chart_pane_resized(self, message: ChartPane.Resized) -> None:
-        """Draws the map anew."""
-        self._chart_size = message.width, message.height
+    def on_map_pane_resized(self, message: MapPane.Resized) -> None:
+        """Redraw the map."""
+        self._map_size = message.width, message.height
         self._look_again()
 
     def _look_again(self) -> None:
-        if not any(each.line is None for each in self._orders):
-            self._order(Order())
+        if not any(each.line is None for each in self._requests):
+            self._request(BackendRequest())
 
     def on_time_line_press(self, message: TimeLine.Press) -> None:
-        """Takes a command of the time line's keys."""
+        """Execute a command of the time line's keys."""
         self.action_press(message.command)
 
     def on_time_line_move(self, message: TimeLine.Move) -> None:
-        """Goes to a time; while something runs, only the last one that was wanted counts."""
+        """Go to a time; while a command runs, only the last request counts."""
         self._goto_s = message.time_s
         self._pursue()
 
     def _pursue(self) -> None:
         if self._goto_s is not None and self.is_idle:
-            self._order(Order(f"goto {self._goto_s:.6f}"))
+            self._request(BackendRequest(f"goto {self._goto_s:.6f}"))
             self._goto_s = None
 
 
 def _reads(robot: str) -> str:
-    """Gives the prompt for what a program reads."""
+    """Return the prompt for a program's input."""
     return f"{robot} reads: "

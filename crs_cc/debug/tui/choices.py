@@ -1,4 +1,4 @@
-"""A list of which one is looked at: the stack's frames, the robots."""
+"""A list with a selected entry: stack frames, robots."""
 
 from __future__ import annotations
 
@@ -9,34 +9,34 @@ from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Choice
+from crs_cc.debug.tui.screen_data import ListEntry
 
 _CURRENT = "▶ "
 
 
-class Choices(OptionList):
-    """Shows choices, one a line; posts `Chosen` with the number of the one that is picked."""
+class ChoiceList(OptionList):
+    """Shows entries, one a line; posts `Chosen` with the number of the selected one."""
 
     class Chosen(Message):
-        """The user wants to look at one of them."""
+        """The user has selected an entry."""
 
-        def __init__(self, control: Choices, number: int) -> None:
+        def __init__(self, control: ChoiceList, number: int) -> None:
             super().__init__()
             self.pane = control
             self.number = number
 
         @property
-        def control(self) -> Choices:
-            """Gives the list that it was picked from."""
+        def control(self) -> ChoiceList:
+            """Return the list of the entry."""
             return self.pane
 
     def __init__(self, title: str, **arguments: str) -> None:
         super().__init__(**arguments)  # type: ignore[arg-type]
         self.border_title = title
-        self._choices: tuple[Choice, ...] = ()
+        self._choices: tuple[ListEntry, ...] = ()
 
-    def show(self, choices: tuple[Choice, ...]) -> None:
-        """Shows these choices."""
+    def show(self, choices: tuple[ListEntry, ...]) -> None:
+        """Show these entries."""
         if choices == self._choices:
             return
         self._choices = choices
@@ -45,12 +45,12 @@ class Choices(OptionList):
         self.highlighted = current[0] if current else None
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        """Says which one was picked."""
+        """Post the selected entry."""
         event.stop()
         self.post_message(self.Chosen(self, self._choices[event.option_index].number))
 
 
-def _line(choice: Choice) -> Text:
+def _line(choice: ListEntry) -> Text:
     text = Text(no_wrap=True, overflow="ellipsis")
     text.append(_CURRENT if choice.is_current else "  ", Style(color="yellow", bold=True))
     text.append(f"{choice.number} ", Style(dim=True))

@@ -1,4 +1,4 @@
-"""The line to type commands in, with a history and completion; programs read from it, too."""
+"""The command line, with history and completion; also for input of programs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Complete = Callable[[str], Sequence[str]]
 
 
 class CommandLine(Input):
-    """Takes commands; posts `Typed`."""
+    """Input for commands; posts `Typed`."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "remember(-1)", show=False),
@@ -34,7 +34,7 @@ class CommandLine(Input):
             self.line = line
 
     class Finished(Message):
-        """The user has nothing more to type: Ctrl-D in an empty line."""
+        """The user has ended the input: Ctrl-D in an empty line."""
 
     def __init__(self, complete: Complete, **arguments: str) -> None:
         super().__init__(
@@ -48,7 +48,7 @@ class CommandLine(Input):
         self._at = 0
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Passes a line on, and remembers it."""
+        """Post a line and add it to the history."""
         event.stop()
         line = event.value
         if line.strip() and self._history[-1:] != [line]:
@@ -58,13 +58,13 @@ class CommandLine(Input):
         self.post_message(self.Typed(line))
 
     def action_remember(self, direction: int) -> None:
-        """Brings back an earlier line, or a later one."""
+        """Recall an earlier or later line."""
         self._at = min(max(0, self._at + direction), len(self._history))
         self.value = self._history[self._at] if self._at < len(self._history) else ""
         self.cursor_position = len(self.value)
 
     def action_complete(self) -> None:
-        """Completes as far as it is certain; in an empty line goes on to the next pane."""
+        """Complete the common prefix; in an empty line focus the next pane."""
         if not self.value:
             self.screen.focus_next()
             return
@@ -75,7 +75,7 @@ class CommandLine(Input):
             self.cursor_position = len(self.value)
 
     def action_finish(self) -> None:
-        """Says that nothing more comes; deletes to the right in a line with something in it."""
+        """Post the end of input; in a non-empty line delete to the right."""
         if self.value:
             self.action_delete_right()
         else:
@@ -83,7 +83,7 @@ class CommandLine(Input):
 
 
 class _Completions(Suggester):
-    """Proposes the first of what a line may become."""
+    """Suggests the first completion of a line."""
 
     def __init__(self, complete: Complete) -> None:
         super().__init__(use_cache=False, case_sensitive=True)
@@ -95,7 +95,7 @@ class _Completions(Suggester):
 
 
 def _common(texts: Sequence[str]) -> str:
-    """Gives how all of them begin.
+    """Return the common prefix of some words.
 
     >>> _common(["reverse-next", "reverse-step"])
     'reverse-'

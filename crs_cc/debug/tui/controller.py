@@ -1,6 +1,6 @@
-"""The debugger's side of the screen: does commands, and takes a look at where the run stands then.
+"""The backend of the screen: executes commands and returns the data to show.
 
-Commands are those of the one table; the screen has none of its own.
+Commands are those of the command table; the screen has none of its own.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING, Final
 from rich.style import Style
 from rich.text import Text
 
-from crs_cc.debug.commands.command import Line, SourceLine
-from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.answer import Line, SourceLine
+from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.tui.backend import BackendReply, BackendRequest
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Look, Written
-from crs_cc.debug.tui.snapshot_builder import gather, written
-from crs_cc.debug.tui.streams import Streams
-from crs_cc.debug.tui.work import Done, Order
+from crs_cc.debug.tui.program_streams import ProgramStreams
+from crs_cc.debug.tui.screen_data import OutputLine, ScreenData
+from crs_cc.debug.tui.snapshot_builder import build_snapshot, written
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
@@ -34,24 +34,26 @@ _STYLES: Final = {
 }
 """By kind of line; others are plain."""
 
-_MOST_LINES: Final = 1000
+_MAX_LINES: Final = 1000
 """Lines of an answer that are shown; chosen by us: more than anybody reads."""
 
 
-class Desk:
-    """Works on a debugger for the screen.
+class Controller:
+    """Executes requests of the screen.
 
     Attributes:
-        shell: the debugger's command line.
+        shell: the command line.
     """
 
-    def __init__(self, debugger: Debugger, streams: Streams, scripts: Iterable[str] = ()) -> None:
-        """Takes a debugger.
+    def __init__(
+        self, debugger: Debugger, streams: ProgramStreams, scripts: Iterable[str] = ()
+    ) -> None:
+        """Store the debugger and start with its scripts.
 
         Args:
             debugger: the debugger.
-            streams: what its programs read from, and write to.
-            scripts: commands to be done before anybody is asked.
+            streams: the standard streams of its programs.
+            scripts: commands to execute first.
         """
         self.shell = Shell(debugger)
         self._streams = streams
@@ -59,54 +61,57 @@ class Desk:
         self._has_begun = False
         self._works = False
         self._is_interrupted = False
-        self._look = Look()
+        self._snapshot = ScreenData()
 
     def interrupt(self) -> None:
-        """Makes what is being done come to an end; from any thread."""
+        """Interrupt the current request; thread-safe."""
         self._is_interrupted = True
         self.shell.debugger.interrupt()
         self._streams.end()
 
     @property
     def time_s(self) -> float:
-        """How far the run is [s], also while it goes on; from any thread."""
+        """The simulated time [s], also while the run advances; thread-safe."""
         return self.shell.debugger.session.time_s
 
     def listen(self, asked: Callable[[str], None]) -> None:
-        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        """Set the callback for programs that wait for input; it receives the robot's name."""
         self._streams.asks = lambda robot: asked(self.shell.debugger.names[robot])
 
     def give(self, line: str | None) -> None:
-        """Gives the program that waits a line; None for the end of its input."""
+        """Pass a line to the waiting program; None for the end of its input."""
         self._streams.give(b"" if line is None else f"{line}\n".encode())
 
-    def take_output(self) -> tuple[Written, ...]:
-        """Gives what has been written since this was last asked for."""
+    def take_output(self) -> tuple[OutputLine, ...]:
+        """Return the output since the last call."""
         return tuple(written(self.shell.debugger.names, self._streams.take()))
 
     def complete(self, line: str) -> Sequence[str]:
-        """Gives what a line may become; while something runs, by the names of commands alone."""
+        """Return the completions of a line; while a command runs, only command names."""
         if self._works:
             return list(matching(line))
-        completion = complete(self.shell, line)
+        completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
-    def do(self, order: Order) -> Done:
-        """Does an order; whatever goes wrong is a line of the answer."""
+    def do(self, request: BackendRequest) -> BackendReply:
+        """Execute a request; errors become lines of the reply."""
         self._works = True
-        self._streams.take()  # the look before has shown it
+        self._streams.take()  # the previous snapshot has shown it
         debugger = self.shell.debugger
-        # An interrupt that came too late for the order before is none of this one.
+        # An interrupt that arrived too late for the previous request does not concern this one.
         self._is_interrupted = False
         debugger.forget_interrupt()
-        before, looked_at = debugger.position, (debugger.robot, debugger.frame)
+        before, looked_at = debugger.position, (debugger.view.robot, debugger.view.frame)
         answer, errors = Text(), list[str]()
         try:
-            self._answer(order, before, answer, errors)
-            if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
-                order = replace(order, file="")
-            self._look = gather(self.shell, order)
-        except DebugError as error:  # of the look: the files are not any more what they were
+            self._answer(request, before, answer, errors)
+            if (debugger.position, (debugger.view.robot, debugger.view.frame)) != (
+                before,
+                looked_at,
+            ):
+                request = replace(request, file="")
+            self._snapshot = build_snapshot(self.shell, request)
+        except DebugError as error:  # the source files have changed
             errors.append(str(error))
         except Exception as error:
             errors.append(f"internal error: {type(error).__name__}: {error}; please report it")
@@ -114,11 +119,13 @@ class Desk:
             self._works = False
         has_moved = debugger.position != before
         leaves, prompt = self.shell.has_ended, self.shell.prompt
-        return Done(self._look, answer, tuple(errors), has_moved, leaves, prompt)
+        return BackendReply(self._snapshot, answer, tuple(errors), has_moved, leaves, prompt)
 
-    def _answer(self, order: Order, before: Position, answer: Text, errors: list[str]) -> None:
+    def _answer(
+        self, request: BackendRequest, before: Position, answer: Text, errors: list[str]
+    ) -> None:
         count = 0
-        for line in self._lines(order):
+        for line in self._lines(request):
             count += 1
             if isinstance(line, Line) and line.kind == "error":
                 errors.append(line.text)
@@ -128,11 +135,11 @@ class Desk:
                 and self.shell.debugger.position != before
             ):
                 continue  # the source is on the screen
-            elif count <= _MOST_LINES:
+            elif count <= _MAX_LINES:
                 answer.append("\n" if answer.plain else "")
                 answer.append(_text(line))
-        if count > _MOST_LINES:
-            answer.append(f"\n... and {count - _MOST_LINES} lines more")
+        if count > _MAX_LINES:
+            answer.append(f"\n... and {count - _MAX_LINES} lines more")
 
     def _begin(self) -> Iterator[Line | SourceLine]:
         try:
@@ -140,19 +147,19 @@ class Desk:
                 if self.shell.has_ended:
                     return
                 if self._is_interrupted:
-                    yield Line("the script is left where it was interrupted", "error")
+                    yield Line("script interrupted", "error")
                     return
                 yield from self.shell.execute(line or "#")
         except DebugError as error:  # a script that cannot be read
             yield Line(str(error), "error")
 
-    def _lines(self, order: Order) -> Iterator[Line | SourceLine]:
+    def _lines(self, request: BackendRequest) -> Iterator[Line | SourceLine]:
         if not self._has_begun:
             self._has_begun = True
             yield from self.shell.greet()
             yield from self._begin()
-        if order.line is not None:
-            yield from self.shell.execute(order.line)
+        if request.line is not None:
+            yield from self.shell.execute(request.line)
 
 
 def _text(line: Line | SourceLine) -> Text:

@@ -1,4 +1,4 @@
-"""The page of help: what the keys do, and where to read on."""
+"""The help page: the keyboard shortcuts."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from textual.widgets import Static
 from crs_cc.debug.tui.keys import help_rows
 
 _MORE = """
-Letters work where nobody is typing: Escape leaves the command line, ":" goes back to it. \
+Letters work outside the command line: Escape leaves it, ":" returns to it. \
 Tab goes from pane to pane, the arrow keys move in it, Enter unfolds or picks.
 
 In the gutter of the source a click sets a breakpoint. The time line is dragged; its arrow keys go \
@@ -25,14 +25,14 @@ by timesteps, with Shift from event to event.
 
 
 class HelpPage(ModalScreen[None]):
-    """Shows the keys until a key is pressed."""
+    """Shows the shortcuts until a key is pressed."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,enter,q,f1,question_mark", "dismiss", show=False),
     ]
 
     def compose(self) -> ComposeResult:
-        """Makes the page."""
+        """Create the widgets."""
         table = Table.grid(padding=(0, 2))
         for row in help_rows():
             table.add_row(*row)

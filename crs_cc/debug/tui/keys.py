@@ -1,7 +1,7 @@
-"""The keys: one table for the bindings, the bar at the bottom and the page of help.
+"""Keyboard shortcuts: the table for bindings, button bar and help page.
 
-Function keys work everywhere, letters where nobody is typing. Terminals differ in what they keep
-for themselves (F1, F10 and F11 often), so whatever can be done has a letter and a command, too.
+Function keys work everywhere, letters outside the command line. Terminals reserve some keys
+(often F1, F10 and F11), so every action has a letter and a command, too.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ from typing import Final
 
 @dataclass(frozen=True, slots=True)
 class Shortcut:
-    """What a key does.
+    """A keyboard shortcut.
 
     Attributes:
         keys: Textual's names of the keys that work everywhere, with commas between them.
-        letter: the key for it while nobody is typing.
-        shown: how the first of the keys is called.
-        label: one word for the bar at the bottom; empty to leave it out there.
-        command: the debugger's command, or empty where `action` does it.
+        letter: the key for it outside the command line.
+        shown: the display name of the first key.
+        label: its label in the button bar; empty to omit it there.
+        command: the debugger's command, or empty if `action` does it.
         action: the screen's own action.
-        meaning: for the page of help.
+        meaning: its description on the help page.
     """
 
     keys: str = ""
@@ -34,30 +34,37 @@ class Shortcut:
 
 
 SHORTCUTS: Final = (
-    Shortcut("f1", "question_mark", "F1", "help", action="help", meaning="this page"),
+    Shortcut("f1", "question_mark", "F1", "help", action="help", meaning="this help"),
     Shortcut("f5", "c", "F5", "go", "continue", meaning="run to the next stop"),
     Shortcut(
-        "f6,shift+f5,f17", "C", "F6", "back", "reverse-continue", meaning="run back to the last"
+        "f6,shift+f5,f17",
+        "C",
+        "F6",
+        "back",
+        "reverse-continue",
+        meaning="run back to the previous stop",
     ),
-    Shortcut("f10", "n", "F10", "next", "next", meaning="next line, calls as one"),
-    Shortcut("f8,shift+f10,f22", "N", "F8", "prev", "reverse-next", meaning="line before"),
-    Shortcut("f11", "s", "F11", "step", "step", meaning="next line, into calls"),
-    Shortcut("f7,shift+f11,f23", "S", "F7", "unstep", "reverse-step", meaning="step backward"),
+    Shortcut("f10", "n", "F10", "next", "next", meaning="step over"),
+    Shortcut("f8,shift+f10,f22", "N", "F8", "prev", "reverse-next", meaning="step over, backward"),
+    Shortcut("f11", "s", "F11", "step", "step", meaning="step into"),
+    Shortcut(
+        "f7,shift+f11,f23", "S", "F7", "unstep", "reverse-step", meaning="step into, backward"
+    ),
     Shortcut("f9", "b", "F9", "break", action="breakpoint", meaning="breakpoint at this line"),
-    Shortcut("ctrl+q", "", "^Q", "quit", action="quit", meaning="leave"),
-    Shortcut("f12", "f", "F12", "finish", "finish", meaning="to the end of the function"),
-    Shortcut("shift+f12,f24", "F", command="reverse-finish", meaning="back to its call"),
+    Shortcut("ctrl+q", "", "^Q", "quit", action="quit", meaning="quit"),
+    Shortcut("f12", "f", "F12", "finish", "finish", meaning="run until the function returns"),
+    Shortcut("shift+f12,f24", "F", command="reverse-finish", meaning="run back to the call"),
     Shortcut("", "h", action="here", meaning="run to this line"),
-    Shortcut("", "o", action="file", meaning="another file of the program"),
-    Shortcut("", "t", command="tick", meaning="one timestep of the world"),
+    Shortcut("", "o", action="file", meaning="next source file"),
+    Shortcut("", "t", command="tick", meaning="one timestep forward"),
     Shortcut("", "T", command="reverse-tick", meaning="one timestep back"),
-    Shortcut("", "u", command="up", meaning="look at the caller"),
-    Shortcut("", "d", command="down", meaning="look at who is called"),
-    Shortcut("f4", "z", "F4", "zoom", action="zoom", meaning="this pane alone, or all again"),
-    Shortcut("f2", "", "F2", "pane", action="pane(1)", meaning="the next of the lower panes"),
-    Shortcut("f3", "", action="pane(-1)", meaning="the one before"),
-    Shortcut("escape", "colon", action="type", meaning="to the command line and back"),
-    Shortcut("ctrl+c", "", "^C", "stop", action="interrupt", meaning="stop what is running"),
+    Shortcut("", "u", command="up", meaning="select the caller"),
+    Shortcut("", "d", command="down", meaning="select the callee"),
+    Shortcut("f4", "z", "F4", "zoom", action="zoom", meaning="maximise the pane, or restore"),
+    Shortcut("f2", "", "F2", "pane", action="pane(1)", meaning="next lower pane"),
+    Shortcut("f3", "", action="pane(-1)", meaning="previous lower pane"),
+    Shortcut("escape", "colon", action="type", meaning="command line on or off"),
+    Shortcut("ctrl+c", "", "^C", "stop", action="interrupt", meaning="interrupt"),
 )
 """All shortcuts; Shift with a function key is sent as the key 12 further by many terminals."""
 
@@ -65,7 +72,7 @@ _LETTERS: Final = {"question_mark": "?", "colon": ":"}
 
 
 def help_rows() -> list[tuple[str, str, str]]:
-    """Gives for each shortcut its keys, its command and what it does."""
+    """Return keys, command and meaning of each shortcut."""
     rows = []
     for each in SHORTCUTS:
         named = [_called(key) for key in each.keys.split(",") if key and key[-2:] not in _HIDDEN]
@@ -75,11 +82,11 @@ def help_rows() -> list[tuple[str, str, str]]:
 
 
 _HIDDEN: Final = ("17", "22", "23", "24")
-"""The function keys that stand for Shift with another."""
+"""Function keys that terminals send for Shift with another one."""
 
 
 def _called(key: str) -> str:
-    """Gives how people call a key.
+    """Return the display name of a key.
 
     >>> _called("shift+f5"), _called("ctrl+c"), _called("escape")
     ('Shift-F5', 'Ctrl-C', 'Escape')

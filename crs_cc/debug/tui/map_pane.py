@@ -1,4 +1,4 @@
-"""The map: the world from above, as large as there is room."""
+"""The map pane."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from textual.reactive import reactive
 from textual.widget import Widget
 
 
-class ChartPane(Widget, can_focus=True):
-    """Shows a map; posts `Resized` when another size of it is needed."""
+class MapPane(Widget, can_focus=True):
+    """Shows a map; posts `Resized` when its size changes."""
 
-    chart: reactive[Text] = reactive(Text)
+    world_map: reactive[Text] = reactive(Text)
 
     class Resized(Message):
-        """There is another amount of room, in cells."""
+        """The size has changed [cells]."""
 
         def __init__(self, width: int, height: int) -> None:
             super().__init__()
@@ -26,9 +26,9 @@ class ChartPane(Widget, can_focus=True):
         self.border_title = "map"
 
     def render(self) -> Text:
-        """Gives the map."""
-        return self.chart
+        """Return the map."""
+        return self.world_map
 
     def on_resize(self) -> None:
-        """Asks for a map of the new size."""
+        """Request a map of the new size."""
         self.post_message(self.Resized(*self.content_size))

@@ -1,7 +1,7 @@
-"""All panes in one grid, and how they share a screen of any size.
+"""The grid of panes, and its layout by screen size.
 
-A wide and tall screen has all of them at once. Where there is less room one of the lower panes is
-shown at a time, picked in a bar of their names; in the lowest screens only source and console.
+A large screen shows all of them. On smaller ones only one of the lower panes is
+shown at a time, selected in a bar of their names; on the smallest only source and console.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from textual.app import ComposeResult
 from textual.containers import Container
 from textual.widget import Widget
 
-from crs_cc.debug.tui.bars import Button, ButtonBar
-from crs_cc.debug.tui.choices import Choices
-from crs_cc.debug.tui.map_pane import ChartPane
-from crs_cc.debug.tui.screen_data import Look
+from crs_cc.debug.tui.choices import ChoiceList
+from crs_cc.debug.tui.logs import ConsoleLog, OutputLog
+from crs_cc.debug.tui.map_pane import MapPane
+from crs_cc.debug.tui.screen_data import ScreenData
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.status_bars import Button, ButtonBar
 from crs_cc.debug.tui.variables_pane import VariablesPane
 
 LOWER: Final = ("variables", "stack", "robots", "chart", "output", "console")
@@ -30,31 +30,31 @@ class Panes(Container):
     """The grid."""
 
     def compose(self) -> ComposeResult:
-        """Makes the panes, in the order of the grid's cells."""
+        """Create the panes, in the order of the grid's cells."""
         yield SourcePane(id="source", classes="pane")
         yield ButtonBar(id="tabs")
-        yield ChartPane(id="chart", classes="pane lower")
+        yield MapPane(id="chart", classes="pane lower")
         yield VariablesPane(id="variables", classes="pane lower")
-        yield Console(id="console", classes="pane lower")
-        yield Output(id="output", classes="pane lower")
-        yield Choices("stack", id="stack", classes="pane lower")
-        yield Choices("robots", id="robots", classes="pane lower")
+        yield ConsoleLog(id="console", classes="pane lower")
+        yield OutputLog(id="output", classes="pane lower")
+        yield ChoiceList("stack", id="stack", classes="pane lower")
+        yield ChoiceList("robots", id="robots", classes="pane lower")
 
     def on_mount(self) -> None:
-        """Shows the first of the lower panes."""
+        """Select the first of the lower panes."""
         self.pick(LOWER[0])
 
     @property
     def picked(self) -> str:
-        """Gives which of the lower panes is shown where there is room for one."""
+        """Return the selected lower pane."""
         return next(name for name in LOWER if self.pane(name).has_class("-shown"))
 
     def pane(self, name: str) -> Widget:
-        """Gives a pane."""
+        """Return a pane."""
         return self.query_one(f"#{name}")
 
     def pick(self, name: str) -> None:
-        """Shows one of the lower panes where there is room for one."""
+        """Select a lower pane."""
         buttons = []
         for each in LOWER:
             self.pane(each).set_class(each == name, "-shown")
@@ -62,19 +62,19 @@ class Panes(Container):
         self.query_one("#tabs", ButtonBar).buttons = tuple(buttons)
 
     def move(self, steps: int) -> None:
-        """Shows the lower pane so many further on."""
+        """Select the lower pane some steps further on."""
         self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
 
-    def show(self, look: Look, *, moved: bool) -> None:
-        """Shows a stopped run.
+    def show(self, snapshot: ScreenData, *, moved: bool) -> None:
+        """Show a stopped run.
 
         Args:
-            look: what there is to see.
-            moved: the run has moved since the last look.
+            snapshot: the data to show.
+            moved: whether the run has moved since.
         """
-        self.query_one(SourcePane).show(look.source)
-        self.query_one(ChartPane).chart = look.chart
-        self.query_one(VariablesPane).show(look.variables, moved=moved)
-        self.query_one("#output", Output).show(look.output)
-        self.query_one("#stack", Choices).show(look.frames)
-        self.query_one("#robots", Choices).show(look.robots)
+        self.query_one(SourcePane).show(snapshot.source)
+        self.query_one(MapPane).world_map = snapshot.world_map
+        self.query_one(VariablesPane).show(snapshot.variables, moved=moved)
+        self.query_one("#output", OutputLog).show(snapshot.output)
+        self.query_one("#stack", ChoiceList).show(snapshot.frames)
+        self.query_one("#robots", ChoiceList).show(snapshot.robots)

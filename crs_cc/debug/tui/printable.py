@@ -1,10 +1,10 @@
-"""Text that a terminal shows and does not obey: programs write what they like."""
+"""Text without control characters: programs may write any bytes."""
 
 from __future__ import annotations
 
 
 def printable(text: str) -> str:
-    r"""Gives a line of text with pictures of its control characters.
+    r"""Return a line of text with visible control characters.
 
     >>> printable("a\x1b[31m\r")
     'a␛[31m␍'

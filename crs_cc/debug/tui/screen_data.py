@@ -1,4 +1,4 @@
-"""What the screen shows of a stopped run: plain data, made by `gather`, shown by the panes."""
+"""What the panes show of a stopped run, as plain data; `build_snapshot` makes it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final, Literal
 
 from rich.text import Text
 
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.events import WorldEvent
 
 Key = tuple[str, ...]
 """Names a row of the variables for good: robot, function, and the way to it through the values."""
@@ -21,7 +21,7 @@ OPEN: Final[frozenset[Key]] = frozenset({("locals",), ("watched",)})
 
 
 @dataclass(frozen=True, slots=True)
-class Breakmark:
+class BreakpointMark:
     """A breakpoint at a line: its number, and whether it is enabled."""
 
     number: int
@@ -29,15 +29,15 @@ class Breakmark:
 
 
 @dataclass(frozen=True, slots=True)
-class SourceLook:
-    """A file and where the run stands in it.
+class SourceData:
+    """A source file and the current line in it.
 
     Attributes:
-        file: its name, for the title and for places like `wander.c:12`.
+        file: its name, for the title and for locations like `wander.c:12`.
         lines: its text.
-        line: where the frame that is looked at stands, from 1; 0 when it is in another file.
-        innermost: the run itself stands there, not only a caller.
-        breakpoints: by line, the one that is there.
+        line: the current line of the selected frame, from 1; 0 if it is in another file.
+        innermost: whether it belongs to the innermost frame.
+        breakpoints: the breakpoints by line.
         files: all files of the program.
     """
 
@@ -45,32 +45,32 @@ class SourceLook:
     lines: Sequence[str] = ()
     line: int = 0
     innermost: bool = True
-    breakpoints: Mapping[int, Breakmark] = field(default_factory=dict)
+    breakpoints: Mapping[int, BreakpointMark] = field(default_factory=dict)
     files: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
-    """A value with a name, which may have parts.
+class ValueRow:
+    """A named value, maybe with parts.
 
     Attributes:
-        key: what it is, the same at each stop.
-        name: what to call it.
+        key: its identity across stops.
+        name: its name.
         text: the value.
-        has_parts: whether it can be unfolded.
-        parts: its parts, as far as they are unfolded.
+        has_parts: whether it can be expanded.
+        parts: its parts, as far as they are expanded.
     """
 
     key: Key
     name: str
     text: str = ""
     has_parts: bool = False
-    parts: tuple[Row, ...] = ()
+    parts: tuple[ValueRow, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
-    """A row of the stack or of the robots: what it says and whether it is the one looked at."""
+class ListEntry:
+    """An entry of the stack or of the robots: its text and whether it is selected."""
 
     number: int
     text: str
@@ -79,8 +79,8 @@ class Choice:
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
-    """A line that a program wrote: who, where there are several, what, and whether to `stderr`."""
+class OutputLine:
+    """A line of output: robot, if there are several, text, and whether from `stderr`."""
 
     who: str
     text: str
@@ -88,22 +88,22 @@ class Written:
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
-    """All that the screen shows.
+class ScreenData:
+    """The data that the screen shows.
 
     Attributes:
-        state: why it stopped, in one line.
-        badge: how it stands, in a word.
-        time_s: the simulated time [s] of where it stands.
+        state: the reason of the stop, in one line.
+        badge: the state in a word.
+        time_s: the simulated time [s].
         end_s: the latest time [s] that the run has reached.
-        place: where it stands, in counts of timesteps and statements.
+        place: the position, in counts of timesteps and statements.
         source: the file to show.
         frames: the stack, innermost first.
-        robots: who there is.
-        variables: groups of values: the frame's, what is watched, the program's.
-        chart: the world from above.
-        output: the last lines that the programs have written so far.
-        events: what happened, in the order of time.
+        robots: the robots.
+        variables: groups of values: locals, displays, globals and others.
+        world_map: the map.
+        output: the last lines of output.
+        events: the events, by time.
     """
 
     state: str = ""
@@ -111,10 +111,10 @@ class Look:
     time_s: float = 0.0
     end_s: float = 0.0
     place: str = ""
-    source: SourceLook = SourceLook()
-    frames: tuple[Choice, ...] = ()
-    robots: tuple[Choice, ...] = ()
-    variables: tuple[Row, ...] = ()
-    chart: Text = field(default_factory=Text)
-    output: tuple[Written, ...] = ()
-    events: tuple[Happening, ...] = ()
+    source: SourceData = SourceData()
+    frames: tuple[ListEntry, ...] = ()
+    robots: tuple[ListEntry, ...] = ()
+    variables: tuple[ValueRow, ...] = ()
+    world_map: Text = field(default_factory=Text)
+    output: tuple[OutputLine, ...] = ()
+    events: tuple[WorldEvent, ...] = ()

@@ -1,4 +1,4 @@
-"""Takes a look at a stopped run: all that the screen shows of it, as plain data."""
+"""Collects the data that the screen shows of a stopped run."""
 
 from __future__ import annotations
 
@@ -8,51 +8,58 @@ from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
-from crs_cc.debug.commands.stops import frame_text, standing
-from crs_cc.debug.tui.screen_data import Badge, Breakmark, Choice, Look, SourceLook, Written
-from crs_cc.debug.tui.values import variables
+from crs_cc.debug.commands.stop_text import frame_text, selection
+from crs_cc.debug.tui.screen_data import (
+    Badge,
+    BreakpointMark,
+    ListEntry,
+    OutputLine,
+    ScreenData,
+    SourceData,
+)
+from crs_cc.debug.tui.value_rows import variables
 from crs_cc.debug.world.robot_rows import activity
-from crs_cc.debug.world.run_chart import run_chart
+from crs_cc.debug.world.run_map import run_map
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.tui.streams import Piece
-    from crs_cc.debug.tui.work import Order
+    from crs_cc.debug.tui.backend import BackendRequest
+    from crs_cc.debug.tui.program_streams import Piece
     from crs_cc.session.session import Session
 
 _BLOCK: Final = 1000
 """Pieces of output that leave the screen at once; the last one to two thousand are shown."""
 _STDERR: Final = 2
-_MOST_ROBOTS: Final = 200
-_MOST_FRAMES: Final = 200  # a runaway recursion has ten thousand
+_MAX_ROBOTS: Final = 200
+_MAX_FRAMES: Final = 200  # a runaway recursion has ten thousand
 _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
 
 
-def gather(shell: Shell, order: Order) -> Look:
-    """Takes a look.
+def build_snapshot(shell: Shell, request: BackendRequest) -> ScreenData:
+    """Return the data to show.
 
     Args:
-        shell: whose run it is.
-        order: which values are unfolded, and how large the map is.
+        shell: the command line of the run.
+        request: which values are expanded, and the size of the map.
     """
     debugger = shell.debugger
-    position, chronicle = debugger.position, debugger.run.chronicle
-    happened = tuple(chronicle.happenings())
+    position, event_history = debugger.position, debugger.run.event_history
+    happened = tuple(event_history.world_events())
     last_s = max((each.time_s for each in happened), default=0.0)
-    return Look(
+    return ScreenData(
         state=_state(debugger),
         badge=_badge(debugger),
-        time_s=debugger.time_s,
-        end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.time_s, last_s),
+        time_s=debugger.view.time_s,
+        end_s=max(event_history.timesteps * _timestep_s(debugger), debugger.view.time_s, last_s),
         place=f"timestep {position.timestep}" + _statement(debugger),
-        source=_source(debugger, order.file),
+        source=_source(debugger, request.file),
         frames=tuple(_frames(debugger)),
         robots=tuple(_robots(debugger)),
-        variables=variables(shell, order.unfolded),
-        chart=_chart(debugger, *order.chart_size),
+        variables=variables(shell, request.unfolded),
+        world_map=_world_map(debugger, *request.map_size),
         output=tuple(_output(debugger)),
         events=happened,
     )
@@ -61,82 +68,85 @@ def gather(shell: Shell, order: Order) -> Look:
 def _badge(debugger: Debugger) -> Badge:
     if debugger.stop.reason == "error":
         return "error"
-    return "over" if debugger.is_over else "stopped"
+    return "over" if debugger.view.is_over else "stopped"
 
 
 def _state(debugger: Debugger) -> str:
     stop = debugger.stop
-    stands = standing(debugger)
-    where = "" if stop.reason == "end" else stands.head(debugger)
-    if stands.frame is not None:
-        file = stands.frame.location.file
+    selected = selection(debugger)
+    where = "" if stop.reason == "end" else selected.head(debugger)
+    if selected.frame is not None:
+        file = selected.frame.location.file
         where = where.replace(file, PurePath(file).name)
     return ": ".join(filter(None, [stop.why, where]))
 
 
 def _statement(debugger: Debugger) -> str:
-    return f", before stmt {debugger.run.begun(debugger.robot) + 1}"
+    return f", before stmt {debugger.run.statements_begun(debugger.view.robot) + 1}"
 
 
 def _timestep_s(debugger: Debugger) -> float:
     return debugger.session.environment.world.timestep_s
 
 
-def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
-    """Draws the map, with what the robot that is looked at senses; none where there is no room."""
+def _world_map(debugger: Debugger, columns: int, rows: int) -> Text:
+    """Draw the map with the echoes of the selected robot; empty if there is no room."""
     if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
         return Text()
-    return run_chart(debugger, columns, rows, robot=debugger.robot).text
+    return run_map(debugger.view, columns, rows, robot=debugger.view.robot).text
 
 
-def _source(debugger: Debugger, wanted: str) -> SourceLook:
-    """Gives the file that is wanted, or else the one where the user looks at a function."""
-    program = debugger.run.programs[debugger.robot]
+def _source(debugger: Debugger, wanted: str) -> SourceData:
+    """Return the requested file, or else the one of the selected frame."""
+    program = debugger.run.programs[debugger.view.robot]
     files = tuple(program.executable.detail().lines)
-    place, own = debugger.location(), [each for each in debugger.frames() if not each.is_library]
+    place, own = (
+        debugger.view.location(),
+        [each for each in debugger.view.frames() if not each.is_library],
+    )
     file = place.file if place else own[0].location.file if own else str(program.paths[0])
     if wanted in files:
         file = wanted
-    innermost = not own or own[0].number == debugger.frame
+    innermost = not own or own[0].number == debugger.view.frame
     line = place.line if place and place.file == file else 0
     marks = _breakpoints(debugger, file)
-    return SourceLook(file, debugger.source(file), line, innermost, marks, files)
+    return SourceData(file, debugger.view.source(file), line, innermost, marks, files)
 
 
-def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
+def _breakpoints(debugger: Debugger, file: str) -> dict[int, BreakpointMark]:
     marks = {}
-    for each in debugger.breakpoints:
+    for each in debugger.stop_points.breakpoints:
         place = each.place.location if each.place else None
         if place is not None and place.file == file:
-            marks[place.line] = Breakmark(each.number, each.enabled)
+            marks[place.line] = BreakpointMark(each.number, each.enabled)
     return marks
 
 
-def _frames(debugger: Debugger) -> Iterator[Choice]:
-    """Gives the stack; of the C library's functions only those that the program has called."""
-    frames = debugger.frames()
-    for each in frames[:_MOST_FRAMES]:
+def _frames(debugger: Debugger) -> Iterator[ListEntry]:
+    """Return the stack; of library frames only those called by the user's code."""
+    frames = debugger.view.frames()
+    for each in frames[:_MAX_FRAMES]:
         caller = frames[each.number + 1] if each.number + 1 < len(frames) else None
         if each.is_library and caller is not None and caller.is_library:
             continue
         _, _, arguments = frame_text(debugger, each).partition(" at ")[0].partition(" ")
         place = f"{PurePath(each.location.file).name}:{each.location.line}  {arguments}"
-        is_current = each.number == debugger.frame
+        is_current = each.number == debugger.view.frame
         place = "C library" if each.is_library else place
-        yield Choice(each.number, each.function, place, is_current)
+        yield ListEntry(each.number, each.function, place, is_current)
 
 
-def _robots(debugger: Debugger) -> Iterator[Choice]:
-    """Gives the robots; of very many those around the one that is looked at."""
+def _robots(debugger: Debugger) -> Iterator[ListEntry]:
+    """Return the robots; of very many those around the selected one."""
     session, names = debugger.session, debugger.names
-    first = max(0, min(debugger.robot - _MOST_ROBOTS // 2, len(names) - _MOST_ROBOTS))
-    for number in range(first, min(first + _MOST_ROBOTS, len(names))):
+    first = max(0, min(debugger.view.robot - _MAX_ROBOTS // 2, len(names) - _MAX_ROBOTS))
+    for number in range(first, min(first + _MAX_ROBOTS, len(names))):
         text = " ".join(filter(None, [names[number], _pose(session, number)]))
-        yield Choice(number, text, activity(session, number), number == debugger.robot)
+        yield ListEntry(number, text, activity(session, number), number == debugger.view.robot)
 
 
 def _pose(session: Session, robot: int) -> str:
-    """Gives x and y [m] and the heading, or nothing for a robot that is not there."""
+    """Return x and y [m] and the heading; empty for an absent robot."""
     state = session.environment.state
     if not state.presence.present[robot]:
         return ""
@@ -144,25 +154,25 @@ def _pose(session: Session, robot: int) -> str:
     return f"{state.x_m[robot]:.2f}, {state.y_m[robot]:.2f}, {heading_deg}°"
 
 
-def _output(debugger: Debugger) -> Iterator[Written]:
+def _output(debugger: Debugger) -> Iterator[OutputLine]:
     console = debugger.run.console
     since = max(0, console.at // _BLOCK - 1) * _BLOCK
     return written(debugger.names, console.pieces(since))
 
 
-def written(names: tuple[str, ...], pieces: Iterable[Piece]) -> Iterator[Written]:
-    """Gives what was written in lines; a line ends, too, where another program goes on."""
+def written(names: tuple[str, ...], pieces: Iterable[Piece]) -> Iterator[OutputLine]:
+    """Return output as lines; a line ends, too, where another program writes."""
     writer, begun = (-1, -1), ""
     for robot, stream, piece in pieces:
         if (robot, stream) != writer and begun:
-            yield Written(_who(names, writer[0]), begun, writer[1] == _STDERR)
+            yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR)
             begun = ""
         writer = robot, stream
         *lines, begun = (begun + piece.decode("utf-8", "replace")).split("\n")
         for line in lines:
-            yield Written(_who(names, robot), line, stream == _STDERR)
+            yield OutputLine(_who(names, robot), line, stream == _STDERR)
     if begun:
-        yield Written(_who(names, writer[0]), begun, writer[1] == _STDERR)
+        yield OutputLine(_who(names, writer[0]), begun, writer[1] == _STDERR)
 
 
 def _who(names: tuple[str, ...], robot: int) -> str:

@@ -1,6 +1,6 @@
-"""The source: numbered lines in C's colours, where the run stands, and a gutter of breakpoints.
+"""The source pane: highlighted lines with numbers, the current line, and a gutter of breakpoints.
 
-A click in the gutter sets or removes a breakpoint; elsewhere it marks a line, as the arrow keys do.
+A click in the gutter toggles a breakpoint; elsewhere it moves the cursor, as the arrow keys do.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import SourceLook
+from crs_cc.debug.tui.screen_data import SourceData
 
 _MARKS: Final = 3  # cells before the line number: breakpoint, arrow, space
 _CONTEXT: Final = 4  # lines to keep in sight around the current one
-_MOST_COLOURED: Final = 20_000  # lines; beyond, colours would take seconds
+_MAX_COLOURED: Final = 20_000  # lines; beyond, colours would take seconds
 _TAB: Final = 8
 
 _BREAKPOINT: Final = Style(color="red", bold=True)
@@ -34,10 +34,10 @@ _NUMBER: Final = Style(dim=True)
 
 
 class SourcePane(ScrollView, can_focus=True):
-    """Shows a file; posts `Toggle` where a breakpoint is to be set or removed.
+    """Shows a file; posts `Toggle` to set or remove a breakpoint.
 
     Attributes:
-        cursor: the line that is marked, from 1.
+        cursor: the line of the cursor, from 1.
     """
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {"source--current", "source--cursor"}
@@ -52,7 +52,7 @@ class SourcePane(ScrollView, can_focus=True):
     ]
 
     class Toggle(Message):
-        """The user wants a breakpoint at a line, or wants the one there to go."""
+        """The user toggles the breakpoint at a line."""
 
         def __init__(self, line: int) -> None:
             super().__init__()
@@ -60,32 +60,32 @@ class SourcePane(ScrollView, can_focus=True):
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(**arguments)  # type: ignore[arg-type]
-        self._look = SourceLook()
+        self._snapshot = SourceData()
         self._coloured: list[Text] = []
         self.cursor = 1
 
     @property
     def file(self) -> str:
-        """Gives the name of the file that is shown."""
-        return self._look.file
+        """Return the name of the file that is shown."""
+        return self._snapshot.file
 
-    def show(self, look: SourceLook) -> None:
-        """Shows a file; moves to the current line where that has changed."""
-        before, self._look = self._look, look
-        if (look.file, look.lines) != (before.file, before.lines):
-            self._coloured = _colour(look.file, tuple(look.lines))
+    def show(self, snapshot: SourceData) -> None:
+        """Show a file; scroll to the current line if it has changed."""
+        before, self._snapshot = self._snapshot, snapshot
+        if (snapshot.file, snapshot.lines) != (before.file, before.lines):
+            self._coloured = _colour(snapshot.file, tuple(snapshot.lines))
             width = max((each.cell_len for each in self._coloured), default=0)
             self.virtual_size = Size(width + self._gutter, len(self._coloured))
             self.cursor = 1
-        if look.line and (look.file, look.line) != (before.file, before.line):
-            self.cursor = look.line
-        self.border_title = look.file or "no source"
-        if (look.file, look.line) != (before.file, before.line):
+        if snapshot.line and (snapshot.file, snapshot.line) != (before.file, before.line):
+            self.cursor = snapshot.line
+        self.border_title = snapshot.file or "no source"
+        if (snapshot.file, snapshot.line) != (before.file, before.line):
             self.call_after_refresh(self.reveal, self.cursor)
         self.refresh()
 
     def reveal(self, line: int) -> None:
-        """Scrolls so that a line is in sight, with some around it."""
+        """Scroll a line into view, with some context."""
         height = self.scrollable_content_region.height
         if not height:
             return
@@ -97,7 +97,7 @@ class SourcePane(ScrollView, can_focus=True):
             self.scroll_to(y=max(0, last if near else top - height // 3), animate=False)
 
     def on_resize(self) -> None:
-        """Keeps the marked line in sight."""
+        """Keep the cursor in view."""
         self.reveal(self.cursor)
 
     @property
@@ -105,7 +105,7 @@ class SourcePane(ScrollView, can_focus=True):
         return _MARKS + len(str(max(1, len(self._coloured)))) + 2
 
     def render_line(self, y: int) -> Strip:
-        """Gives a line as it is on the screen."""
+        """Render a line of the screen."""
         scroll_x, scroll_y = self.scroll_offset
         number = scroll_y + y + 1
         width = self.scrollable_content_region.width
@@ -118,10 +118,10 @@ class SourcePane(ScrollView, can_focus=True):
         return line.apply_style(self._background(number))
 
     def _marks(self, number: int) -> list[Segment]:
-        look = self._look
-        mark = look.breakpoints.get(number)
+        snapshot = self._snapshot
+        mark = snapshot.breakpoints.get(number)
         dot = " " if mark is None else "●" if mark.enabled else "○"
-        arrow = " " if number != look.line else "▶" if look.innermost else "▷"
+        arrow = " " if number != snapshot.line else "▶" if snapshot.innermost else "▷"
         digits = len(str(len(self._coloured)))
         return [
             Segment(dot, _BREAKPOINT if mark and mark.enabled else _OFF),
@@ -130,14 +130,14 @@ class SourcePane(ScrollView, can_focus=True):
         ]
 
     def _background(self, number: int) -> Style:
-        if number == self._look.line:
+        if number == self._snapshot.line:
             return self.get_component_rich_style("source--current")
         if number == self.cursor and self.has_focus:
             return self.get_component_rich_style("source--cursor")
         return self.rich_style
 
     def on_click(self, event: events.Click) -> None:
-        """Marks a line, or sets or removes a breakpoint in the gutter."""
+        """Move the cursor, or toggle a breakpoint in the gutter."""
         place = event.get_content_offset(self)
         if place is None:
             return
@@ -149,16 +149,16 @@ class SourcePane(ScrollView, can_focus=True):
             self.post_message(self.Toggle(line))
 
     def action_move(self, lines: int) -> None:
-        """Moves the mark."""
+        """Move the cursor."""
         self._mark(min(max(1, self.cursor + lines), max(1, len(self._coloured))))
         self.reveal(self.cursor)
 
     def action_page(self, pages: int) -> None:
-        """Moves the mark by a screenful."""
+        """Move the cursor by a page."""
         self.action_move(pages * max(1, self.scrollable_content_region.height - 1))
 
     def action_breakpoint(self) -> None:
-        """Asks for a breakpoint at the mark, or for the one there to go."""
+        """Toggle a breakpoint at the cursor."""
         self.post_message(self.Toggle(self.cursor))
 
     def _mark(self, line: int) -> None:
@@ -168,9 +168,9 @@ class SourcePane(ScrollView, can_focus=True):
 
 @lru_cache(maxsize=64)
 def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
-    """Gives the lines in C's colours, tabs as spaces."""
+    """Return the lines with syntax highlighting, tabs as spaces."""
     plain = [printable(line.expandtabs(_TAB)) for line in lines]
-    if not file.endswith((".c", ".h")) or len(plain) > _MOST_COLOURED:
+    if not file.endswith((".c", ".h")) or len(plain) > _MAX_COLOURED:
         return [Text(line) for line in plain]
     syntax = Syntax("", "c", theme="monokai", background_color="default")
     text = syntax.highlight("\n".join(plain))
@@ -180,7 +180,7 @@ def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
 
 
 def _foreground(style: Style | str) -> Style:
-    """Gives a style without its background."""
+    """Return a style without its background."""
     if isinstance(style, str):
         return Style()
     return Style(color=style.color, bold=style.bold, italic=style.italic)

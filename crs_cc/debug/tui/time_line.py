@@ -1,6 +1,6 @@
-"""The time line: how far the run is, and what happened when; dragged, or stepped with keys.
+"""The time line: progress and events of the run; dragged, or moved by keys.
 
-The bar goes from the start to the latest time that the run has reached, whichever way it goes now.
+The bar extends from the start to the latest time that the run has reached.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from textual.reactive import reactive
 from textual.strip import Strip
 from textual.widget import Widget
 
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.events import WorldEvent
 
 _MARKS: Final = {
     "error": ("✖", Style(color="red", bold=True)),
@@ -37,7 +37,7 @@ _LABEL: Final = 11  # cells for the time at either end
 
 
 class TimeLine(Widget, can_focus=True):
-    """Shows where the run stands between start and end, and above it marks of what happened."""
+    """Shows the position of the run between start and end, and marks of events above."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("left", "press('reverse-tick')", show=False),
@@ -66,7 +66,7 @@ class TimeLine(Widget, can_focus=True):
 
     time_s: reactive[float] = reactive(0.0)
     end_s: reactive[float] = reactive(0.0)
-    happened: reactive[tuple[Happening, ...]] = reactive(())
+    happened: reactive[tuple[WorldEvent, ...]] = reactive(())
     held_s: reactive[float | None] = reactive(None)
     hint: reactive[str] = reactive("")
 
@@ -84,7 +84,7 @@ class TimeLine(Widget, can_focus=True):
         return min(1.0, max(0.0, share)) * self.end_s
 
     def render_line(self, y: int) -> Strip:
-        """Gives the marks, or the bar below them."""
+        """Render the marks, or the bar below them."""
         width = self.size.width
         segments = self._bar() if y == self.size.height - 1 else self._marks()
         return (
@@ -92,7 +92,7 @@ class TimeLine(Widget, can_focus=True):
         )
 
     def _marks(self) -> list[Segment]:
-        cells: dict[int, Happening] = {}
+        cells: dict[int, WorldEvent] = {}
         for each in self.happened:
             cell = self._cell(each.time_s)
             there = cells.get(cell)
@@ -120,24 +120,24 @@ class TimeLine(Widget, can_focus=True):
         ]
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
-        """Takes hold of the bar."""
+        """Start dragging."""
         self.capture_mouse()
         self._hold(event.x)
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
-        """Drags the bar, or says what happened under the pointer."""
+        """Drag the bar, or show the event under the pointer."""
         if self.held_s is not None:
             self._hold(event.x)
         else:
             self.hint = self._event_at(event.x)
 
     def on_mouse_up(self, _event: events.MouseUp) -> None:
-        """Lets the bar go."""
+        """End dragging."""
         self.release_mouse()
         self.held_s = None
 
     def on_leave(self) -> None:
-        """Forgets what was under the pointer."""
+        """Hide the event under the pointer."""
         self.hint = ""
 
     def _hold(self, x: int) -> None:
@@ -155,11 +155,11 @@ class TimeLine(Widget, can_focus=True):
         return f"{_seconds(first.time_s)} {first.text or first.kind}"
 
     def action_press(self, command: str) -> None:
-        """Asks for a command."""
+        """Post a command."""
         self.post_message(self.Press(command))
 
     def action_event(self, direction: int) -> None:
-        """Goes to the event before, or behind, where the run stands."""
+        """Go to the previous or next event."""
         times = sorted({each.time_s for each in self.happened})
         if direction < 0:
             times = [each for each in times if each < self.time_s]
@@ -169,21 +169,21 @@ class TimeLine(Widget, can_focus=True):
             self.post_message(self.Move(times[-1 if direction < 0 else 0]))
 
     def action_ends(self, last: bool) -> None:
-        """Goes to the start or to the latest time."""
+        """Go to the start or to the latest time."""
         self.post_message(self.Move(self.end_s if last else 0.0))
 
 
-def _rank(event: Happening) -> int:
+def _rank(event: WorldEvent) -> int:
     return _RANKS.get(_family(event), len(_RANKS))
 
 
-def _family(event: Happening) -> str:
-    """Gives what a kind is a part of: `message` for `message-lost`."""
+def _family(event: WorldEvent) -> str:
+    """Return the general kind: `message` for `message-lost`."""
     return event.kind.partition("-")[0]
 
 
 def _seconds(time_s: float) -> str:
-    """Gives a time as people read it.
+    """Return a formatted time.
 
     >>> _seconds(12.3456), _seconds(1234.5)
     ('12.346 s', '1234.5 s')
@@ -192,7 +192,7 @@ def _seconds(time_s: float) -> str:
 
 
 def _lay_over(row: list[Segment], text: str, width: int) -> list[Segment]:
-    """Gives a row with a text over its right end."""
+    """Return a row with a text laid over its right end."""
     text = f" {text} "[:width]
     before = Strip(row).adjust_cell_length(width).crop(0, width - len(text))
     return [*before, Segment(text, Style(reverse=True))]

@@ -1,4 +1,4 @@
-"""Values by name, unfolded like a tree; what differs from the last stop is marked."""
+"""The variables pane: a tree of values; changes since the last stop are highlighted."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from textual.widgets import Tree
 from textual.widgets.tree import TreeNode
 
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Key, Row
+from crs_cc.debug.tui.screen_data import Key, ValueRow
 
 _NAME: Final = "cyan"
 _CHANGED: Final = "bold yellow"
 _MARK: Final = "•"
 
 
-class VariablesPane(Tree[Row]):
-    """Shows rows; posts `Unfolded` when the user wants to see the parts of one, or no more."""
+class VariablesPane(Tree[ValueRow]):
+    """Shows rows; posts `Unfolded` when the user expands or collapses one."""
 
     class Unfolded(Message):
-        """The user has unfolded a row, or folded it."""
+        """The user has expanded or collapsed a row."""
 
         def __init__(self, key: Key, is_open: bool) -> None:
             super().__init__()
@@ -36,14 +36,14 @@ class VariablesPane(Tree[Row]):
         self.border_title = "variables"
         self._before: dict[Key, str] = {}
         self._now: dict[Key, str] = {}
-        self._rows: tuple[Row, ...] = ()
+        self._rows: tuple[ValueRow, ...] = ()
 
-    def show(self, rows: tuple[Row, ...], *, moved: bool = True) -> None:
-        """Shows these rows.
+    def show(self, rows: tuple[ValueRow, ...], *, moved: bool = True) -> None:
+        """Show these rows.
 
         Args:
-            rows: groups of values; those with parts in them are unfolded.
-            moved: the run stands elsewhere than before, so that differences are to be marked anew.
+            rows: groups of values; those with parts in them are expanded.
+            moved: whether the run has moved, so that changes are to be highlighted.
         """
         if moved:
             self._before = self._now
@@ -59,7 +59,7 @@ class VariablesPane(Tree[Row]):
             self.root.expand()
         self.call_after_refresh(self._return_to, cursor, line, top)
 
-    def _add(self, parent: TreeNode[Row], rows: Iterable[Row]) -> None:
+    def _add(self, parent: TreeNode[ValueRow], rows: Iterable[ValueRow]) -> None:
         for row in rows:
             if row.has_parts:
                 node = parent.add(self._label(row), row, expand=bool(row.parts))
@@ -67,7 +67,7 @@ class VariablesPane(Tree[Row]):
             else:
                 parent.add_leaf(self._label(row), row)
 
-    def _label(self, row: Row) -> Text:
+    def _label(self, row: ValueRow) -> Text:
         if len(row.key) == 1:  # a group
             return Text(row.name, style="bold")
         before = self._before.get(row.key)
@@ -82,33 +82,33 @@ class VariablesPane(Tree[Row]):
         return text
 
     def _return_to(self, key: Key, line: int, top: float) -> None:
-        """Puts the cursor where it was: on the same value, or else in the same line."""
+        """Restore the cursor: on the same value, or else in the same line."""
         for node in _nodes(self.root):
             if node.data is not None and node.data.key == key:
                 line = node.line
         self.cursor_line = line
         self.scroll_to(y=top, animate=False)
 
-    def on_tree_node_expanded(self, event: Tree.NodeExpanded[Row]) -> None:
-        """Asks for the parts of a value that has been unfolded."""
+    def on_tree_node_expanded(self, event: Tree.NodeExpanded[ValueRow]) -> None:
+        """Post that a value is expanded."""
         self._tell(event.node, is_open=True)
 
-    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[Row]) -> None:
-        """Says that the parts of a value are not to be seen any more."""
+    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[ValueRow]) -> None:
+        """Post that a value is collapsed."""
         self._tell(event.node, is_open=False)
 
-    def _tell(self, node: TreeNode[Row], *, is_open: bool) -> None:
+    def _tell(self, node: TreeNode[ValueRow], *, is_open: bool) -> None:
         if node.data is not None:
             self.post_message(self.Unfolded(node.data.key, is_open))
 
 
-def _all(rows: Iterable[Row]) -> Iterator[Row]:
+def _all(rows: Iterable[ValueRow]) -> Iterator[ValueRow]:
     for row in rows:
         yield row
         yield from _all(row.parts)
 
 
-def _nodes(node: TreeNode[Row]) -> Iterator[TreeNode[Row]]:
+def _nodes(node: TreeNode[ValueRow]) -> Iterator[TreeNode[ValueRow]]:
     for each in node.children:
         yield each
         yield from _nodes(each)

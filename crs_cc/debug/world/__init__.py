@@ -1,1 +1,1 @@
-"""What a user sees of the world, can wait for in it, and can change in it."""
+"""The world in the debugger: displays, events and changes."""

@@ -1,8 +1,8 @@
-"""A drawing in characters: cells of 2 by 4 dots, which are braille patterns, each in one style.
+"""A canvas of characters: braille cells of 2 by 4 dots, each in one style.
 
 A cell of a terminal is twice as high as it is wide, so dots lie as far apart in both directions.
-Places are counted in dots from the upper left corner, x to the right and y down; what lies outside
-is left out. Where things of different styles share a cell, the one with the highest rank gives it
+Coordinates are in dots from the upper left corner, x to the right and y down; anything outside
+is clipped. If objects of different styles share a cell, the one with the highest rank determines
 its style.
 
 >>> canvas = Canvas(columns=3, rows=1)
@@ -37,17 +37,17 @@ _BITS: Final = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]]
 
 _BLANK: Final = 0x2800
 _POINT: Final = 0.5  # a smaller circle is a dot
-_FEWEST_CORNERS: Final = 8
-_MOST_CORNERS: Final = 1024
-_MOST_DOTS: Final = 2_000_000  # of one call; more than that nobody can tell apart
+_MIN_CORNERS: Final = 8
+_MAX_CORNERS: Final = 1024
+_MAX_DOTS: Final = 2_000_000  # of one call; more are indistinguishable
 
 
 class Canvas:
     """A drawing, empty at first.
 
     Attributes:
-        columns: how many cells it is wide.
-        rows: how many cells it is high.
+        columns: its width [cells].
+        rows: its height [cells].
     """
 
     def __init__(self, columns: int, rows: int) -> None:
@@ -59,24 +59,24 @@ class Canvas:
         self._characters: dict[tuple[int, int], str] = {}
 
     def dots(self, x: FloatArray, y: FloatArray, style: Styles, rank: int) -> None:
-        """Draws dots, shape (n,) each, in one style or each in its own."""
+        """Draw dots, shape (n,) each, in one style or each in its own."""
         self._dots(x, y, self._numbers(style, len(x)), rank)
 
     def lines(self, ends: FloatArray, style: Styles, rank: int, *, gap: int = 1) -> None:
-        """Draws lines.
+        """Draw lines.
 
         Args:
             ends: x and y of both ends of each, (n, 4).
             style: their style, or that of each.
             rank: their rank.
-            gap: one of so many dots is drawn.
+            gap: draw only one of so many dots.
         """
         numbers = self._numbers(style, len(ends))
         seen, ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)
         numbers = numbers[seen]
         spans = ends[:, 2:] - ends[:, :2]
         counts = np.ceil(np.abs(spans).max(axis=1, initial=0.0)).astype(np.intp) + 1
-        line = np.repeat(np.arange(len(ends)), counts)[:_MOST_DOTS]
+        line = np.repeat(np.arange(len(ends)), counts)[:_MAX_DOTS]
         number = np.arange(len(line)) - (np.cumsum(counts) - counts)[line]
         drawn = number % gap == 0
         line, number = line[drawn], number[drawn]
@@ -85,10 +85,10 @@ class Canvas:
         self._dots(places[:, 0], places[:, 1], numbers[line], rank)
 
     def circles(self, circles: FloatArray, style: Styles, rank: int) -> None:
-        """Draws circles: x, y and radius of each, (n, 3), as polygons."""
+        """Draw circles: x, y and radius of each, (n, 3), as polygons."""
         styles = [style] * len(circles) if isinstance(style, str) else style
         radius = np.where(circles[:, 2] < _POINT, 0.0, circles[:, 2])
-        sizes = np.log2(np.clip(4 * radius, _FEWEST_CORNERS, _MOST_CORNERS))
+        sizes = np.log2(np.clip(4 * radius, _MIN_CORNERS, _MAX_CORNERS))
         corners = 2 ** np.ceil(sizes).astype(np.intp)
         for count in np.unique(corners).tolist():
             alike = np.flatnonzero(corners == count)
@@ -110,7 +110,7 @@ class Canvas:
         self._rank[cells], self._style[cells] = rank, numbers[inside][higher]
 
     def put(self, column: int, row: int, text: str, style: str, rank: int) -> None:
-        """Writes a text over cells, from left to right, where nothing has a higher rank."""
+        """Write a text over cells, from left to right, where nothing has a higher rank."""
         for place, character in enumerate(text, column):
             if (
                 0 <= place < self.columns
@@ -121,12 +121,12 @@ class Canvas:
                 self._rank[row, place], self._style[row, place] = rank, self._number(style)
 
     def is_free(self, column: int, row: int, length: int) -> bool:
-        """Tells whether there is room for a text, and nothing there."""
+        """Return whether cells are free for a text."""
         inside = 0 <= row < self.rows and 0 <= column <= self.columns - length
         return inside and bool((self._rank[row, column : column + length] < 0).all())
 
     def pieces(self) -> Pieces:
-        """Gives the drawing, row by row."""
+        """Return the drawing, row by row."""
         styles = list(self._known)
         return [
             [
@@ -137,7 +137,7 @@ class Canvas:
         ]
 
     def _row(self, row: int) -> list[tuple[str, int]]:
-        """Gives the character and the style of each cell."""
+        """Return the character and the style of each cell."""
         bits, styles = self._bits[row].tolist(), self._style[row].tolist()
         cells = []
         for column, (pattern, style) in enumerate(zip(bits, styles, strict=True)):
@@ -155,7 +155,7 @@ class Canvas:
 
 
 def clipped(ends: FloatArray, width: float, height: float) -> tuple[IndexArray, FloatArray]:
-    """Gives the parts of lines that lie in the rectangle from 0, 0 to width, height.
+    """Return the parts of lines inside the rectangle from 0, 0 to width, height.
 
     Source: Liang and Barsky, "A new concept and method for line clipping", 1984.
 

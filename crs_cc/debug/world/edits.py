@@ -1,7 +1,7 @@
-"""Changes that a user makes in the world, in a few words: `move robot0 to 1 2 90`.
+"""Changes to the world by commands: `move robot0 to 1 2 90`.
 
-Each is checked whole before anything changes. Numbers are in metres and degrees, or have a unit as
-in world files. `EDITS` has them all; the help is made of it.
+Each is validated before anything changes. Numbers are in metres and degrees, or have a unit as
+in world files. `EDITS` is the table of changes; the help is generated from it.
 
 >>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -11,7 +11,7 @@ in world files. `EDITS` has them all; the help is made of it.
 >>> edit(environment, "degrade robot0 sonar.3 noise 5cm dropouts 0.1")
 'robot0 has degradation0 now: sonar 3, noise 0.05m, dropouts 0.1'
 >>> edit(environment, "heal robot0")
-'robot0 has lost degradation0'
+'robot0 no longer has degradation0'
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.rows import angle, instant, pose_text
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.model.degradation import DEVICES, described
+from crs_cc.sim.model.degradation import degradables, described
 from crs_cc.sim.model.world import Pose
 
 if TYPE_CHECKING:
@@ -38,15 +38,15 @@ if TYPE_CHECKING:
 
 Words = Sequence[str]
 
-_MOST_WORDS: Final = 40
-_LONGEST: Final = 60
+_MAX_WORDS: Final = 40
+_MAX_LENGTH: Final = 60
 _FLAGS: Final = {"dead": "yes", "stuck": "hold"}
 _VALUES: Final = (
     "bias", "gain", "noise", "step", "stuck", "delay", "dropouts", "onset", "duration", "recovery",
 )  # fmt: skip
 
 FAULTS: Final = (*_VALUES, "dead", "for")
-"""The words that say what is wrong with a device, and when."""
+"""The keywords of faults and their times."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,10 +54,10 @@ class Edit:
     """A kind of change.
 
     Attributes:
-        syntax: the words behind its name, those that may be left out in brackets.
+        syntax: its arguments, optional ones in brackets.
         summary: what it does, in a line.
-        text: what else there is to say.
-        do: does it with the words behind its name; gives what it did, in a sentence.
+        text: further help.
+        do: makes it, given the arguments; returns a description.
     """
 
     syntax: str
@@ -67,22 +67,22 @@ class Edit:
 
 
 def edit(environment: Environment, text: str) -> str:
-    """Changes the world, and gives what was done, in a sentence.
+    """Change the world; return a description of the change.
 
     Args:
         environment: the world, anywhere in a timestep.
         text: a change, as `EDITS` has them.
 
     Raises:
-        DebugError: it cannot be done, and why; then nothing has changed.
+        DebugError: it is invalid or impossible; nothing has changed.
     """
     words = text.replace("=", " ").split()
     if not words:
-        raise DebugError(f"change what? {_choice()}")
-    if len(words) > _MOST_WORDS:
-        raise DebugError(f"a change has at most {_MOST_WORDS} words")
+        raise DebugError(f"missing change ({_choice()})")
+    if len(words) > _MAX_WORDS:
+        raise DebugError(f"a change has at most {_MAX_WORDS} words")
     if words[0] not in EDITS:
-        raise DebugError(f"{words[0][:_LONGEST]!r} is no change of the world: {_choice()}")
+        raise DebugError(f"{words[0][:_MAX_LENGTH]!r} is not a change of the world ({_choice()})")
     wanted = EDITS[words[0]]
     try:
         return wanted.do(environment, words[1:])
@@ -91,11 +91,11 @@ def edit(environment: Environment, text: str) -> str:
 
 
 def _choice() -> str:
-    return f"write {', '.join(EDITS)}"
+    return f"expected {', '.join(EDITS)}"
 
 
 def _wrong_words(name: str) -> ValueError:
-    return ValueError(f"write {name} {EDITS[name].syntax}")
+    return ValueError(f"expected: {name} {EDITS[name].syntax}")
 
 
 # -- who stands where ------------------------------------------------------------------------------
@@ -119,7 +119,7 @@ def _turn(environment: Environment, words: Words) -> str:
     name = _name(environment, words[0])
     place = _pose(environment, name, ANGLE.parse(words[2]))
     environment.carry(name, place)
-    return f"{name} points to {angle(place.heading_rad)} now"
+    return f"{name} has heading {angle(place.heading_rad)} now"
 
 
 def _remove(environment: Environment, words: Words) -> str:
@@ -130,21 +130,21 @@ def _remove(environment: Environment, words: Words) -> str:
         environment.dismiss_robot(robots.index(name))
         return f"{name} leaves the world at {instant(environment.end_s)}"
     environment.take_away(name)
-    return f"{name} is gone"
+    return f"{name} is removed"
 
 
 def _name(environment: Environment, name: str) -> str:
-    """Gives the name of what can be carried, and refuses others."""
+    """Return the name of a robot or movable object; refuse others."""
     known = (*(robot.id for robot in environment.world.robots), *environment.pushables)
     if name not in known:
         if name in environment.names:
-            raise ValueError(f"{name!r} stands firm: what can be moved is {', '.join(known[:20])}")
-        raise ValueError(unknown("robot or movable thing", name, known))
+            raise ValueError(f"{name!r} cannot be moved (movable: {', '.join(known[:20])})")
+        raise ValueError(unknown("robot or movable object", name, known))
     return name
 
 
 def _pose(environment: Environment, name: str, heading_rad: float) -> Pose:
-    """Gives where something is that can be carried, turned to a heading."""
+    """Return the position of a movable object with a new heading."""
     x_m, y_m = environment.state.bodies.position_m[environment.names.index(name)].tolist()
     return Pose(x_m, y_m, heading_rad)
 
@@ -174,7 +174,7 @@ def _degrade(environment: Environment, words: Words) -> str:
 
 
 def _faults(words: Words) -> dict[str, str]:
-    """Gives the attributes of a `<degradation>` that words stand for."""
+    """Return the attributes of a `<degradation>` for some words."""
     attributes: dict[str, str] = {}
     left = list(words)
     while left:
@@ -185,20 +185,20 @@ def _faults(words: Words) -> dict[str, str]:
         if word in _FLAGS and not has_value:
             attributes[word] = _FLAGS[word]
         elif word == "dead" or not has_value:
-            raise ValueError(f"{word} has {'no' if word == 'dead' else 'a'} value")
+            raise ValueError(f"'{word}' {'takes no' if word == 'dead' else 'needs a'} value")
         else:
             attributes["duration" if word == "for" else word] = left.pop(0)
     return attributes
 
 
 def _device(text: str) -> dict[str, str]:
-    """Gives the attributes for a device, `sonar`, or for one of its elements, `sonar.3`."""
+    """Return the attributes for a device, `sonar`, or for one of its elements, `sonar.3`."""
     device, dot, element = text.partition(".")
     return {"device": device, "element": element} if dot else {"device": device}
 
 
 def _heal(environment: Environment, words: Words) -> str:
-    """Removes degradations: one by its name, or all of a robot, a device or an element."""
+    """Remove degradations: one by its name, or all of a robot, a device or an element."""
     if len(words) not in (1, 2):
         raise _wrong_words("heal")
     control = environment.degradations
@@ -211,20 +211,20 @@ def _heal(environment: Environment, words: Words) -> str:
         if len(words) == 2:
             own = [each for each in own if _concerns(each, robot, words[1])]
     if not own:
-        raise ValueError(f"nothing is wrong with {robot.id}{''.join(f' {x}' for x in words[1:])}")
+        raise ValueError(f"no degradation of {robot.id}{''.join(f' {x}' for x in words[1:])}")
     for each in own:
         control.remove(each.id)
-    return f"{robot.id} has lost {', '.join(each.id for each in own)}"
+    return f"{robot.id} no longer has {', '.join(each.id for each in own)}"
 
 
 def _concerns(each: Degradation, robot: Robot, text: str) -> bool:
-    """Tells whether a degradation is one of a device or of its element."""
+    """Return whether a degradation concerns a device or its element."""
     device, _, element = text.partition(".")
-    if device not in DEVICES:
-        raise ValueError(unknown("device", device, tuple(DEVICES)))
+    if device not in degradables():
+        raise ValueError(unknown("device", device, tuple(degradables())))
     if each.device != device:
         return False
-    names = DEVICES[device].elements(robot.model)
+    names = degradables()[device].elements(robot.model)
     own = "" if each.element is None else names[each.element]
     return not element or element in {own, str(each.element)}
 
@@ -247,9 +247,10 @@ def _charge(environment: Environment, words: Words) -> str:
     text = words[1].removesuffix("%")
     percent = float(text) if text.replace(".", "", 1).isdigit() else math.nan
     if not 0.0 <= percent <= 100.0:
-        raise ValueError(f"{words[1][:_LONGEST]!r} is no charge: write 0 to 100, in per cent")
+        text = f"{words[1][:_MAX_LENGTH]!r} is not a state of charge (expected 0 to 100 percent)"
+        raise ValueError(text)
     environment.charge(environment.world.robots.index(robot), percent / 100)
-    return f"the battery of {robot.id}'s motors has {percent:g} % now"
+    return f"{robot.id}'s motor battery has {percent:g} % now"
 
 
 def _heat(environment: Environment, words: Words) -> str:
@@ -257,10 +258,10 @@ def _heat(environment: Environment, words: Words) -> str:
         raise _wrong_words("heat")
     name = words[0]
     if name not in environment.names:
-        raise ValueError(unknown("thing", name, environment.names))
+        raise ValueError(unknown("object", name, environment.names))
     heat = HEAT.parse(words[1])
     if heat < 0.0:
-        raise ValueError("a heat is 0 or more")
+        raise ValueError("heat must not be negative")
     environment.warm(name, heat)
     return f"{name} has a heat of {heat:g} now"
 
@@ -278,7 +279,7 @@ def _open(environment: Environment, words: Words) -> str:
 
 
 def _way(words: Words, name: str) -> dict[str, str]:
-    """Gives the way of messages that words stand for: `radio from robot0 to robot1`."""
+    """Return the link that words describe: `radio from robot0 to robot1`."""
     left, way = list(words), {}
     if left and left[0] not in ("from", "to", "all"):
         way["channel"] = left.pop(0)
@@ -303,50 +304,50 @@ def _way_text(way: dict[str, str]) -> str:
 EDITS: Final = {
     "move": Edit(
         "NAME to X Y [HEADING]",
-        "Carry a robot, or what can be pushed, to a free place.",
-        "It is done as by hand: a robot's odometry does not hear of it, its motors go on, and what"
-        " it holds stays behind. X and Y are in metres, HEADING in degrees, counter-clockwise from"
-        " x; all may have units.",
+        "Move a robot or a movable object to a free place.",
+        "As if by hand: a robot's odometry does not notice, its motors keep running, and what"
+        " it holds stays behind. X and Y are in metres, HEADING in degrees counter-clockwise from"
+        " the x axis; all may have units.",
         _move,
     ),
     "turn": Edit(
-        "NAME to HEADING", "Turn a robot, or what can be pushed, on the spot.", "As by hand.", _turn
+        "NAME to HEADING", "Turn a robot or a movable object in place.", "As if by hand.", _turn
     ),
     "remove": Edit(
         "NAME",
-        "Take a thing, or a robot, out of the world.",
-        "A thing is gone at once; a robot leaves at the end of the timestep, and its program ends.",
+        "Remove an object or a robot from the world.",
+        "Objects vanish at once; a robot leaves at the end of the timestep, and its program ends.",
         _remove,
     ),
     "degrade": Edit(
         "ROBOT DEVICE[.ELEMENT] FAULT...",
-        "Let a device of a robot be wrong: degrade robot0 sonar.3 dead.",
+        "Degrade a device of a robot: degrade robot0 sonar.3 dead.",
         "Faults and units are those of world files: dead, stuck [VALUE], bias VALUE, gain VALUE,"
-        " noise VALUE, step VALUE, delay TIME, dropouts SHARE; when: onset TIME, for TIME, recovery"
-        " TIME.",
+        " noise VALUE, step VALUE, delay TIME, dropouts FRACTION; timing: onset TIME, for TIME,"
+        " recovery TIME.",
         _degrade,
     ),
     "heal": Edit(
         "ROBOT [DEVICE[.ELEMENT]]",
-        "Take away what is wrong with a robot, or with one of its devices.",
-        "Or one degradation, by its name.",
+        "Remove the degradations of a robot or of one of its devices.",
+        "Or a single degradation, by its name.",
         _heal,
     ),
     "charge": Edit(
-        "ROBOT PERCENT", "Let so much be left in the battery of a robot's motors.", "", _charge
+        "ROBOT PERCENT", "Set the state of charge of a robot's motor battery.", "", _charge
     ),
-    "heat": Edit("NAME HEAT", "Let a robot or a thing be so hot.", "", _heat),
+    "heat": Edit("NAME HEAT", "Set the heat of a robot or an object.", "", _heat),
     "shut": Edit(
         "[CHANNEL] [from ROBOT] [to ROBOT]",
-        "Let no messages pass that begin there from now on.",
-        "shut all is every way.",
+        "Block messages that are sent from now on.",
+        "shut all blocks every link.",
         _shut,
     ),
     "open": Edit(
         "[CHANNEL] [from ROBOT] [to ROBOT]",
-        "Open a way of messages that was shut in the same words.",
+        "Unblock a link that was shut with the same arguments.",
         "",
         _open,
     ),
 }
-"""All changes, by the word that they begin with."""
+"""All changes by name."""

@@ -1,7 +1,7 @@
-"""What has happened in a run, and where its robots have been: for time lines and maps.
+"""The events of a run and the paths of its robots, for time lines and maps.
 
-It is known of every timestep that has ever been run, also of those ahead once the run has gone
-back: they come again as they were, unless the user changes something.
+Every timestep that has ever been run is recorded, also those ahead of a run that has gone
+back: they repeat unless the user changes something.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.debug.world.events import KINDS, Happening, happenings
+from crs_cc.debug.world.events import KINDS, WorldEvent, world_events
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 
 _KINDS: Final = tuple(kind for kind in KINDS if kind != "tick" and "-" not in kind)
-_MOST_HAPPENINGS: Final = 20_000
+_MAX_EVENTS: Final = 20_000
 """More are not kept: the older half goes. Chosen by us, some megabytes."""
-_MOST_POSES: Final = 2_000
+_MAX_POSES: Final = 2_000
 """Points of a path; when there are more, every second one goes. Chosen by us: a map has less."""
 _PUSHED: Final = 2.0
 _PUSHED_M: Final = 0.1
@@ -31,41 +31,41 @@ _PUSHED_M: Final = 0.1
 by us."""
 
 
-class Chronicle:
-    """What happened in each timestep of a branch of a run.
+class EventHistory:
+    """The events of each timestep of a branch.
 
     Attributes:
-        timesteps: how many timesteps are known.
+        timesteps: how many timesteps are recorded.
     """
 
     def __init__(self) -> None:
-        """Knows nothing yet."""
+        """Create an empty history."""
         self.timesteps = 0
-        self._happened: list[tuple[int, Happening]] = []
+        self._happened: list[tuple[int, WorldEvent]] = []
         self._stride = 1
         self._poses: list[tuple[int, FloatArray]] = []  # at the end of every `stride`th timestep
         self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
 
     def hear(self, step: Step, environment: Environment) -> None:
-        """Takes what happened in a timestep that has just ended, unless it is known."""
+        """Record the events of a timestep that has just ended, unless recorded before."""
         if step.cycle < self.timesteps:
             return
         self.timesteps = step.cycle + 1
         if _is_eventful(step):
-            for each in happenings(step, environment.world, _KINDS):
+            for each in world_events(step, environment.world, _KINDS):
                 self._add(step.cycle, each)
         if step.cycle % self._stride == 0:
             self._take_poses(step.cycle, environment)
 
-    def note(self, timestep: int, happening: Happening) -> None:
-        """Takes something else that happened in a timestep, once."""
+    def note(self, timestep: int, happening: WorldEvent) -> None:
+        """Record another event of a timestep, once."""
         if (timestep, happening) not in self._happened:
             self._add(timestep, happening)
 
-    def _add(self, timestep: int, happening: Happening) -> None:
+    def _add(self, timestep: int, happening: WorldEvent) -> None:
         self._happened.append((timestep, happening))
-        if len(self._happened) > _MOST_HAPPENINGS:
-            del self._happened[: _MOST_HAPPENINGS // 2]
+        if len(self._happened) > _MAX_EVENTS:
+            del self._happened[: _MAX_EVENTS // 2]
 
     def _take_poses(self, timestep: int, environment: Environment) -> None:
         state, robots = environment.state, environment.world.robots
@@ -75,16 +75,16 @@ class Chronicle:
         places = np.column_stack([state.x_m, state.y_m])
         places[~state.presence.present] = np.nan
         self._poses.append((timestep, places))
-        if len(self._poses) > _MOST_POSES:
+        if len(self._poses) > _MAX_POSES:
             self._stride *= 2
             self._poses = [each for each in self._poses if each[0] % self._stride == 0]
 
-    def happenings(self) -> Sequence[Happening]:
-        """Gives what has happened, by time; also ahead of where the run is."""
+    def world_events(self) -> Sequence[WorldEvent]:
+        """Return all events by time, also those ahead of the current position."""
         return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
 
     def contacts(self, timestep: int) -> list[tuple[int, float, float]]:
-        """Gives the robot and the place [m] of what was touched before a timestep."""
+        """Return the robot and the position [m] of contacts before a timestep."""
         return [
             (each.robot, *each.place)
             for at, each in self._happened
@@ -92,9 +92,9 @@ class Chronicle:
         ]
 
     def paths(self, timestep: int) -> list[FloatArray]:
-        """Gives where each robot has been [m] before a timestep, (n, 2) each.
+        """Return the path of each robot [m] before a timestep, (n, 2) each.
 
-        A row of NaN parts places between which it did not drive, but was carried.
+        A row of NaN separates positions between which it was moved by hand.
         """
         known = [(at, places) for at, places in self._poses if at < timestep]
         if not known:
@@ -112,13 +112,13 @@ class Chronicle:
         return np.insert(path[:, 1:], jumps + 1, np.nan, axis=0)
 
     def forget(self, timestep: int) -> None:
-        """Forgets a timestep and all behind it, as they will be others."""
+        """Discard a timestep and all later ones."""
         self.timesteps = min(self.timesteps, timestep)
         self._happened = [each for each in self._happened if each[0] < timestep]
         self._poses = [each for each in self._poses if each[0] < timestep]
 
-    def fork(self, timestep: int) -> Chronicle:
-        """Gives one of its own that knows the timesteps before this one."""
+    def fork(self, timestep: int) -> EventHistory:
+        """Return an independent copy of the timesteps before this one."""
         other = copy.copy(self)
         other.forget(timestep)
         return other

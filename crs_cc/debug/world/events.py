@@ -1,14 +1,14 @@
-"""What happens in the world in a timestep: what catchpoints can wait for, and time lines show.
+"""The events of a timestep, for catchpoints and time lines.
 
 All of it follows from the timestep's `Step` and the world's constants, so it is the same whenever
-the timestep is run again. What comes of a `Step` is asked for by kind, and kinds that are parts of
-another one are caught by its name, too: `message` catches `message-lost`.
+the timestep is replayed. Events are selected by kind, and subkinds
+are included: `message` catches `message-lost`.
 
 >>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> step = environment.step()
->>> [each.text for each in happenings(step, environment.world, ["tick", "collision"])]
+>>> [each.text for each in world_events(step, environment.world, ["tick", "collision"])]
 ['timestep 0 ended']
 """
 
@@ -34,19 +34,19 @@ if TYPE_CHECKING:
 
 KINDS: Final = {
     "tick": "a timestep ended",
-    "collision": "a robot began to touch something",
-    "bumper": "a switch of a robot's bumper was pressed or released",
-    "bumper-pressed": "a switch was pressed",
-    "bumper-released": "a switch was released",
-    "message": "a message was sent, arrived or got lost; a way of messages was shut or opened",
+    "collision": "a robot started to touch an object",
+    "bumper": "a bumper switch was pressed or released",
+    "bumper-pressed": "a bumper switch was pressed",
+    "bumper-released": "a bumper switch was released",
+    "message": "a message was sent, delivered or lost; a link was shut or opened",
     "message-sent": "a program sent a message",
-    "message-arrived": "a message came into an inbox, as it was sent",
-    "message-corrupted": "a message came into an inbox with other bytes than were sent",
-    "message-lost": "a message never came into an inbox",
-    "message-way": "a way of messages was shut or opened",
+    "message-arrived": "a message was delivered intact",
+    "message-corrupted": "a message was delivered corrupted",
+    "message-lost": "a message was lost",
+    "message-way": "a link was shut or opened",
     **{kind: text for kind, text in events.KINDS.items() if kind != "message"},
 }
-"""The kinds of happenings, and what each means; the names of catchpoints."""
+"""The event kinds with their meanings; the names of catchpoints."""
 
 _FATES: Final = {
     Fate.SENT: "message-sent",
@@ -56,15 +56,15 @@ _FATES: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Happening:
-    """Something that happened in the world.
+class WorldEvent:
+    """An event in the world.
 
     Attributes:
-        time_s: when.
+        time_s: its time [s].
         kind: one of `KINDS`.
-        robot: the number of the robot that it happened to, -1 for none.
-        text: what happened, a sentence for people, with the robot's name.
-        place: where it happened [m], if that is a place.
+        robot: the number of its robot, -1 for none.
+        text: its description, with the robot's name.
+        place: its position [m], if it has one.
     """
 
     time_s: float
@@ -74,19 +74,19 @@ class Happening:
     place: tuple[float, float] | None = None
 
 
-def checked_kind(name: str) -> str:
-    """Gives the name of a kind of happenings.
+def check_event_kind(name: str) -> str:
+    """Return an event kind if it is valid.
 
     Raises:
         DebugError: there is no such kind.
     """
     if name not in KINDS:
-        raise DebugError(unknown("kind of happenings", name, ("exit", *KINDS)))
+        raise DebugError(unknown("event kind", name, ("exit", *KINDS)))
     return name
 
 
 def is_of(kind: str, wanted: Iterable[str]) -> bool:
-    """Tells whether a kind is among those wanted, or a part of one of them.
+    """Return whether a kind is one of some kinds, or a subkind.
 
     >>> is_of("message-lost", ["message"]), is_of("message-lost", ["message-sent"])
     (True, False)
@@ -94,13 +94,13 @@ def is_of(kind: str, wanted: Iterable[str]) -> bool:
     return any(kind == each or kind.startswith(f"{each}-") for each in wanted)
 
 
-def happenings(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[Happening]:
-    """Gives what happened in a timestep, by time.
+def world_events(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[WorldEvent]:
+    """Return the events of a timestep, by time.
 
     Args:
         step: the timestep, which has ended.
         world: the constants of the world it was a step of.
-        wanted: the kinds that are asked for.
+        wanted: the kinds to return.
     """
     if not wanted:
         return []
@@ -115,34 +115,34 @@ def happenings(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[Hap
     return sorted(found, key=lambda each: each.time_s)
 
 
-def _collisions(step: Step, world: WorldModel) -> Iterator[Happening]:
-    """Gives the contacts that began: somewhere in the timestep, they are felt at its end."""
+def _collisions(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
+    """Return the contacts that started in the timestep; they are reported at its end."""
     contacts, end_s = step.contacts, step.time_s + world.timestep_s
     rows = (contacts.robot, contacts.other, contacts.x_m, contacts.y_m)
     for robot, other, x_m, y_m in zip(*(row.tolist() for row in rows), strict=True):
         text = f"{step.names[robot]} touched {step.names[other]} at {x_m:.3f}, {y_m:.3f} m"
-        yield Happening(end_s, "collision", robot, text, (x_m, y_m))
+        yield WorldEvent(end_s, "collision", robot, text, (x_m, y_m))
 
 
-def _bumpers(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _bumpers(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     end_s = step.time_s + world.timestep_s
     changes = (("pressed", step.pressed), ("released", step.released))
     for word, bits in changes:
         for robot in np.flatnonzero(bits).tolist():
             for switch in switches(int(bits[robot]), world.robots[robot].model):
                 text = f"{step.names[robot]}'s {switch} was {word}"
-                yield Happening(end_s, f"bumper-{word}", robot, text)
+                yield WorldEvent(end_s, f"bumper-{word}", robot, text)
 
 
 def switches(bits: int, model: RobotModel) -> Iterator[str]:
-    """Gives the names of switches of a robot, from the bits of `State[33]`."""
+    """Return the names of switches of a robot, from the bits of `State[33]`."""
     for switch in model.bumpers:
         if bits >> switch.bit & 1:
             yield f"bumper {switch.bit} ({side(switch.bearing_rad)})"
 
 
 def side(bearing_rad: float) -> str:
-    """Gives a direction as seen from a robot in words.
+    """Return the name of a direction as seen from a robot.
 
     >>> [side(math.radians(angle)) for angle in (0, 90, 45, 180, -90, 315)]
     ['ahead', 'left', 'ahead left', 'behind', 'right', 'ahead right']
@@ -154,7 +154,7 @@ def side(bearing_rad: float) -> str:
     )[octant]  # fmt: skip
 
 
-def _messages(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _messages(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     if not len(step.traffic):
         return
     channels = [channel.name for channel in world.communication.channels]
@@ -162,24 +162,24 @@ def _messages(step: Step, world: WorldModel) -> Iterator[Happening]:
     fates = step.traffic["fate"].tolist()
     for fate, event in zip(fates, message_log.events(step.traffic, channels, robots), strict=True):
         kind = _FATES.get(Fate(fate), "message-lost")
-        yield Happening(event.time_s, kind, event.robot, event.text)
+        yield WorldEvent(event.time_s, kind, event.robot, event.text)
 
 
-def _events(step: Step, _world: WorldModel) -> Iterator[Happening]:
+def _events(step: Step, _world: WorldModel) -> Iterator[WorldEvent]:
     for event in step.events:
         kind = "message-way" if event.kind == "message" else event.kind
         text = f"{step.names[event.robot]} {event.text}" if event.robot >= 0 else event.text
-        if kind == "degradation":  # its own id is what the sentence is about
+        if kind == "degradation":  # the text is about its own id
             text = f"{step.names[event.robot]}: {event.text}"
-        yield Happening(event.time_s, kind, event.robot, text)
+        yield WorldEvent(event.time_s, kind, event.robot, text)
 
 
-def _ticks(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _ticks(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     end_s = step.time_s + world.timestep_s
-    yield Happening(end_s, "tick", -1, f"timestep {step.cycle} ended")
+    yield WorldEvent(end_s, "tick", -1, f"timestep {step.cycle} ended")
 
 
-_SOURCES: Final[tuple[tuple[str, Callable[[Step, WorldModel], Iterator[Happening]]], ...]] = (
+_SOURCES: Final[tuple[tuple[str, Callable[[Step, WorldModel], Iterator[WorldEvent]]], ...]] = (
     ("", _events),  # of all kinds that are not below, and ways of messages
     ("message", _messages),
     ("collision", _collisions),

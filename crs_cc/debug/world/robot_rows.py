@@ -1,7 +1,7 @@
-"""A robot as rows for a screen: where it is and believes to be, what it does, senses and awaits.
+"""A robot as rows: pose, odometry, command, sensors, and what it waits for.
 
-Places are those of the start of the timestep, as everything in the environment. What the robot has
-told its program stands in `State[]`, see `state_rows`; what stands here is what is.
+Positions are those at the start of the timestep, as everything in the environment. What the robot
+has reported to its program is in `State[]`, see `state_rows`; these rows are the true state.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ HEADINGS: Final = ("robot", "name", "program", "does", "clock", "x", "y", "headi
 
 
 def summary(session: Session, robot: int) -> tuple[str, ...]:
-    """Gives a robot in one row of a table, whose columns are `HEADINGS`."""
+    """Return a robot in one row of a table, whose columns are `HEADINGS`."""
     result = session.robot_result(robot)
     x_m, y_m, heading_rad = result.pose
     place = (length(x_m), length(y_m), angle(heading_rad % math.tau))
@@ -44,7 +44,7 @@ def summary(session: Session, robot: int) -> tuple[str, ...]:
 
 
 def robot_rows(session: Session, robot: int) -> list[Row]:
-    """Gives all there is to say about a robot."""
+    """Return the rows of a robot."""
     environment, result = session.environment, session.robot_result(robot)
     model = environment.world.robots[robot].model
     rows = [
@@ -70,7 +70,7 @@ def robot_rows(session: Session, robot: int) -> list[Row]:
 
 
 def activity(session: Session, robot: int) -> str:
-    """Gives what a robot's program does, or what became of it, in words."""
+    """Return what a robot's program does, or its outcome."""
     result = session.robot_result(robot)
     if result.outcome == "exited":
         return f"exited with {result.exit_status}"
@@ -86,7 +86,7 @@ def activity(session: Session, robot: int) -> str:
 
 
 def _clock_s(session: Session, robot: int, result: RobotResult) -> float:
-    """Gives a program's clock; that of one that waits for something stands at the present."""
+    """Return a program's clock; that of a waiting program is the current time."""
     if result.outcome != "running":
         return result.time_s
     clock_s = session.now_s(robot)
@@ -94,7 +94,7 @@ def _clock_s(session: Session, robot: int, result: RobotResult) -> float:
 
 
 def _waits(environment: Environment, robot: int) -> str:
-    """Gives what a robot waits for in words, empty if it does not."""
+    """Return what a robot waits for; empty for nothing."""
     waits = environment.state.waits
     code = int(waits.code[robot])
     if not code:
@@ -113,14 +113,14 @@ def _waits(environment: Environment, robot: int) -> str:
 
 
 def _function(code: int) -> str:
-    """Gives the C function that posts a request; its name where none is declared."""
+    """Return the C function that posts a request, or the request's name."""
     if code not in REQUESTS:
         return f"request {code}"
     return REQUESTS[code].prototype.partition("(")[0].split()[-1].lstrip("*")
 
 
 def _odometry(environment: Environment, robot: int, result: RobotResult) -> Row:
-    """Gives where the robot believes to be; the turret's direction where there is one."""
+    """Return the odometry, and the turret's direction if there is one."""
     odometry = environment.state.odometry
     turret: tuple[Row, ...] = ()
     if environment.world.robots[robot].model.drive.turret is not None:
@@ -129,7 +129,7 @@ def _odometry(environment: Environment, robot: int, result: RobotResult) -> Row:
 
 
 def _command(environment: Environment, robot: int) -> Row:
-    """Gives the motion command that runs, which slice of it, and what the axes do."""
+    """Return the current motion command, its slice, and the state of the axes."""
     state = environment.state
     axes = tuple(each.model.drive.axis_names for each in environment.world.robots)
     now = slice_of(slices_of(state, axes, environment.timestep_s), robot)
@@ -156,7 +156,7 @@ def _axis(axis: AxisSlice, speed: float, *, was_told: bool, is_limp: bool) -> Ro
 
 
 def _touches(environment: Environment, robot: int) -> Iterator[Row]:
-    """Gives what touched the robot in the timestep before."""
+    """Return the contacts of the robot in the previous timestep."""
     robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
     touched = [environment.names[thing] for thing in things[robots == robot].tolist()]
     yield Row("touches", ", ".join(touched) or "nothing")
@@ -165,11 +165,11 @@ def _touches(environment: Environment, robot: int) -> Iterator[Row]:
 def _bumpers(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
     if model.bumpers:
         pressed = switches(int(environment.state.bumpers.pressed[robot]), model)
-        yield Row("bumpers", ", ".join(pressed) or "none is pressed")
+        yield Row("bumpers", ", ".join(pressed) or "none pressed")
 
 
 def _sonars(environment: Environment, robot: int) -> Iterator[Row]:
-    """Gives the last echo of each sonar, as it came, and who heard the nearest."""
+    """Return the last echo of each sonar, and which was the nearest."""
     sonar = environment.state.sonar
     model = environment.world.robots[robot].model
     sonars = model.sonar_modes[int(sonar.mode[robot])].sonars
@@ -194,7 +194,7 @@ def _echo(echo_m: float) -> str:
 
 
 def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
-    """Gives what only some robots have: batteries that get empty, heat, hands, messages."""
+    """Return what only some robots have: batteries, heat, grippers, messages."""
     state = environment.state
     batteries = ("computer battery", model.computer_battery), ("motor battery", model.motor_battery)
     for (name, battery), charge in zip(batteries, environment.charges(robot), strict=True):
@@ -220,4 +220,4 @@ def _degradations(environment: Environment, robot: int, model: RobotModel) -> It
     )
     if found:
         acting = sum(control.phase(row.name) == "acts" for row in found)
-        yield Row("degradations", f"{acting} of {len(found)} act", found)
+        yield Row("degradations", f"{acting} of {len(found)} active", found)

@@ -1,4 +1,4 @@
-"""What screens show of something: rows of a name and a text, some with rows below them.
+"""Rows of a name and a text, maybe with child rows.
 
 >>> row = Row("pose", pose_text(1.0, -0.25, math.pi / 2), (Row("x", length(1.0)),))
 >>> list(lines([row]))
@@ -17,9 +17,9 @@ class Row:
     """One row.
 
     Attributes:
-        name: what it is about.
-        text: what there is to say, with units; one line.
-        children: rows for those who want to know more.
+        name: what differs.
+        text: its value with units; one line.
+        children: rows with details.
     """
 
     name: str
@@ -28,7 +28,7 @@ class Row:
 
 
 def lines(rows: Sequence[Row], depth: int = 0) -> Iterator[str]:
-    """Gives rows as lines of text, those below others indented, the texts one below the other."""
+    """Return rows as aligned lines of text, children indented."""
     width = max((len(row.name) for row in rows), default=0)
     for row in rows:
         yield f"{'  ' * depth}{row.name:{width}}  {row.text}".rstrip()
@@ -36,17 +36,17 @@ def lines(rows: Sequence[Row], depth: int = 0) -> Iterator[str]:
 
 
 def length(value_m: float) -> str:
-    """Gives a length in words."""
+    """Return a formatted length."""
     return f"{_zero(value_m, 3):.3f} m"
 
 
 def angle(value_rad: float) -> str:
-    """Gives an angle in words."""
+    """Return a formatted angle."""
     return f"{_zero(math.degrees(value_rad), 1):.1f} deg"
 
 
 def instant(time_s: float) -> str:
-    """Gives an instant in words.
+    """Return a formatted time.
 
     >>> instant(0.05), instant(math.inf)
     ('0.050 s', 'never')
@@ -55,11 +55,11 @@ def instant(time_s: float) -> str:
 
 
 def pose_text(x_m: float, y_m: float, heading_rad: float) -> str:
-    """Gives a pose in words: x, y and the heading from 0 to 360 degrees."""
+    """Return a formatted pose: x, y and the heading from 0 to 360 degrees."""
     heading_deg = round(math.degrees(heading_rad) % 360.0, 1) % 360.0
     return f"{_zero(x_m, 3):.3f}, {_zero(y_m, 3):.3f} m, {heading_deg:.1f} deg"
 
 
 def _zero(value: float, places: int) -> float:
-    """Gives a number that is not shown as -0."""
+    """Return a number that is not shown as -0."""
     return round(value, places) + 0.0

@@ -1,107 +1,21 @@
-"""The vendor's `State[]` with names and units, of whatever numbers a program has in it.
-
-Names and units are those of the table of the vendor's API; where the CRS report has others, a
-program in its dialect is shown with these (`robot_api.report`).
-
->>> fields = state_fields("nomad")
->>> fields[17].name, fields[17].text(48), fields[17].text(255), fields[38].name
-('STATE_SONAR_0', '48 in = 1.219 m', 'no echo', 'STATE_VEL_RIGHT')
->>> state_fields("report")[17].text(480), state_fields("nomad", synchro=True)[39].text(-450)
-('480 0.1in = 1.219 m', '-450 0.1deg/s = -45.0 deg/s')
-"""
+"""The vendor's `State[]` as rows."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
-from functools import lru_cache
-from typing import TYPE_CHECKING, Final, Literal
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from crs_cc.core.units import inch_to_m, tenths_deg_to_rad, tenths_inch_to_m
-from crs_cc.debug.world.rows import Row, angle, length
-from crs_cc.robot_api import STATE
+from crs_cc.debug.world.rows import Row
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.view import View
+    from crs_cc.debug.world.state_fields import StateField
     from crs_cc.sim.model.robot import RobotModel
-
-Dialect = Literal["nomad", "report"]
-
-_UNIT: Final = re.compile(r"\[(.+?)\]")
-_NAME: Final = re.compile(r"(\w+?)(\d*) \.\. \1(\d+)")
-_DIFFERENTIAL: Final = {"STATE_VEL_RIGHT", "STATE_VEL_LEFT"}
-_SYNCHRO: Final = {"STATE_VEL_TRANS", "STATE_VEL_STEER"}
-_NO_ECHO: Final = 255
-_NOTHING_NEAR: Final = 15
-_NO_REPLY: Final = 111
-
-
-@dataclass(frozen=True, slots=True)
-class StateField:
-    """One number of `State[]`.
-
-    Attributes:
-        index: its index.
-        name: the constant that stands for the index.
-        unit: its unit, empty for none.
-        nothing: the number that stands for nothing; None where none does.
-        word: what that means.
-        bits: whether it is bits.
-        meaning: what it is, for people.
-    """
-
-    index: int
-    name: str
-    unit: str = ""
-    nothing: int | None = None
-    word: str = ""
-    bits: bool = False
-    meaning: str = ""
-
-    def text(self, value: int) -> str:
-        """Gives a number in words: with its unit, and what it is in metres or degrees."""
-        if self.nothing is not None and value == self.nothing:
-            return self.word
-        if self.bits:
-            set_ = [str(bit) for bit in range(32) if value >> bit & 1]
-            return f"bit{'s' * (len(set_) > 1)} {', '.join(set_)}" if set_ else "none"
-        base, _, per = self.unit.partition("/")
-        per = f"/{per}" if per else ""
-        unit = self.unit.replace(" ", "")
-        if base == "in":
-            return f"{value} {unit} = {length(inch_to_m(float(value)))}{per}"
-        if base == "0.1 in":
-            return f"{value} {unit} = {length(tenths_inch_to_m(float(value)))}{per}"
-        if base == "0.1 deg":
-            return f"{value} {unit} = {angle(tenths_deg_to_rad(float(value)))}{per}"
-        return str(value)
-
-
-@lru_cache(maxsize=4)
-def state_fields(dialect: Dialect, *, synchro: bool = False) -> tuple[StateField, ...]:
-    """Gives the numbers of `State[]` by their indices.
-
-    Args:
-        dialect: whose it is: the vendor's, or that of the CRS report.
-        synchro: whether the robot has a synchro drive, which calls some numbers otherwise.
-    """
-    hidden = _DIFFERENTIAL if synchro else _SYNCHRO
-    fields = {each.index: _special(each) for each in _fields() if each.name not in hidden}
-    if dialect == "report":
-        for index, each in fields.items():
-            if "SONAR" in each.name:
-                fields[index] = replace(each, unit="0.1 in", nothing=-1)
-            if each.name == "STATE_BUMPER":
-                fields[index] = replace(each, bits=False, nothing=0, word="touches nothing")
-        heat = max(fields) + 1
-        fields[heat] = StateField(heat, "STATE_HEAT", meaning="the heat in range, a whole number")
-    return tuple(fields[index] for index in sorted(fields))
 
 
 def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
-    """Gives the numbers that a program has in its `State[]` as rows."""
+    """Return the values of a `State[]` as rows."""
     return [
         Row(
             f"[{each.index}] {each.name}",
@@ -111,14 +25,14 @@ def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
     ]
 
 
-def told_state(view: View, robot: int) -> list[Row]:
-    """Gives what a robot's program has in its `State[]`; nothing for a program without one.
+def vendor_state_rows(view: View, robot: int) -> list[Row]:
+    """Return the `State[]` of a robot's program; empty for a program without one.
 
-    What the robot has no device for is left out, unless it is not 0.
+    Fields of devices that the robot lacks are left out if they are 0.
     """
     model = view.session.environment.world.robots[robot].model
     missing = [name for name, device in _devices(model).items() if not device]
-    told = view.told_state(robot)
+    told = view.vendor_state(robot)
     return [
         row
         for row, (_, value) in zip(state_rows(told), told, strict=True)
@@ -127,33 +41,10 @@ def told_state(view: View, robot: int) -> list[Row]:
 
 
 def _devices(model: RobotModel) -> dict[str, object]:
-    """Gives what some robots do not have, by a part of the names of its numbers."""
+    """Return optional devices by a part of the names of their fields."""
     return {
         "STATE_IR_": model.infrared,
         "_TURRET": model.drive.turret,
         "STATE_LASER": model.laser,
         "STATE_COMPASS": model.compass,
     }
-
-
-def _fields() -> Iterator[StateField]:
-    """Gives what the vendor's table says; some indices have two names."""
-    for row in STATE:
-        unit = _UNIT.search(row.meaning)
-        first, series = int(row.value), _NAME.fullmatch(row.name)
-        names = [row.name]
-        if series is not None:
-            names = [f"{series[1]}{n}" for n in range(int(series[2]), int(series[3]) + 1)]
-        for place, name in enumerate(names):
-            yield StateField(first + place, name, unit[1] if unit else "", meaning=row.meaning)
-
-
-def _special(each: StateField) -> StateField:
-    """Gives a number with what stands for nothing in it, and whether it is bits."""
-    if "SONAR" in each.name:
-        return replace(each, nothing=_NO_ECHO, word="no echo")
-    if "_IR_" in each.name:
-        return replace(each, nothing=_NOTHING_NEAR, word="nothing near")
-    if each.name == "STATE_ERROR":
-        return replace(each, nothing=_NO_REPLY, word="no reply")
-    return replace(each, bits=each.name in {"STATE_BUMPER", "STATE_MOTOR_STATUS"})

@@ -1,14 +1,14 @@
-"""A map of the world in characters: what stands where, the robots, their ways, what one senses.
+"""A map of the world in characters: objects, robots, paths, and one robot's echoes.
 
 x goes to the right and y goes up, as in the world file, at the same scale. Walls are drawn in the
-colour of the terminal's text, things in theirs, each robot in its own with its heading: an arrow,
-or where there is room its outline. It can be drawn anywhere, from 10 by 4 cells on.
+default colour, objects in theirs, each robot in its own with its heading: an arrow,
+or if there is room its outline. The minimum size is 10 by 4 cells.
 
 >>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import parse_world
 >>> environment = Environment(parse_world(b'''<world version="1"><area length="4m" width="4m"/>
 ...   <robot x="1m" y="2m"/></world>''', "room"), seed=1)
->>> for row in Chart(environment, View.whole(environment, 11, 6)).pieces:
+>>> for row in WorldMap(environment, MapWindow.whole(environment, 11, 6)).pieces:
 ...     print("".join(text for text, _ in row).rstrip())
 ⡖⠒⠒⠒⠒⠒⠒⠒⠒⠒⢲
 ⡇         ⢸
@@ -53,20 +53,20 @@ _CONTACT: Final = "bold #d1242f"
 _SCALE: Final = "dim"
 _LAMP: Final = "bold #e6b800"
 _BEAMS, _PATHS, _THINGS, _WALLS, _MARKS, _SHELLS, _ROBOTS = range(7)  # ranks
-_OUTLINED: Final = 4.0  # dots: from this radius on a robot is drawn as it is
+_OUTLINED: Final = 4.0  # dots: from this radius on a robot is drawn with its outline
 _ROUNDED_M: Final = 0.5  # an open world's view does not move with each step
 
 
 @dataclass(frozen=True, slots=True)
-class View:
-    """What part of the world is seen, and in how many cells.
+class MapWindow:
+    """The visible part of the world, and its size in cells.
 
     Attributes:
-        x_m: the middle of what is seen.
-        y_m: the same.
-        scale: dots for a metre.
-        columns: how many cells there are side by side.
-        rows: and one below the other.
+        x_m: the x coordinate of the centre.
+        y_m: the y coordinate of the centre.
+        scale: dots per metre.
+        columns: the width [cells].
+        rows: the height [cells].
     """
 
     x_m: float
@@ -79,13 +79,13 @@ class View:
     def whole(
         cls, environment: Environment, columns: int, rows: int, paths: Sequence[FloatArray] = ()
     ) -> Self:
-        """Gives a view of a whole world; of an open one all that stands and drives in it.
+        """Return a window on a whole world; for an open one, on all objects in it.
 
         Args:
             environment: the world.
-            columns: cells side by side, at least 1.
-            rows: cells one below the other, at least 1.
-            paths: ways that are to be seen, too.
+            columns: the width [cells], at least 1.
+            rows: the height [cells], at least 1.
+            paths: paths to include.
         """
         low, high = _bounds(environment, paths)
         sides = np.maximum(high - low, 2 * _ROUNDED_M)
@@ -97,54 +97,54 @@ class View:
     def around(
         cls, environment: Environment, robot: int, columns: int, rows: int, across_m: float = 6.0
     ) -> Self:
-        """Gives a view with a robot in its middle, in which so many metres are seen each way."""
+        """Return a window of a given size around a robot."""
         state = environment.state
         scale = min(ACROSS * columns, DOWN * rows) / across_m
         return cls(float(state.x_m[robot]), float(state.y_m[robot]), scale, columns, rows)
 
     def dots(self, places_m: FloatArray) -> FloatArray:
-        """Gives where places in the world are on the canvas, (n, 2) each."""
+        """Return the canvas coordinates of positions in the world, (n, 2) each."""
         x = (places_m[:, 0] - self.x_m) * self.scale + ACROSS * self.columns / 2
         y = (self.y_m - places_m[:, 1]) * self.scale + DOWN * self.rows / 2
         return np.column_stack([x, y])
 
     def cell(self, x_m: float, y_m: float) -> tuple[int, int]:
-        """Gives column and row of the cell that a place lies in, which may be outside."""
+        """Return column and row of the cell of a position, maybe outside."""
         ((x, y),) = self.dots(np.array([[x_m, y_m]])).tolist()
         return math.floor(x / ACROSS), math.floor(y / DOWN)
 
     def place(self, column: int, row: int) -> tuple[float, float]:
-        """Gives the place in the world [m] at the middle of a cell."""
+        """Return the position in the world [m] of the centre of a cell."""
         x = (column + 0.5) * ACROSS - ACROSS * self.columns / 2
         y = (row + 0.5) * DOWN - DOWN * self.rows / 2
         return self.x_m + x / self.scale, self.y_m - y / self.scale
 
 
-class Chart:
-    """A map of a world as it is now.
+class WorldMap:
+    """A map of the current state of a world.
 
     Attributes:
-        view: what is seen of it.
+        view: the visible part.
     """
 
     def __init__(
         self,
         environment: Environment,
-        view: View,
+        view: MapWindow,
         *,
         robot: int = -1,
         paths: Sequence[FloatArray] = (),
         contacts: Sequence[tuple[int, float, float]] = (),
     ) -> None:
-        """Draws a world.
+        """Draw a world.
 
         Args:
             environment: the world.
-            view: what is to be seen of it.
-            robot: whose sensors' echoes are drawn, -1 for none.
-            paths: where each robot has been [m], (n, 2) each, parted by rows of NaN; as many as are
+            view: the visible part.
+            robot: the robot whose sensors' echoes are drawn, -1 for none.
+            paths: the path of each robot [m], (n, 2) each, separated by rows of NaN; as many as are
                 known.
-            contacts: number of the robot and place [m] of contacts.
+            contacts: number of the robot and position [m] of contacts.
         """
         self.view = view
         self._environment = environment
@@ -175,7 +175,7 @@ class Chart:
         return Text("\n").join(rows)
 
     def _beams(self, robot: int) -> None:
-        """Draws the middle of each beam that a robot hears an echo in, and what sends it back."""
+        """Draw the axis of each beam with an echo, and the echo's source."""
         environment = self._environment
         for beam in sights(environment.state, environment.world, environment.time_s, robot):
             dots = self.view.dots(beam.outline)
@@ -195,7 +195,7 @@ class Chart:
         self._canvas.lines(lines[np.isfinite(lines).all(axis=1)], style, rank)
 
     def _things(self, outlines: Outlines) -> None:
-        """Draws what has outlines, robots apart; walls are filled."""
+        """Draw objects with outlines, except robots; walls are filled."""
         things, robots = self._environment.things, len(self._environment.world.robots)
         is_wall = np.array([isinstance(thing, Wall) for thing in things], np.bool_)
         starts, ends = (self.view.dots(outlines.segments[:, 2 * n : 2 * n + 2]) for n in (0, 1))
@@ -204,7 +204,7 @@ class Chart:
         fill, wall = _filled(lines[walls])
         self._canvas.lines(fill, self._styles(owners[walls][2 * wall]), _WALLS)
         self._canvas.lines(lines[others], self._styles(owners[others]), _THINGS)
-        # What a wall's round ends reach beyond it is not much.
+        # The round ends of walls are neglected.
         round_ = np.flatnonzero((outlines.owners >= robots) & ~is_wall[outlines.owners])
         radii = outlines.circles[round_, 2:] * self.view.scale
         circles = np.column_stack([self.view.dots(outlines.circles[round_]), radii])
@@ -219,7 +219,7 @@ class Chart:
             self._canvas.put(*self.view.cell(x_m, y_m), sign, _LAMP, _MARKS)
 
     def _robots(self, numbers: IndexArray) -> None:
-        """Draws robots with their headings, and their numbers where there are several."""
+        """Draw robots with their headings, and their numbers if there are several."""
         state, robots = self._environment.state, self._environment.world.robots
         styles = [f"bold {colour(number)}" for number in numbers.tolist()]
         middles = self.view.dots(np.column_stack([state.x_m, state.y_m])[numbers])
@@ -244,7 +244,7 @@ class Chart:
                 self._canvas.put(beside, row, str(number), style, _MARKS)
 
     def _scale_bar(self) -> None:
-        """Draws how long a length is, as far down as there is room, left or right."""
+        """Draw a scale bar, as far down as there is room, left or right."""
         view = self.view
         length_m = round_length(view.columns * ACROSS / view.scale / 4)
         cells = max(1, round(length_m * view.scale / ACROSS))
@@ -257,7 +257,7 @@ class Chart:
 
 
 def _style(thing: Robot | Solid) -> str:
-    """Gives the style of a thing: that of its material, if it has a colour."""
+    """Return the style of an object: that of its material, if it has a colour."""
     if thing.material.colour != PLAIN.colour:
         return hexadecimal(thing.material.colour)
     if isinstance(thing, Wall):
@@ -266,7 +266,7 @@ def _style(thing: Robot | Solid) -> str:
 
 
 def _filled(sides: FloatArray) -> tuple[FloatArray, IndexArray]:
-    """Gives lines that fill walls, whose two sides follow each other, in dots.
+    """Return lines that fill walls, whose two sides follow each other, in dots.
 
     Returns:
         the lines, (n, 4), and which wall each is of, (n,).
@@ -281,14 +281,14 @@ def _filled(sides: FloatArray) -> tuple[FloatArray, IndexArray]:
 
 
 def _sources(environment: Environment) -> list[tuple[str, float, float]]:
-    """Gives a sign for each light and sound of a world file, and where it is [m]."""
+    """Return a symbol and the position [m] of each light and sound source."""
     world = environment.world
     lights = [("☼", light.x_m, light.y_m) for light in world.lights]
     return [*lights, *(("♪", sound.x_m, sound.y_m) for sound in world.sounds)]
 
 
 def _bounds(environment: Environment, paths: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
-    """Gives the lower left and upper right corner [m] of all that is to be seen."""
+    """Return the lower left and upper right corner [m] of all objects."""
     clouds = [path for path in paths if len(path)]
     for outlines in environment.outlines():
         places, radii = outlines.circles[:, :2], outlines.circles[:, 2:]

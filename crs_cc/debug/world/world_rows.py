@@ -1,4 +1,4 @@
-"""The world as rows for a screen: its time, its robots, what stands in it, its messages."""
+"""The world as rows: time, robots, objects, messages."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def world_rows(environment: Environment) -> list[Row]:
-    """Gives all there is to say about a world, its robots' own affairs apart."""
+    """Return the rows of a world."""
     world, state = environment.world, environment.state
     area = world.area
     corner = f"{length(area.x_min_m)[:-2]}, {length(area.y_min_m)}"
@@ -44,7 +44,7 @@ def _robots(environment: Environment) -> Row:
 
 
 def _things(environment: Environment) -> Iterator[Row]:
-    """Gives what stands, and of what can be pushed where it is now and how far from its start."""
+    """Return the objects, and of movable ones the position and the distance from the start."""
     state, world = environment.state, environment.world_now
     solids = world.solids()
     first = len(world.robots)
@@ -56,14 +56,14 @@ def _things(environment: Environment) -> Iterator[Row]:
         held = "".join(f", held by {world.robots[robot].id}" for robot in holders)
         children.append(Row(name, text + held))
     fixed = sum(not is_pushable(solid) for solid in solids)
-    yield Row("things", f"{fixed} fixed, {len(children)} that can be pushed", tuple(children))
+    yield Row("objects", f"{fixed} fixed, {len(children)} movable", tuple(children))
     put = len(state.obstacles.numbers)
     if put:
-        yield Row("obstacles", f"{put} put there by programs")
+        yield Row("obstacles", f"{put} added by programs")
 
 
 def _channels(environment: Environment) -> Iterator[Row]:
-    """Gives what became of messages, on each channel that has had any."""
+    """Return message counts of each channel that was used."""
     for channel in environment.world.communication.channels:
         counts = environment.communication.counts(channel.name)
         if any(counts.values()):
@@ -75,4 +75,4 @@ def _degradations(environment: Environment) -> Iterator[Row]:
     control = environment.degradations
     phases = [control.phase(each.id) for each in control.all()]
     if phases:
-        yield Row("degradations", f"{phases.count('acts')} of {len(phases)} act")
+        yield Row("degradations", f"{phases.count('acts')} of {len(phases)} active")

@@ -1,1 +1,1 @@
-"""Semantic analysis: from pycparser's tree to the checked tree, every type spelled out."""
+"""Semantic analysis: from pycparser's tree to the checked tree, in which all types are explicit."""

@@ -1,4 +1,4 @@
-"""How objects and members are aligned: `_Alignas`, and the attributes `aligned` and `packed`."""
+"""Alignment of objects and members: `_Alignas` and the attributes `aligned` and `packed`."""
 
 from __future__ import annotations
 
@@ -10,20 +10,21 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.declarator import type_name
-from crs_cc.frontend.check.gnu_attributes import PACK, Attribute
 from crs_cc.frontend.check.scope import TypedefName
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.gnu_attributes import Attribute
+from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.preprocess.gnu import PACK
 
 _LARGEST: Final = 4096
 _BIGGEST: Final = 16
-"""What `aligned` without a number means: gcc's `__BIGGEST_ALIGNMENT__` on i386."""
+"""The alignment of `aligned` without a number: gcc's `__BIGGEST_ALIGNMENT__` on i386."""
 
 
 def alignment(unit: Unit, node: Node) -> int:
-    """Gives what a declaration's specifiers and attributes ask for [bytes], 0 when none does.
+    """Return the alignment that specifiers and attributes demand [bytes], 0 if none.
 
     Raises:
-        CheckError: it is no alignment.
+        CheckError: it is not a valid alignment.
     """
     largest = attribute_alignment(unit, attributes(node))
     for each in getattr(node, "align", None) or []:
@@ -37,22 +38,22 @@ def alignment(unit: Unit, node: Node) -> int:
 
 
 def attributes(node: Node) -> list[Attribute]:
-    """Gives the attributes of a declaration, struct or union."""
+    """Return the attributes of a declaration, struct or union."""
     return [each for each in getattr(node, "attributes", None) or [] if type(each) is Attribute]
 
 
 def is_packed(node: Node) -> bool:
-    """Tells whether a member or struct is `packed`."""
+    """Return whether a member or struct is `packed`."""
     return any(each.name == "packed" for each in attributes(node))
 
 
 def pack(node: Node) -> int:
-    """Gives what `#pragma pack` says of a struct [bytes], 0 if nothing."""
+    """Return the maximum alignment of `#pragma pack` for a struct [bytes], 0 if there is none."""
     return next((int(each.value) for each in attributes(node) if each.name == PACK), 0)
 
 
 def attribute_alignment(unit: Unit, found: list[Attribute]) -> int:
-    """Gives what the `aligned` among attributes ask for [bytes], 0 when none does."""
+    """Return the alignment that `aligned` attributes demand [bytes], 0 if there are none."""
     largest = 0
     for each in found:
         if each.name == "aligned":
@@ -62,7 +63,7 @@ def attribute_alignment(unit: Unit, found: list[Attribute]) -> int:
 
 
 def natural_alignment(unit: Unit, node: Node) -> int:
-    """Gives the alignment that a `typedef` with an attribute has [bytes]; 0 for any other type."""
+    """Return the alignment of a `typedef` with an attribute [bytes], 0 for any other type."""
     inner = node.type
     while isinstance(inner, c_ast.ArrayDecl):
         inner = inner.type

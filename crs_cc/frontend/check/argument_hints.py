@@ -1,7 +1,7 @@
-"""Hints to calls of the library's functions where a stream or a format is missing or misplaced.
+"""Hints for calls of library functions whose stream or format is missing or misplaced.
 
 `fprintf("hello")` lacks its stream, `fputs(stream, "hello")` has it at the wrong end, and
-`printf(speed)` has no format. What the types alone say of that, a beginner cannot make use of.
+`printf(speed)` has no format. The type mismatch alone does not help a beginner.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ _ORDINALS: Final = ("first", "second", "third", "fourth", "fifth")
 def argument_hint(
     callee: FunctionSymbol, function: FunctionType, arguments: Sequence[Expression]
 ) -> str:
-    """Gives a hint to what is wrong with a call whose arguments do not fit; "" if nothing is known.
+    """Return a hint for a call whose arguments do not match; "" if there is none.
 
     Args:
-        callee: what is called.
+        callee: the called function.
         function: its type, with a prototype.
-        arguments: the values that are passed.
+        arguments: the arguments.
     """
     parameters = function.parameters or ()
     given = [_is_stream(value.type) for value in arguments]
@@ -44,7 +44,7 @@ def argument_hint(
 
 
 def _stream_hint(name: str, wanted: list[bool], given: list[bool]) -> str:
-    """Gives a hint to where the stream belongs; "" where it stands there."""
+    """Return a hint at the position of the stream; "" if it is right."""
     at = wanted.index(True)
     if given[at : at + 1] == [True] or (any(given) and len(given) < len(wanted)):
         return ""
@@ -52,7 +52,7 @@ def _stream_hint(name: str, wanted: list[bool], given: list[bool]) -> str:
     if len(wanted) > 1:
         place = "last" if at == len(wanted) - 1 else _ORDINALS[at]
         text = f"'{name}' takes the stream as its {place} argument"
-    return text if any(given) else f"{text}, such as stdout or what fopen gives"
+    return text if any(given) else f"{text}, such as stdout or the result of fopen"
 
 
 def _format_hint(callee: FunctionSymbol, arguments: Sequence[Expression]) -> str:
@@ -68,6 +68,6 @@ def _format_hint(callee: FunctionSymbol, arguments: Sequence[Expression]) -> str
 
 
 def _is_stream(ctype: CType) -> bool:
-    """Tells whether a type is a pointer to the library's `FILE`."""
+    """Return whether a type is a pointer to the library's `FILE`."""
     target = ctype.target if isinstance(ctype, PointerType) else None
     return isinstance(target, RecordType) and target.record.alias == "FILE"

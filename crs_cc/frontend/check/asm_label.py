@@ -1,6 +1,6 @@
-"""The name that the linker is to know an object or a function by: `int vm(double) asm("vm_2");`.
+"""The linker name of an object or a function: `int vm(double) asm("vm_2");`.
 
->>> from crs_cc.frontend.check.gnu_attributes import Attribute
+>>> from crs_cc.frontend.parse.gnu_attributes import Attribute
 >>> from crs_cc.frontend.parse.lexer import lex
 >>> from crs_cc.core.source import Diagnostics, Location
 >>> words = lex('"vm" "_2"', lambda line, column: Location("a.c", line, column), Diagnostics())
@@ -15,31 +15,32 @@ from typing import Final
 
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.checker import CheckError
-from crs_cc.frontend.check.gnu_attributes import ASM_LABEL, Attribute
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.gnu_attributes import Attribute
+from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.preprocess.gnu import ASM_LABEL
 
 _NAME: Final = re.compile(r"[A-Za-z_.$][\w.$]*", re.ASCII)
 
 
 def asm_label(node: Node) -> str:
-    """Gives the name that a declaration asks for, empty when it asks for none.
+    """Return the linker name in a declaration, "" if there is none.
 
     Raises:
-        CheckError: it is no name.
+        CheckError: it is not a valid name.
     """
     return label_among(attributes(node))
 
 
 def label_among(found: list[Attribute]) -> str:
-    """Gives the name among attributes, empty when there is none.
+    """Return the linker name among attributes, "" if there is none.
 
     Raises:
-        CheckError: it is no name.
+        CheckError: it is not a valid name.
     """
     for each in found:
         if each.name == ASM_LABEL:
             label = "".join(word.value.strip('"') for word in each.words)
             if _NAME.fullmatch(label) is None:
-                raise CheckError(each.location, "'asm' needs a name in quotes here")
+                raise CheckError(each.location, "expected a string literal in 'asm'")
             return label
     return ""

@@ -1,10 +1,10 @@
-"""Calls that become instructions in place: what the C library in C cannot say in C.
+"""Built-in functions: calls that become instructions, for what cannot be written in C.
 
-__crs_request(code, message)       posts a request and stops, see `crs_cc.requests`
+__crs_request(code, message)       posts a request and waits, see `crs_cc.requests`
 __crs_stop("null pointer", at)     ends the program with an error, see `requests.ERROR_KINDS`; the
-                                   address may be left out
-__crs_mark, callers, state         the allocator's, see `ir.instruction.Mark` and those behind it
-__crs_setjmp(buffer)               comes back when somebody jumps there, see `ir.SetJump`
+                                   address is optional
+__crs_mark, callers, state         the allocator's, see `ir.instruction.Mark` and the following
+__crs_setjmp(buffer)               returns again after a jump, see `ir.instruction.SetJump`
 __crs_sigsetjmp(buffer, unblocked) the same, with signals for `siglongjmp`
 __crs_longjmp(activation, place, value)
 __builtin_sqrt, floor, clz, ...    one WebAssembly instruction each
@@ -12,8 +12,8 @@ __builtin_memcpy, memmove, memset  whole blocks of memory
 __builtin_va_start, va_copy, ...   arguments of variadic functions; a `va_list` is a `char *`
 __builtin_expect, unreachable, trap, constant_p, choose_expr, types_compatible_p, ...
 
-`builtins_number` has those that calculate. What is left of the names with `__builtin_` in front
-means the library's function of that name.
+Arithmetic ones are in `builtins_number`. Any other name with the prefix `__builtin_` means the
+library function without the prefix.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import modifiable
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     DOUBLE,
@@ -62,7 +62,7 @@ VA_LIST: Final = PointerType(CHAR)
 
 @dataclass(frozen=True, slots=True)
 class Builtin:
-    """How a builtin is called."""
+    """The prototype and the checker of a builtin."""
 
     result: CType
     parameters: tuple[CType, ...]
@@ -105,7 +105,7 @@ _CONSTANTS: Final = {
 
 
 def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
-    """Checks a call if the name is a builtin's; gives None for all other names."""
+    """Check a call of a builtin; return None for any other name."""
     location = unit.at(node)
     nodes = [] if node.args is None else node.args.exprs
     special = _SPECIAL.get(name) or NUMBER_BUILTINS.get(name)
@@ -142,7 +142,7 @@ def _expect(unit: Unit, nodes: list[Node], location: Location) -> Expression:
 
 
 def _first(unit: Unit, nodes: list[Node], location: Location) -> Expression:
-    """Gives the first argument; the others only advise."""
+    """Return the first argument; the others are advice for the optimiser."""
     if not nodes:
         _count(nodes, 1, location)
     values = [rvalue(unit, each) for each in nodes]
@@ -173,7 +173,7 @@ def _types_compatible(unit: Unit, nodes: list[Node], location: Location) -> Expr
 
 
 def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
-    """Gives gcc's number for the kind of a type."""
+    """Return gcc's number for the kind of a type."""
     _count(nodes, 1, location)
     ctype = rvalue(unit, nodes[0]).type
     kinds = {VoidType: 0, PointerType: 5, FloatType: 8}
@@ -184,7 +184,7 @@ def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
 
 
 def _object_size(unit: Unit, nodes: list[Node], location: Location) -> Expression:
-    """Gives what gcc does when it cannot tell how large an object is, as without optimising."""
+    """Return gcc's value for an object of unknown size, as without optimisation."""
     _count(nodes, 2, location)
     rvalue(unit, nodes[0])
     kind = constant.integer(unit, nodes[1], "second argument of '__builtin_object_size'")
@@ -202,7 +202,7 @@ def _stop(unit: Unit, nodes: list[Node], location: Location) -> Expression:
 
 
 def _list(unit: Unit, node: Node) -> Expression:
-    """Checks an argument that must be a `va_list` variable."""
+    """Check an argument that must be a `va_list` variable."""
     found = expression(unit, node)
     if unqualified(found.type) != VA_LIST:
         raise CheckError(found.location, f"expected a 'va_list', not '{found.type}'")

@@ -1,6 +1,7 @@
-"""Builtins that calculate: with overflow told, on bits, and about kinds of floating numbers.
+"""Arithmetic builtins: overflow checks, bit counts, floating-point classification.
 
-Each becomes an expression of ordinary operators; an operand needed twice is kept in a variable.
+Each becomes an expression of ordinary operators; an operand that is needed twice is kept in a
+variable.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import operate
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     DOUBLE,
     FLOAT,
@@ -41,7 +42,7 @@ from crs_cc.ir.types import (
 NumberBuiltin: TypeAlias = Callable[[Unit, list[Node], Location], Expression]
 
 NUMBER_BUILTINS: Final[dict[str, NumberBuiltin]] = {}
-"""Who checks each builtin of this file."""
+"""The checker of each builtin in this file."""
 
 
 def _values(unit: Unit, nodes: list[Node], count: int, location: Location) -> list[Expression]:
@@ -53,14 +54,14 @@ def _values(unit: Unit, nodes: list[Node], count: int, location: Location) -> li
 
 
 def _kept(value: Expression) -> tuple[Expression, Expression]:
-    """Gives what keeps a value in a variable, and the variable."""
+    """Return the assignment of a value to a new variable, and the variable."""
     symbol = ObjectSymbol("", value.type, value.location)
     name = tree.ObjectName(value.type, value.location, symbol)
     return tree.Assign(value.type, value.location, name, value), name
 
 
 def _then(*parts: Expression) -> Expression:
-    """Makes `a, b, c`."""
+    """Build `a, b, c`."""
     result = parts[-1]
     for each in reversed(parts[:-1]):
         result = tree.Comma(result.type, result.location, each, result)
@@ -71,13 +72,13 @@ def _then(*parts: Expression) -> Expression:
 
 
 def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> NumberBuiltin:
-    """Makes the checker of one builtin.
+    """Return the checker of an overflow builtin.
 
     Args:
         op: `+`, `-` or `*`.
-        ctype: the type of both operands and of the result; None when it takes any.
-        has_target: whether the last argument points to where the result goes, and is not just a
-            value of its type.
+        ctype: the type of both operands and of the result; None if it accepts any.
+        has_target: whether the last argument points to the result, and is not just a value of
+            its type.
     """
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
@@ -90,7 +91,7 @@ def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> Numbe
             target = target.target if isinstance(target, PointerType) else target
         for each in (left.type, right.type, target):
             if not is_integer(each):
-                raise CheckError(location, f"an overflow of '{each}' cannot be told")
+                raise CheckError(location, f"overflow of '{each}' is not supported")
         target = unqualified(target)
         keep, pointer = _kept(last)
         first = [keep] if has_target else [convert(last, INT)]
@@ -117,7 +118,7 @@ def _wide(
     where: tuple[list[Expression], Expression | None],
     location: Location,
 ) -> Expression:
-    """Lets the library calculate where 64 bits may be too few."""
+    """Return a call of the library's calculation, for results that may exceed 64 bits."""
     assert isinstance(target, IntegerType | EnumType)
     symbol = ObjectSymbol("", ULLONG, location, in_memory=True)
     result = tree.ObjectName(ULLONG, location, symbol)
@@ -154,7 +155,7 @@ def _enter_overflow() -> None:
 
 
 def _bits(ctype: IntegerType, make: Callable[[Unit, Expression], Expression]) -> NumberBuiltin:
-    """Makes the checker of a function of one integer."""
+    """Return the checker of a function of one integer."""
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         (value,) = _values(unit, nodes, 1, location)
@@ -184,7 +185,7 @@ def _parity(unit: Unit, value: Expression) -> Expression:
 
 
 def _sign_bits(unit: Unit, value: Expression) -> Expression:
-    """Counts the bits behind the highest that are like it: leading zeros of `x ^ x >> all`."""
+    """Count the redundant sign bits: the leading zeros of `x ^ x >> all`, less one."""
     place, width = value.location, 8 * value.type.size
     sign = operate(unit, ">>", value, _number(width - 1, value), place)
     same = operate(unit, "^", value, sign, place)
@@ -215,13 +216,13 @@ def _enter_bits() -> None:
         NUMBER_BUILTINS[f"__builtin_bswap{width}"] = _bits(ctype, _swap_bytes)
 
 
-# Kinds of floating numbers (C17 7.12.3, 7.12.14)
+# Floating-point classification and comparison (C17 7.12.3, 7.12.14)
 
 _LIMITS: Final = {FLOAT: 2.0**-126, DOUBLE: 2.0**-1022, LDOUBLE: 2.0**-1022}
 
 
 def _float(make: Callable[[Unit, Expression], Expression]) -> NumberBuiltin:
-    """Makes the checker of a function of one floating number of any type."""
+    """Return the checker of a function of one floating-point number of any type."""
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         (value,) = _values(unit, nodes, 1, location)
@@ -275,7 +276,7 @@ def _sign_bit(unit: Unit, value: Expression) -> Expression:
 
 
 def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
-    """Checks `__builtin_fpclassify(nan, infinite, normal, subnormal, zero, x)`."""
+    """Check `__builtin_fpclassify(nan, infinite, normal, subnormal, zero, x)`."""
     *kinds, value = _values(unit, nodes, 6, location)
     kinds = [assigned(unit, each, INT, "pass") for each in kinds]
     keep, name = _kept(value)
@@ -288,7 +289,7 @@ def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
 
 
 def _ordered(*ops: str) -> NumberBuiltin:
-    """Makes the checker of a comparison; several operators are joined by `or`."""
+    """Return the checker of a comparison; several operators are joined by `or`."""
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         operands = _values(unit, nodes, 2, location)

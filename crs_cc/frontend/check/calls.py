@@ -1,4 +1,4 @@
-"""Checks calls (C17 6.5.2.2), also of functions that nobody declared."""
+"""Check calls (C17 6.5.2.2), including those of undeclared functions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from crs_cc.frontend.check.format_string import check_format
 from crs_cc.frontend.check.library_prototypes import library_functions, undeclared
 from crs_cc.frontend.check.scope import FunctionSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     INT,
     FunctionType,
@@ -34,7 +34,7 @@ _ATOMIC = ("__sync_", "__atomic_")
 
 @checks(c_ast.FuncCall)
 def call(unit: Unit, node: Node) -> Expression:
-    """Checks `function(arguments)`."""
+    """Check `function(arguments)`."""
     if isinstance(node.name, c_ast.ID):
         name = node.name.name
         if name in _OFFSETOF:
@@ -57,10 +57,10 @@ def call(unit: Unit, node: Node) -> Expression:
 
 
 def _library_function(unit: Unit, node: Node) -> Expression:
-    """Gives the library's function that a name with `__builtin_` in front means.
+    """Return the library function for a name with the prefix `__builtin_`.
 
     Raises:
-        CheckError: there is no such builtin, or it is one that makes no sense here.
+        CheckError: there is no such builtin, or it is not supported.
     """
     location, name = unit.at(node), node.name.removeprefix("__builtin_")
     found = library_functions().get(name)
@@ -73,7 +73,7 @@ def _library_function(unit: Unit, node: Node) -> Expression:
 
 
 def _call(unit: Unit, node: Node, callee: Expression) -> Expression:
-    """Checks the call of a function that is known."""
+    """Check the call of a declared function."""
     location = unit.at(node)
     pointer = callee.type
     if not isinstance(pointer, PointerType) or not isinstance(pointer.target, FunctionType):
@@ -95,7 +95,7 @@ def _call(unit: Unit, node: Node, callee: Expression) -> Expression:
 def _arguments(
     unit: Unit, callee: Expression, function: FunctionType, nodes: list[Node]
 ) -> list[Expression]:
-    """Converts the arguments to the parameters' types (C17 6.5.2.2p6, p7)."""
+    """Convert the arguments to the parameters' types (C17 6.5.2.2p6, p7)."""
     values = [rvalue(unit, each) for each in nodes]
     for value in values:
         if not is_complete(value.type):
@@ -119,13 +119,13 @@ def _arguments(
 
 
 def _hint(callee: Expression, values: list[Expression]) -> str:
-    """Gives a hint to arguments of the library's functions that are known to be mistaken."""
+    """Return a hint at a known mistake in the arguments of a library function."""
     symbol = _called(callee)
     return "" if symbol is None else argument_hint(symbol, symbol.type, values)
 
 
 def _called(callee: Expression) -> FunctionSymbol | None:
-    """Gives the function that is called by its name."""
+    """Return the function, if it is called by its name."""
     match callee:
         case tree.AddressOf(operand=tree.FunctionName(symbol=symbol)):
             return symbol
@@ -133,7 +133,7 @@ def _called(callee: Expression) -> FunctionSymbol | None:
 
 
 def _declared(unit: Unit, callee: Expression) -> str:
-    """Gives a hint to the declaration of what is called."""
+    """Return a hint at the declaration of the called function."""
     symbol = _called(callee)
     if symbol is not None:
         declared = spell(symbol.type, symbol.name)
@@ -145,9 +145,9 @@ def _declared(unit: Unit, callee: Expression) -> str:
 
 
 def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
-    """Takes an unknown function for one that gives `int` (C90 6.3.2.2).
+    """Declare an unknown function with the result `int` (C90 6.3.2.2).
 
-    A function of the library is taken for what it is, as gcc does.
+    A library function gets its own type, as in gcc.
     """
     text, found = f"implicit declaration of function '{name}'", undeclared(name)
     if found is None:
@@ -155,7 +155,7 @@ def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
         unit.warning(location, text, unit.suggest(name, FunctionSymbol))
     else:
         ctype, header = found
-        unit.warning(location, f"{text}, taken for '{ctype}'", f"include <{header}>")
+        unit.warning(location, f"{text} with type '{ctype}'", f"include <{header}>")
     outermost = unit.scope
     while outermost.outer is not None:
         outermost = outermost.outer

@@ -1,8 +1,8 @@
-"""Checking: what every checker shares, and the tables that say who checks which node.
+"""The state of a check, and the tables of checkers by node class.
 
-Each `check_*.py` file enters its functions here under pycparser's node classes. A mistake raises
-`CheckError`; whoever checks a statement or declaration catches it with `Unit.attempt`, so that
-the rest of the file is checked too.
+Each module of this package registers its functions here for classes of pycparser's nodes. An
+error raises `CheckError`, which is caught for each statement and declaration by `Unit.attempt`, so
+that the rest of the file is checked, too.
 """
 
 from __future__ import annotations
@@ -20,17 +20,16 @@ from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.header_hint import header_hint
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.frontend.error_limit import report
-from crs_cc.frontend.parse.gnu import GnuNode
 from crs_cc.frontend.parse.lexer import Span
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node, OwnNode
 from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.ir.types import CType
 
 Result = TypeVar("Result")
 
 
-class Checked(GnuNode):
-    """Stands for an expression that is checked already."""
+class Checked(OwnNode):
+    """A node for an expression that is checked already."""
 
     __slots__ = ("expression",)
 
@@ -40,7 +39,7 @@ class Checked(GnuNode):
 
 
 class CheckError(Exception):
-    """A mistake in the source; an empty text means that it was reported before."""
+    """An error in the source; an empty text means that it was reported before."""
 
     def __init__(self, location: Location, text: str, hint: str = "") -> None:
         super().__init__(text)
@@ -54,7 +53,7 @@ class Automatic:
     """A local variable of a variably modified type, in its scope.
 
     Attributes:
-        mark: for an array the hidden variable that tells what memory to give back behind it.
+        mark: for an array, the hidden variable with the allocator's state before it.
     """
 
     name: str
@@ -68,9 +67,9 @@ class SwitchState:
 
     Attributes:
         lows: the lowest value of each `case`, sorted.
-        cases: for each of them the highest value, and where it stands.
-        default: where `default` stands.
-        automatics: how many `Automatic`s there were where it began.
+        cases: the highest value and the location of each of them.
+        default: the location of `default`.
+        automatics: how many `Automatic`s were in scope at its start.
     """
 
     type: CType
@@ -83,22 +82,22 @@ class SwitchState:
 
 @dataclass(slots=True, eq=False)
 class FunctionState:
-    """What is known while a function's body is checked.
+    """The state of a function whose body is checked.
 
     Attributes:
-        returns_implicit_int: no result type was written, so that no value need be returned.
-        loops: for each open loop, how many `automatics` there were where it began.
-        switches: every open switch.
-        breakable: the same for each open loop and switch.
-        addresses: number of each label whose address is taken, and where that was first done;
-            the number is the address.
-        label_names: for each open block with labels of its own, what they are called in `labels`.
-        labels: where each label stands, and the `automatics` there.
-        gotos: every `goto`, with the `automatics` there.
+        returns_implicit_int: whether the result type is left out, so that `return` needs no value.
+        loops: how many `automatics` were in scope at the start of each open loop.
+        switches: the open switches.
+        breakable: how many `automatics` were in scope at the start of each open loop and switch.
+        addresses: the number, which serves as its address, of each label whose address is taken,
+            and the location of the first use.
+        label_names: for each open block with local labels, their names in `labels`.
+        labels: the location of each label, and the `automatics` in scope there.
+        gotos: every `goto`, with the `automatics` in scope there.
         returns: every `return`.
         automatics: the variables in scope that have variably modified types.
-        effects: what must be done for the types in the present declaration or expression.
-        alloca_mark: as in `Automatic`, for all that the function got with `alloca`.
+        effects: the side effects of the types in the current declaration or expression.
+        alloca_mark: the mark, as in `Automatic`, for memory from `alloca`.
     """
 
     symbol: FunctionSymbol
@@ -126,19 +125,19 @@ class Unit:
         name: the file's name as the user gave it.
         scope: the innermost scope.
         externals: objects and functions with linkage, by name, wherever they were declared.
-        objects: the objects with static storage, in the order of their definitions.
-        functions: the functions that are defined.
+        objects: the objects with static storage duration, in the order of their definitions.
+        functions: the defined functions.
         specified: the type of each specifier node; declarators share them.
-        function: the function being checked.
-        place: the last known place, for nodes without one.
-        link_names: how many statics of each name there are.
-        prototypes: how many lists of parameters, whose lengths are not computed, are open.
-        unknown: unknown names that were reported, with the function that used them.
+        function: the function that is being checked.
+        place: the last known location, for nodes without one.
+        link_names: how many static names there are of each spelling.
+        prototypes: how many parameter lists are open, in which array lengths are not evaluated.
+        unknown: the unknown names that were reported, with the function that used them.
         suggestions: how many more unknown names get a hint.
-        trusted: whether its functions may tell the shadow memory what C may do.
-        dialect: whose functions it calls.
-        headers: the folders of the headers that come with crs.
-        macros: the names of the macros, which may be misspelt, too.
+        trusted: whether its functions may change the state of shadow memory.
+        dialect: the dialect, which determines the robot functions.
+        headers: the directories of the headers that come with crs.
+        macros: the names of the macros, for suggestions.
     """
 
     name: str
@@ -160,14 +159,14 @@ class Unit:
     macros: tuple[str, ...] = ()
 
     def at(self, node: Node) -> Location:
-        """Gives a node's place, the last known one if it has none."""
+        """Return a node's location, the last known one if it has none."""
         coord = node.coord
         if coord is not None:
             self.place = coord.location
         return self.place
 
     def at_name(self, node: Node) -> Location:
-        """Gives the place of the name that a declaration declares."""
+        """Return the location of the name in a declaration."""
         inner = node.type
         while isinstance(inner, c_ast.PtrDecl | c_ast.ArrayDecl | c_ast.FuncDecl):
             inner = inner.type
@@ -175,19 +174,19 @@ class Unit:
         return self.at(inner if is_named else node)
 
     def error(self, location: Location, text: str, hint: str = "") -> None:
-        """Reports a mistake that need not stop the check of the expression.
+        """Report an error after which the check of the expression can continue.
 
         Raises:
-            GiveUp: when the file is hopeless.
+            GiveUp: there are too many errors.
         """
         report(self.diagnostics, location, text, hint)
 
     def warning(self, location: Location, text: str, hint: str = "") -> None:
-        """Reports a habit that works, but should not."""
+        """Report a warning."""
         self.diagnostics.warning(location, text, hint)
 
     def attempt(self, action: Callable[..., Result], *arguments: Any) -> Result | None:
-        """Calls `action(unit, *arguments)`; on a mistake reports it and gives None."""
+        """Call `action(unit, *arguments)`; report a `CheckError` and return None."""
         scope = self.scope
         try:
             return action(self, *arguments)
@@ -198,7 +197,7 @@ class Unit:
             return None
 
     def suggest(self, name: str, kind: type[Symbol] | None = None) -> str:
-        """Gives a hint for an unknown name; after some of them none, as they take time."""
+        """Return a hint for an unknown name; none after many of them, since each takes time."""
         self.suggestions -= 1
         if self.suggestions < 0:
             return ""
@@ -211,7 +210,7 @@ class Unit:
 
     @contextmanager
     def new_scope(self) -> Iterator[Scope]:
-        """Opens a scope inside the present one and closes it again."""
+        """Open a scope inside the current one, and close it at the end."""
         outer = self.scope
         self.scope = Scope(outer)
         try:
@@ -220,7 +219,7 @@ class Unit:
             self.scope = outer
 
     def static_name(self, name: str) -> str:
-        """Makes a linker name that no other file can use: `wander.c:turn`."""
+        """Return a linker name that is unique to this file: `wander.c:turn`."""
         wanted = f"{self.name}:{name}"
         number = self.link_names.get(wanted, 0) + 1
         self.link_names[wanted] = number
@@ -231,14 +230,14 @@ CheckExpression: TypeAlias = Callable[[Unit, Node], tree.Expression]
 CheckStatement: TypeAlias = Callable[[Unit, Node, list[tree.Statement]], None]
 
 EXPRESSIONS: Final[dict[type, CheckExpression]] = {}
-"""Who checks each class of expression."""
+"""The checker of each class of expressions."""
 
 STATEMENTS: Final[dict[type, CheckStatement]] = {}
-"""Who checks each class of statement and declaration in a block, adding to a list."""
+"""The checker of each class of statements and declarations in a block; it appends to a list."""
 
 
 def checks(*classes: type) -> Callable[[CheckExpression], CheckExpression]:
-    """Enters a function into `EXPRESSIONS`."""
+    """Register a function in `EXPRESSIONS`."""
 
     def enter(function: CheckExpression) -> CheckExpression:
         EXPRESSIONS.update(dict.fromkeys(classes, function))
@@ -248,7 +247,7 @@ def checks(*classes: type) -> Callable[[CheckExpression], CheckExpression]:
 
 
 def checks_statement(*classes: type) -> Callable[[CheckStatement], CheckStatement]:
-    """Enters a function into `STATEMENTS`."""
+    """Register a function in `STATEMENTS`."""
 
     def enter(function: CheckStatement) -> CheckStatement:
         STATEMENTS.update(dict.fromkeys(classes, function))
@@ -258,10 +257,10 @@ def checks_statement(*classes: type) -> Callable[[CheckStatement], CheckStatemen
 
 
 def expression(unit: Unit, node: Node) -> tree.Expression:
-    """Checks an expression; arrays and functions stay what they are.
+    """Check an expression without decay of arrays and functions.
 
     Raises:
-        CheckError: at the first mistake in it.
+        CheckError: it has an error.
     """
     found = EXPRESSIONS.get(node.__class__)
     if found is None:

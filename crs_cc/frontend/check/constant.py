@@ -1,7 +1,7 @@
 """Constant expressions (C17 6.6): integers for the compiler, addresses for the linker.
 
 Arithmetic on constants is folded while expressions are checked, so an integer constant expression
-is a `Literal`. What is left are addresses: `&table[3].next`, `"text" + 1`, `(int)main`.
+is a `Literal`. Address constants remain: `&table[3].next`, `"text" + 1`, `(int)main`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import EnumType, IntegerType, PointerType
 
 Base: TypeAlias = ObjectSymbol | FunctionSymbol | tree.StringLiteral
@@ -23,22 +23,22 @@ Base: TypeAlias = ObjectSymbol | FunctionSymbol | tree.StringLiteral
 
 @dataclass(frozen=True, slots=True)
 class ConstantAddress:
-    """An address known before the program runs: `base + offset`, or a number without base."""
+    """An address that is known at link time: `base + offset`, or a number without base."""
 
     base: Base | None
     offset: int
 
 
 def integer(unit: Unit, node: Node, what: str) -> int:
-    """Gives the value of an integer constant expression.
+    """Return the value of an integer constant expression.
 
     Args:
         unit: the file.
         node: the expression.
-        what: what it is for, as in "case label".
+        what: its purpose, such as "case label".
 
     Raises:
-        CheckError: when it is not constant or not an integer.
+        CheckError: it is not constant or not an integer.
     """
     expression = checker.expression(unit, node)
     value = integer_value(expression)
@@ -48,7 +48,7 @@ def integer(unit: Unit, node: Node, what: str) -> int:
 
 
 def integer_value(expression: Expression) -> int | None:
-    """Gives the value of a checked expression, None when it is no integer constant."""
+    """Return the value of a checked expression, None if it is not an integer constant."""
     if not is_integer(expression.type):
         return None
     if isinstance(expression, tree.Literal):
@@ -61,7 +61,7 @@ def integer_value(expression: Expression) -> int | None:
 
 
 def constant_address(expression: Expression) -> ConstantAddress | None:
-    """Gives the value of a pointer or integer expression as an address, None when it is none."""
+    """Return the value of a pointer or integer expression, None if it is not constant."""
     match expression:
         case tree.Literal(value=int(value)):
             return ConstantAddress(None, value)
@@ -103,7 +103,7 @@ def _moved(address: ConstantAddress | None, step: int) -> ConstantAddress | None
 
 
 def _object_address(operand: Expression) -> ConstantAddress | None:
-    """Gives the address of an object, function or string."""
+    """Return the address of an object, function or string."""
     match operand:
         case tree.ObjectName(symbol=symbol):
             return None if symbol.link_name is None else ConstantAddress(symbol, 0)

@@ -58,26 +58,26 @@ PHRASES: Final = {
         "returning '{of}' from a function with incompatible result type '{to}'",
     ),
 }  # fmt: skip
-"""How to say what a conversion is for: as part of a warning, and when it is impossible."""
+"""The purposes of conversions: as part of a warning, and of an error."""
 
 
 def is_integer(ctype: CType) -> bool:
-    """Tells whether a type is an integer type, enums among them (C17 6.2.5p17)."""
+    """Return whether a type is an integer type or an enum (C17 6.2.5p17)."""
     return isinstance(ctype, IntegerType | EnumType)
 
 
 def is_arithmetic(ctype: CType) -> bool:
-    """Tells whether a type is an integer or floating type."""
+    """Return whether a type is an integer or floating type."""
     return isinstance(ctype, IntegerType | FloatType | EnumType)
 
 
 def is_scalar(ctype: CType) -> bool:
-    """Tells whether a type is an arithmetic or pointer type."""
+    """Return whether a type is an arithmetic or pointer type."""
     return isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
 
 
 def is_null_constant(expression: Expression) -> bool:
-    """Tells whether an expression is a null pointer constant (C17 6.3.2.3p3)."""
+    """Return whether an expression is a null pointer constant (C17 6.3.2.3p3)."""
     if not isinstance(expression, tree.Literal) or expression.value != 0:
         return False
     ctype = expression.type
@@ -85,10 +85,7 @@ def is_null_constant(expression: Expression) -> bool:
 
 
 def decay(expression: Expression) -> Expression:
-    """Turns what an expression names into its value: arrays and functions become pointers.
-
-    C17 6.3.2.1.
-    """
+    """Convert an lvalue to its value; arrays and functions become pointers (C17 6.3.2.1)."""
     ctype = expression.type
     if isinstance(ctype, ArrayType):
         return tree.AddressOf(PointerType(ctype.element), expression.location, expression)
@@ -100,7 +97,7 @@ def decay(expression: Expression) -> Expression:
 
 
 def convert(expression: Expression, target: CType) -> Expression:
-    """Converts a value to a type, at once if it is constant; says nothing of whether it may."""
+    """Convert a value to a type without checks; fold it if it is constant."""
     source = expression.type
     if source is target or source == target:
         return expression
@@ -112,7 +109,7 @@ def convert(expression: Expression, target: CType) -> Expression:
 
 
 def promote(expression: Expression) -> Expression:
-    """Does the integer promotions (C17 6.3.1.1p2); leaves all other types alone."""
+    """Perform the integer promotions (C17 6.3.1.1p2); return other types as they are."""
     ctype = expression.type
     if ctype is INT or not isinstance(ctype, IntegerType | EnumType):
         return expression
@@ -129,7 +126,7 @@ def promote(expression: Expression) -> Expression:
 
 
 def _field_width(expression: Expression) -> int | None:
-    """Gives the width of a bit-field's value, also of one just assigned [bits], else None."""
+    """Return the width of a bit-field's value, read or assigned [bits]; None for other values."""
     while True:
         match expression:
             case tree.Assign(target=inner) | tree.CompoundAssign(target=inner):
@@ -143,14 +140,14 @@ def _field_width(expression: Expression) -> int | None:
 
 
 def promote_argument(expression: Expression) -> Expression:
-    """Does the default argument promotions (C17 6.5.2.2p6)."""
+    """Perform the default argument promotions (C17 6.5.2.2p6)."""
     if isinstance(expression.type, FloatType) and expression.type.size == 4:
         return convert(expression, DOUBLE)
     return promote(expression)
 
 
 def usual(left: Expression, right: Expression) -> tuple[Expression, Expression]:
-    """Brings two arithmetic operands to their common type (C17 6.3.1.8)."""
+    """Perform the usual arithmetic conversions (C17 6.3.1.8)."""
     left, right = promote(left), promote(right)
     if left.type is right.type:
         return left, right
@@ -173,7 +170,7 @@ def _common(left: CType, right: CType) -> CType:
 
 
 def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
-    """Converts as a cast does (C17 6.5.4)."""
+    """Convert as a cast does (C17 6.5.4)."""
     value = decay(expression)
     source = value.type
     if isinstance(target, VoidType):
@@ -193,12 +190,12 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
     if is_narrow and target != BOOL:
         unit.warning(value.location, f"cast to smaller integer type '{target}' from '{source}'")
     if source == target and _field_width(value) is not None:
-        return tree.Convert(target, value.location, value)  # no bit-field any more
+        return tree.Convert(target, value.location, value)  # not a bit-field any more
     return convert(value, target)
 
 
 def _union_of(value: Expression, target: RecordType) -> Expression:
-    """Makes a union whose member of the value's type has the value, as GNU C's cast does."""
+    """Cast to a union with a member of the value's type (GNU C)."""
     location, source = value.location, unqualified(value.type)
     for member in target.record.members or [] if target.record.kind == "union" else []:
         if compatible(unqualified(member.type), source):
@@ -220,17 +217,17 @@ def _fail(expression: Expression, text: str) -> NoReturn:
 def assigned(
     unit: Unit, expression: Expression, target: CType, use: str, hint: str = ""
 ) -> Expression:
-    """Converts a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
+    """Convert a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
 
     Args:
-        unit: takes warnings.
+        unit: receives warnings.
         expression: the value.
-        target: the type of what it is assigned to.
-        use: what for, a key of `PHRASES`.
-        hint: what to add to whatever is said.
+        target: the type of the target.
+        use: the purpose, a key of `PHRASES`.
+        hint: a hint for the message.
 
     Raises:
-        CheckError: when no conversion exists.
+        CheckError: there is no such conversion.
     """
     value = decay(expression)
     source = value.type
@@ -267,13 +264,13 @@ def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str, *, 
 
 
 def _quotes_hint(unit: Unit, value: Expression, target: CType) -> str:
-    """Gives a hint to quotes of the wrong kind: `char c = "x"`, `char *s = 'x'`."""
+    """Return a hint at quotes of the wrong kind: `char c = "x"`, `char *s = 'x'`."""
     if isinstance(target, PointerType):
         is_string = isinstance(target.target, IntegerType) and target.target.size == 1
         quoted = unit.diagnostics.text_at(value.location).startswith("'")
-        return "a string stands in double quotes" if is_string and quoted else ""
+        return "use double quotes for a string" if is_string and quoted else ""
     is_text = isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
-    return "a single character stands in single quotes" if is_text and target.size == 1 else ""
+    return "use single quotes for a character" if is_text and target.size == 1 else ""
 
 
 def _check_pointers(
@@ -304,7 +301,7 @@ def _check_pointers(
 
 
 def _differ_in_sign(left: CType, right: CType) -> bool:
-    """Tells whether two pointees differ in sign only, of which gcc says nothing by default."""
+    """Return whether two pointees differ in sign only, which gcc accepts by default."""
     if not isinstance(left, IntegerType) or not isinstance(right, IntegerType):
         return False
     return left.size == right.size and left.rank == right.rank and BOOL not in (left, right)

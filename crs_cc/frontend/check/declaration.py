@@ -1,4 +1,4 @@
-"""Declarations: which object or function a name stands for (C17 6.2.2, 6.7, 6.9).
+"""Declarations: the object or function that a name designates (C17 6.2.2, 6.7, 6.9).
 
 Declarations of one name are merged: `extern int State[];` and `int State[45];` are one object, a
 call of an unknown function and its later definition are one function.
@@ -29,7 +29,7 @@ from crs_cc.frontend.check.checker import (
     expression,
 )
 from crs_cc.frontend.check.conversion import decay, is_scalar
-from crs_cc.frontend.check.declarator import declared_type, need_complete
+from crs_cc.frontend.check.declarator import declared_type, require_complete
 from crs_cc.frontend.check.function_attributes import apply_attributes
 from crs_cc.frontend.check.initializer import initialise
 from crs_cc.frontend.check.mode import with_mode
@@ -43,8 +43,7 @@ from crs_cc.frontend.check.scope import (
 )
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, composite
-from crs_cc.frontend.parse.gnu import AUTO_TYPE
-from crs_cc.frontend.parse.parser import Broken, Node
+from crs_cc.frontend.parse.nodes import AUTO_TYPE, Broken, Node
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -61,21 +60,21 @@ _STORAGE_CLASSES: Final = {"static", "extern", "auto", "register"}
 
 
 def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
-    """Checks a declaration; what it does at run time is added to `out`.
+    """Check a declaration; append its actions at run time to `out`.
 
     Raises:
-        CheckError: when it is wrong.
+        CheckError: it has an error.
     """
     if node.name is None:
         _declare_tag(unit, node)
         return
     storage = node.storage or []
     with vla.effects(unit) as effects:
-        ctype = declared_anyhow(unit, node)
+        ctype = declared_or_broken(unit, node)
     _do(effects, out)
     location = unit.at_name(node)
     if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
-        raise CheckError(location, f"'{node.name}' has several storage classes")
+        raise CheckError(location, f"multiple storage classes in the declaration of '{node.name}'")
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
     elif unit.function is None or "extern" in storage:
@@ -85,16 +84,16 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
 
 
 def _do(effects: list[tree.Expression], out: list[tree.Statement] | None) -> None:
-    """Adds what a declaration's type asks for to the statements."""
+    """Append the side effects of a declaration's type to the statements."""
     if out is not None:
         out.extend(tree.ExpressionStatement(each.location, each) for each in effects)
 
 
-def declared_anyhow(unit: Unit, node: Node) -> CType:
-    """Gives the type of a declaration; when it is broken, keeps its name known.
+def declared_or_broken(unit: Unit, node: Node) -> CType:
+    """Return the type of a declaration.
 
     Raises:
-        CheckError: when it is broken; uses of the name will give no more errors.
+        CheckError: it has an error; its name is declared nevertheless, to avoid further errors.
     """
     try:
         if _is_auto(node.type):
@@ -106,15 +105,15 @@ def declared_anyhow(unit: Unit, node: Node) -> CType:
 
 
 def _is_auto(node: Node) -> bool:
-    """Tells whether a declarator is a name of GNU C's `__auto_type`."""
+    """Return whether a declarator is a name with GNU C's `__auto_type`."""
     specifier = node.type if isinstance(node, c_ast.TypeDecl) else None
     return isinstance(specifier, c_ast.IdentifierType) and specifier.names == [AUTO_TYPE]
 
 
 def _inferred(unit: Unit, node: Node) -> CType:
-    """Gives the type of the initial value, which is checked once only."""
+    """Return the type of the initialiser, which is checked only once."""
     if getattr(node, "init", None) is None or isinstance(node.init, c_ast.InitList):
-        text = f"'{AUTO_TYPE}' needs one initial value"
+        text = f"'{AUTO_TYPE}' requires exactly one initializer"
         raise CheckError(unit.at_name(node), text)
     value = decay(expression(unit, node.init))
     node.init = Checked(value, node.init.coord)
@@ -126,7 +125,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
     specifier = node.type
     is_tag = isinstance(specifier, c_ast.Struct | c_ast.Union | c_ast.Enum)
     if is_tag and specifier.name is not None and specifier.name not in unit.scope.tags:
-        # `struct s;` means a new struct in this scope, whatever an outer one holds (6.7.2.3p7).
+        # `struct s;` declares a new struct even if there is one in an outer scope (6.7.2.3p7).
         is_bare = not isinstance(specifier, c_ast.Enum) and specifier.decls is None
         if is_bare:
             is_struct = isinstance(specifier, c_ast.Struct)
@@ -139,9 +138,9 @@ def _declare_tag(unit: Unit, node: Node) -> None:
 
 
 def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
-    """Checks a typedef; what it does at run time is added to `out`."""
+    """Check a typedef; append its actions at run time to `out`."""
     with vla.effects(unit) as effects:
-        ctype = declared_anyhow(unit, node)
+        ctype = declared_or_broken(unit, node)
     _do(effects, out)
     location = unit.at_name(node)
     if is_variably_modified(ctype) and unit.function is not None:
@@ -161,7 +160,7 @@ def _redefinition(known: Symbol, name: str, location: Location) -> CheckError:
         return CheckError(location, "")
     same = {ObjectSymbol: "object", FunctionSymbol: "function", TypedefName: "type"}
     what = same.get(type(known), "enumerator")
-    text = f"redefinition of '{name}', which is a {what} already"
+    text = f"redefinition of '{name}' as a different kind of symbol, previously a {what}"
     return CheckError(location, text.replace("a object", "an object"), f"first at {known.location}")
 
 
@@ -181,10 +180,10 @@ def _declare_function(unit: Unit, node: Node, ctype: FunctionType, location: Loc
 def declare_function(
     unit: Unit, name: str, ctype: FunctionType, location: Location, is_static: bool
 ) -> FunctionSymbol:
-    """Enters a function, merging it with what is known of it.
+    """Declare a function, merging it with earlier declarations.
 
     Raises:
-        CheckError: when that contradicts.
+        CheckError: they conflict.
     """
     here = unit.scope.names.get(name)
     if here is not None and not isinstance(here, FunctionSymbol):
@@ -212,8 +211,8 @@ def _merge_function(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
     differs = (is_static and known.is_external) or not compatible(known.type, ctype)
-    if differs and _is_librarys(unit, known) and not _in_headers(unit, location):
-        _take_librarys_place(unit, known, ctype, location, is_static)
+    if differs and _is_library_function(unit, known) and not _in_headers(unit, location):
+        _override_library_function(unit, known, ctype, location, is_static)
         return
     if is_static and known.is_external:
         text = f"static declaration of '{known.name}' follows non-static declaration"
@@ -232,7 +231,7 @@ def _merge_function(
         if known.type.parameters is None and not known.is_defined:
             known.type = ctype
     else:
-        text = f"conflicting types for '{known.name}': '{ctype}' and before '{known.type}'"
+        text = f"conflicting types for '{known.name}' ('{ctype}' vs '{known.type}')"
         raise CheckError(location, text, f"first declared at {known.location}")
     if known.is_implicit or not known.is_defined:
         known.location = location
@@ -243,17 +242,17 @@ def _in_headers(unit: Unit, location: Location) -> bool:
     return any(Path(location.file).is_relative_to(folder) for folder in unit.headers)
 
 
-def _is_librarys(unit: Unit, known: FunctionSymbol) -> bool:
-    """Tells whether a function is known from the library's headers only."""
+def _is_library_function(unit: Unit, known: FunctionSymbol) -> bool:
+    """Return whether a function is declared in the library's headers only."""
     return not known.is_implicit and not known.is_defined and _in_headers(unit, known.location)
 
 
-def _take_librarys_place(
+def _override_library_function(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
-    """Makes a program's own `getline`, older than POSIX's, the one that is meant from here on."""
-    text = f"'{known.name}' is not declared as the library's function of that name"
-    unit.warning(location, text, f"the library's is '{known.type}', see {known.location}")
+    """Replace a library function by the program's own, as a `getline` older than POSIX's."""
+    text = f"incompatible redeclaration of library function '{known.name}'"
+    unit.warning(location, text, f"its type is '{known.type}', see {known.location}")
     if is_static:
         unit.externals.pop(known.name, None)
         known.is_external, known.link_name = False, unit.static_name(known.name)
@@ -261,7 +260,7 @@ def _take_librarys_place(
 
 
 def _differs_in_promotion(left: FunctionType, right: FunctionType) -> bool:
-    """Tells whether an old-style and a new-style declaration disagree, which old code does."""
+    """Return whether old-style and new-style declarations differ only in promoted parameters."""
     one_is_old = (left.parameters is None) != (right.parameters is None)
     return one_is_old and compatible(left.result, right.result)
 
@@ -274,7 +273,7 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
     if unit.function is None and ("register" in storage or "auto" in storage):
         raise CheckError(location, f"illegal storage class on file-scoped variable '{node.name}'")
     if is_variably_modified(ctype):
-        text = f"'{node.name}' is known to other functions, so its length must be constant"
+        text = f"object '{node.name}' with variably modified type must have no linkage"
         raise CheckError(location, text)
     is_extern = "extern" in storage
     symbol = _global_symbol(unit, node, ctype, location, is_static="static" in storage)
@@ -286,7 +285,7 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
         _initialise_global(unit, symbol, node, ctype, location)
     elif not is_extern:
         if isinstance(ctype, RecordType) and not is_complete(ctype):
-            pass  # C17 6.9.2p3: it may be completed further down; the end of the file tells.
+            pass  # C17 6.9.2p3: it may be completed later; checked at the end of the file.
         elif not is_complete(ctype) and not isinstance(ctype, ArrayType):
             raise CheckError(location, f"variable '{node.name}' has incomplete type '{ctype}'")
         if not symbol.is_tentative and not symbol.is_defined:
@@ -339,12 +338,12 @@ def _initialise_global(
     symbol.location = location
     made, completed = initialise(unit, ctype, node.init, True)
     symbol.type = composite(symbol.type, completed)
-    need_complete(symbol.type, location, node.name)
+    require_complete(symbol.type, location, node.name)
     unit.objects.append(tree.ObjectDefinition(symbol, made))
 
 
 def finish_objects(unit: Unit) -> None:
-    """Settles tentative definitions at the end of the file (C17 6.9.2p2)."""
+    """Complete tentative definitions at the end of the file (C17 6.9.2p2)."""
     defined = [each for each in unit.objects if each.initialiser is None]
     for each in defined:
         symbol = each.symbol
@@ -386,8 +385,8 @@ def _declare_local(
     unit.scope.names[node.name] = symbol
     made = None
     if vla.is_variable(ctype) and (is_static or node.init is not None):
-        what = "static" if is_static else "given an initial value"
-        text = f"'{node.name}' cannot be {what}: its length is not constant"
+        what = "be static" if is_static else "be initialized"
+        text = f"variable length array '{node.name}' cannot {what}"
         raise CheckError(location, text)
     if is_variably_modified(ctype):
         vla.declare(unit, symbol, ctype, out)
@@ -395,7 +394,7 @@ def _declare_local(
             return
     if node.init is not None:
         made, symbol.type = initialise(unit, ctype, node.init, is_static)
-    need_complete(symbol.type, location, node.name)
+    require_complete(symbol.type, location, node.name)
     if is_static:
         unit.objects.append(tree.ObjectDefinition(symbol, made))
     elif out is not None:
@@ -403,7 +402,7 @@ def _declare_local(
 
 
 def declare_broken(unit: Unit, node: Node) -> None:
-    """Takes note of what a declaration that was not understood may have declared."""
+    """Declare the names in a declaration with a syntax error."""
     for name in node.names:
         if unit.scope.find(name) is None:
             unit.scope.names[name] = BrokenName(name, unit.at(node))

@@ -1,6 +1,6 @@
 """Types from specifiers and declarators (C17 6.7.2 to 6.7.7).
 
-pycparser nests declarators as one reads them aloud: `char *names[3]` is an `ArrayDecl` of a
+pycparser nests declarators from the inside out: `char *names[3]` is an `ArrayDecl` of a
 `PtrDecl` of a `TypeDecl` that holds the specifier.
 """
 
@@ -17,9 +17,9 @@ from crs_cc.frontend.check import constant, tree, vla
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
 from crs_cc.frontend.check.conversion import convert
 from crs_cc.frontend.check.scope import BrokenName, ObjectSymbol, TypedefName
-from crs_cc.frontend.parse.other_language_hint import hint_for_type
-from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.parse.unsupported import refused
+from crs_cc.frontend.check.unsupported import refused
+from crs_cc.frontend.other_language_hint import hint_for_type
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     BASIC_TYPES,
     UINT,
@@ -36,7 +36,7 @@ from crs_cc.ir.types import (
 )
 
 LARGEST_OBJECT: Final = (1 << 31) - 1
-"""No object is larger [bytes]: differences of pointers into it must fit an `int`."""
+"""The maximum size of an object [bytes]: differences of pointers into it must fit an `int`."""
 
 _NAMES: Final = {
     "": "int", "unsigned": "unsigned int", "signed char": "signed char",
@@ -48,7 +48,7 @@ _NAMES: Final = {
 
 @lru_cache(maxsize=256)
 def basic_type(names: tuple[str, ...]) -> CType | None:
-    """Gives the type of a list of basic type specifiers in any order, None when it is none.
+    """Return the type of a list of basic type specifiers in any order, None if it is invalid.
 
     >>> print(basic_type(("long", "unsigned", "int", "long")), basic_type(("short", "float")))
     unsigned long long None
@@ -72,16 +72,16 @@ def _allows_int(words: list[str]) -> bool:
 
 
 def type_name(unit: Unit, node: Node) -> CType:
-    """Gives the type that a `Typename` node stands for.
+    """Return the type of a `Typename` node.
 
     Raises:
-        CheckError: when it is no type.
+        CheckError: it is not a valid type.
     """
     return declared_type(unit, node.type)
 
 
 def declared_type(unit: Unit, node: Node) -> CType:
-    """Gives the type of a declarator with its specifier."""
+    """Return the type of a declarator with its specifier."""
     found = _DECLARATORS.get(node.__class__)
     if found is None:
         raise refused(unit, node)
@@ -124,7 +124,7 @@ def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
 
 
 def _type_of(unit: Unit, node: Node) -> CType:
-    """Gives the type that `typeof` names; it is kept, since declarators share it."""
+    """Return the type of a `typeof`, and remember it, since declarators share it."""
     known = unit.specified.get(node)
     if known is None:
         if isinstance(node.expr, c_ast.Typename):
@@ -132,7 +132,7 @@ def _type_of(unit: Unit, node: Node) -> CType:
         else:
             operand = expression(unit, node.expr)
             if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
-                raise CheckError(unit.at(node), "'typeof' of a bit-field")
+                raise CheckError(unit.at(node), "invalid application of 'typeof' to bit-field")
             known = operand.type
         unit.specified[node] = known
     return known
@@ -157,21 +157,21 @@ def _array(unit: Unit, node: Node) -> CType:
         return ArrayType(element)
     if _is_star(node.dim):
         if unit.prototypes == 0:
-            raise CheckError(location, "'[*]' outside of a function declaration's parameters")
+            raise CheckError(location, "star modifier used outside of a function prototype")
         return ArrayType(element, None, ObjectSymbol("", UINT, location))
     given = expression(unit, node.dim)
     length = constant.integer_value(given)
     if length is None or vla.is_variable(element):
         return vla.array(unit, element, given)
     if length < 0:
-        raise CheckError(unit.at(node.dim), "array length is negative")
+        raise CheckError(unit.at(node.dim), "array size is negative")
     if length * element.size > LARGEST_OBJECT:
         raise CheckError(location, "array is too large")
     return ArrayType(element, length)
 
 
 def _is_star(node: Node) -> bool:
-    """Tells whether an array's length is `*`: it has one, but which does not matter here."""
+    """Return whether an array's length is `*`, a variable length in a prototype."""
     return isinstance(node, c_ast.ID) and node.name == "*"
 
 
@@ -211,7 +211,7 @@ def _prototype(unit: Unit, result: CType, nodes: list[Node]) -> CType:
 
 
 def parameter_type(unit: Unit, node: Node) -> CType:
-    """Gives the type of a parameter; arrays and functions become pointers (C17 6.7.6.3p7)."""
+    """Return the type of a parameter; arrays and functions become pointers (C17 6.7.6.3p7)."""
     declarator = node.type
     if isinstance(declarator, c_ast.ArrayDecl):
         pointer = PointerType(declared_type(unit, declarator.type))
@@ -229,11 +229,11 @@ def parameter_type(unit: Unit, node: Node) -> CType:
     return ctype
 
 
-def need_complete(ctype: CType, location: Location, name: str) -> None:
-    """Checks that a variable can have a type.
+def require_complete(ctype: CType, location: Location, name: str) -> None:
+    """Check that a variable's type is complete.
 
     Raises:
-        CheckError: when it cannot.
+        CheckError: it is not.
     """
     if isinstance(ctype, VoidType) or not is_complete(ctype):
         raise CheckError(location, f"variable '{name}' has incomplete type '{ctype}'")
@@ -256,7 +256,7 @@ _DECLARATORS: Final[dict[type, Declarator]] = {
 
 
 def specifies(*classes: type) -> Callable[[Declarator], Declarator]:
-    """Enters the checker of a specifier (struct, union, enum)."""
+    """Register the checker of a specifier (struct, union, enum)."""
 
     def enter(function: Declarator) -> Declarator:
         _DECLARATORS.update(dict.fromkeys(classes, function))

@@ -1,4 +1,4 @@
-"""Checks names, constants, members, casts and the other primary and postfix expressions."""
+"""Check names, constants, members, casts and the other primary and postfix expressions."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from crs_cc.frontend.check.scope import (
     ObjectSymbol,
     TypedefName,
 )
+from crs_cc.frontend.check.suspicious_operands import warn_size
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible
 from crs_cc.frontend.parse import literal
-from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.warn.operands import warn_size
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     UINT,
@@ -42,13 +42,13 @@ _FUNCTION_NAMES = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"}
 
 
 def rvalue(unit: Unit, node: Node) -> Expression:
-    """Checks an expression whose value is wanted."""
+    """Check an expression whose value is used."""
     return conversion.decay(expression(unit, node))
 
 
 @checks(c_ast.ID)
 def name(unit: Unit, node: Node) -> Expression:
-    """Resolves a name."""
+    """Resolve a name."""
     location = unit.at(node)
     symbol = unit.scope.find(node.name)
     if isinstance(symbol, ObjectSymbol):
@@ -73,7 +73,7 @@ def name(unit: Unit, node: Node) -> Expression:
 
 
 def unknown_name(unit: Unit, unknown: str, location: Location) -> CheckError:
-    """Makes the error for a name that nobody declared; without text when told before."""
+    """Return the error for an undeclared name; without text if it was reported before."""
     place = unit.function.symbol.name if unit.function is not None else ""
     if (unknown, place) in unit.unknown:
         return CheckError(location, "")
@@ -83,7 +83,7 @@ def unknown_name(unit: Unit, unknown: str, location: Location) -> CheckError:
 
 @checks(c_ast.Constant)
 def constant(unit: Unit, node: Node) -> Expression:
-    """Checks a number, character or string."""
+    """Check a number, character or string."""
     location = unit.at(node)
     try:
         if node.type == "string":
@@ -99,7 +99,7 @@ def constant(unit: Unit, node: Node) -> Expression:
 
 @checks(c_ast.ExprList)
 def comma(unit: Unit, node: Node) -> Expression:
-    """Checks `a, b, c`."""
+    """Check `a, b, c`."""
     result = rvalue(unit, node.exprs[0])
     for each in node.exprs[1:]:
         value = rvalue(unit, each)
@@ -110,7 +110,7 @@ def comma(unit: Unit, node: Node) -> Expression:
 
 @checks(c_ast.StructRef)
 def member(unit: Unit, node: Node) -> Expression:
-    """Checks `record.member` and `pointer->member`."""
+    """Check `record.member` and `pointer->member`."""
     location = unit.at(node.field)
     record = expression(unit, node.name)
     if node.type == "->":
@@ -124,16 +124,16 @@ def member(unit: Unit, node: Node) -> Expression:
 
 
 def access(record: Expression, found: Member) -> Expression:
-    """Makes the access of a member, with the qualifiers of the whole (C17 6.5.2.3p3)."""
+    """Return the access of a member, with the qualifiers of the whole (C17 6.5.2.3p3)."""
     ctype = qualify(found.type, record.type.const, record.type.volatile)
     return tree.MemberAccess(ctype, record.location, record, found)
 
 
 def find_member(ctype: CType, wanted: str, location: Location) -> Member:
-    """Gives the member of a struct or union by its name.
+    """Return the member of a struct or union with a name.
 
     Raises:
-        CheckError: when the type has none of that name.
+        CheckError: there is none.
     """
     if not isinstance(ctype, RecordType):
         is_pointer = isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType)
@@ -152,7 +152,7 @@ def find_member(ctype: CType, wanted: str, location: Location) -> Member:
 
 @checks(c_ast.Cast)
 def cast(unit: Unit, node: Node) -> Expression:
-    """Checks `(type)value`."""
+    """Check `(type)value`."""
     location = unit.at(node)
     with vla.effects(unit) as effects:
         ctype = type_name(unit, node.to_type)
@@ -165,11 +165,11 @@ def cast(unit: Unit, node: Node) -> Expression:
 
 @checks(c_ast.CompoundLiteral)
 def compound_literal(unit: Unit, node: Node) -> Expression:
-    """Checks `(type){...}` (C17 6.5.2.5)."""
+    """Check `(type){...}` (C17 6.5.2.5)."""
     location = unit.at(node)
     ctype = type_name(unit, node.type)
     if vla.is_variable(ctype):
-        raise CheckError(location, "a compound literal's length must be constant")
+        raise CheckError(location, "compound literal cannot be of variable length array type")
     initialiser, ctype = initialise(unit, ctype, node.init, unit.function is None)
     symbol = ObjectSymbol("", ctype, location, is_defined=True, in_memory=True)
     if unit.function is None:
@@ -180,20 +180,20 @@ def compound_literal(unit: Unit, node: Node) -> Expression:
 
 @checks(c_ast.GenericSelection)
 def generic(unit: Unit, node: Node) -> Expression:
-    """Chooses an association of `_Generic` (C17 6.5.1.1)."""
+    """Check `_Generic` and choose its association (C17 6.5.1.1)."""
     controlling = unqualified(rvalue(unit, node.expr).type)
     default = chosen = None
     types: list[CType] = []
     for association in node.associations:
         if association.type is None:
             if default is not None:
-                raise CheckError(unit.at(association), "'_Generic' has two 'default'")
+                raise CheckError(unit.at(association), "duplicate default generic association")
             default = association.expr
             continue
         ctype = type_name(unit, association.type)
         twin = next((each for each in types if compatible(each, ctype)), None)
         if twin is not None:
-            text = f"'_Generic' has two types that are compatible, '{twin}' and '{ctype}'"
+            text = f"type '{ctype}' in generic association compatible with previous type '{twin}'"
             raise CheckError(unit.at(association), text)
         types.append(ctype)
         if compatible(ctype, controlling):
@@ -207,7 +207,7 @@ def generic(unit: Unit, node: Node) -> Expression:
 
 
 def size_of(unit: Unit, node: Node) -> Expression:
-    """Checks `sizeof` and `_Alignof` (C17 6.5.3.4)."""
+    """Check `sizeof` and `_Alignof` (C17 6.5.3.4)."""
     location = unit.at(node)
     effects: list[Expression] = []
     if isinstance(node.expr, c_ast.Typename):
@@ -220,7 +220,7 @@ def size_of(unit: Unit, node: Node) -> Expression:
         if vla.is_variable(ctype):
             effects = [conversion.convert(operand, VOID)]
         if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
-            raise CheckError(location, f"'{node.op}' of a bit-field")
+            raise CheckError(location, f"invalid application of '{node.op}' to bit-field")
     if not is_complete(ctype) and not isinstance(ctype, VoidType | FunctionType):
         raise CheckError(
             location, f"invalid application of '{node.op}' to incomplete type '{ctype}'"
@@ -231,7 +231,7 @@ def size_of(unit: Unit, node: Node) -> Expression:
 
 
 def _alignment(unit: Unit, node: Node, ctype: CType) -> int:
-    """Gives the alignment of a type, or of the object that an expression names (as gcc does)."""
+    """Return the alignment of a type or, as gcc does, of an expression's object."""
     if isinstance(node, c_ast.Typename):
         return natural_alignment(unit, node) or ctype.align
     match expression(unit, node):
@@ -243,19 +243,19 @@ def _alignment(unit: Unit, node: Node, ctype: CType) -> int:
 
 
 def offset_of(unit: Unit, node: Node) -> Expression:
-    """Checks `__builtin_offsetof(type, member)`."""
+    """Check `__builtin_offsetof(type, member)`."""
     type_node, designator = node.args.exprs
     return _offset(unit, type_name(unit, type_node), designator)[1]
 
 
 def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, Expression]:
-    """Gives the type of the part that a designator names, and its offset [bytes]."""
+    """Return the type of the member that a designator denotes, and its offset [bytes]."""
     location = unit.at(node)
     if isinstance(node, c_ast.ArrayRef):
         inner, offset = _offset(unit, ctype, node.name)
         index = conversion.convert(rvalue(unit, node.subscript), UINT)
         if not isinstance(inner, ArrayType) or not conversion.is_integer(index.type):
-            raise CheckError(location, "'offsetof' needs members and indices")
+            raise CheckError(location, "invalid designator in 'offsetof'")
         size = tree.integer(inner.element.size, UINT, location)
         return inner.element, _computed("+", offset, _computed("*", index, size))
     offset = tree.integer(0, UINT, location)
@@ -265,13 +265,13 @@ def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, Expression]:
     else:
         found = find_member(ctype, node.name, location)
     if found.bit_width is not None:
-        raise CheckError(location, f"'offsetof' of the bit-field '{found.name}'")
+        raise CheckError(location, f"cannot compute offset of bit-field '{found.name}'")
     inside = tree.integer(found.offset, UINT, location)
     return found.type, _computed("+", offset, inside)
 
 
 def _computed(op: str, left: Expression, right: Expression) -> Expression:
-    """Makes `left op right` in `unsigned int`."""
+    """Return `left op right` in `unsigned int`."""
     if isinstance(left, tree.Literal) and isinstance(right, tree.Literal):
         value = fold.binary(op, UINT, left.value, right.value)
         if value is not None:

@@ -1,4 +1,4 @@
-"""Arithmetic on constants with the target's rules (C17 6.5, 6.6): wrap around, round, truncate.
+"""Constant folding with the target's arithmetic (C17 6.5, 6.6): wrap, round, truncate.
 
 >>> from crs_cc.ir.types import CHAR, INT, UINT
 >>> convert(300, INT, CHAR), binary("+", INT, 2147483647, 1), binary(">>", UINT, 4294967295, 28)
@@ -19,13 +19,13 @@ Number: TypeAlias = int | float
 
 
 def wrap(value: int, bits: int, signed: bool) -> int:
-    """Gives the low bits of a value as a number of that many bits."""
+    """Return the low bits of a value as a number of that many bits."""
     value &= (1 << bits) - 1
     return value - (1 << bits) if signed and value >> bits - 1 else value
 
 
 def convert(value: Number, source: CType, target: CType) -> Number | None:
-    """Converts a constant (C17 6.3.1); None when that is undefined or not known here."""
+    """Convert a constant (C17 6.3.1); return None if the result is undefined or not constant."""
     if isinstance(target, FloatType):
         return single(_float(value)) if target.size == 4 else _float(value)
     if isinstance(target, IntegerType) and target.name == "_Bool":
@@ -40,7 +40,7 @@ def convert(value: Number, source: CType, target: CType) -> Number | None:
 
 
 def _nearest(value: Number, bits: int, signed: bool) -> int:
-    """Gives the integer nearest to a constant, as gcc does where C says nothing (6.3.1.4)."""
+    """Return the integer nearest to a constant, as gcc does where it is undefined (6.3.1.4)."""
     if math.isnan(value):
         return 0
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if signed else (0, (1 << bits) - 1)
@@ -55,7 +55,7 @@ def _float(value: Number) -> float:
 
 
 def unary(op: str, ctype: CType, value: Number) -> Number | None:
-    """Gives `-value` or `~value` in a promoted type."""
+    """Return `-value` or `~value` in a promoted type."""
     if isinstance(ctype, FloatType):
         return -value if op == "-" else None
     if isinstance(ctype, IntegerType):
@@ -64,7 +64,7 @@ def unary(op: str, ctype: CType, value: Number) -> Number | None:
 
 
 def compare(op: str, left: Number, right: Number) -> int:
-    """Gives 1 when the comparison holds, else 0."""
+    """Return 1 if the comparison is true, else 0."""
     return int(
         {
             "<": left < right,
@@ -81,7 +81,7 @@ COMPARISONS: Final = frozenset({"<", ">", "<=", ">=", "==", "!="})
 
 
 def binary(op: str, ctype: CType, left: Number, right: Number) -> Number | None:
-    """Gives `left op right` in a type; None when it is undefined, as a division by zero is."""
+    """Return `left op right` in a type; None if it is undefined, such as a division by zero."""
     if op in COMPARISONS:
         return compare(op, left, right)
     if isinstance(ctype, FloatType):
@@ -135,7 +135,7 @@ def _integer_binary(op: str, ctype: IntegerType, left: int, right: int) -> int |
 
 
 def _divide(op: str, left: int, right: int) -> int | None:
-    """Divides towards zero (C17 6.5.5p6)."""
+    """Divide, truncating towards zero (C17 6.5.5p6)."""
     if right == 0:
         return None
     quotient = abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)

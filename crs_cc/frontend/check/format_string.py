@@ -1,7 +1,7 @@
-"""Compares the format strings of `printf` and `scanf` with their arguments (C17 7.21.6).
+"""Check the format strings of `printf` and `scanf` against their arguments (C17 7.21.6).
 
-What is passed as one type and read as another of the same size and class goes without a word: on
-this machine `%d` and `%ld` are the same.
+There is no warning for an argument of another type of the same size and class: on this machine
+`%d` and `%ld` are equivalent.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import ArrayType, CType, FloatType, FunctionType, IntegerType, PointerType
 
 
@@ -38,7 +38,7 @@ KNOWN: Final = {
     ),
     **_family("scanf", "scanf:0:1 fscanf:1:2 sscanf:1:2 vscanf:0:-1 vfscanf:1:-1 vsscanf:1:-1"),
 }
-"""The library's functions that take a format."""
+"""The library functions with a format string."""
 
 _PRINTF: Final = re.compile(
     r"%(?P<flags>[-+ #0'I]*)(?P<width>\*|\d*)(?:\.(?P<precision>\*|-?\d*))?"
@@ -56,15 +56,15 @@ _INTEGER_NAMES: Final = {1: "char", 2: "short", 4: "int", 8: "long long"}
 
 @dataclass(frozen=True, slots=True)
 class _Wanted:
-    """What a conversion takes.
+    """The argument that a conversion specification expects.
 
     Attributes:
-        at: where it begins in the format.
-        text: the conversion.
+        at: the position of the specification in the format.
+        text: the specification.
         what: "integer", "float" or "pointer".
-        size: of the number, or of what the pointer points to [bytes]; 0 for any.
+        size: the size of the number, or of the pointer's target [bytes]; 0 for any.
         name: the type, for messages.
-        pointee: for a pointer, what it points to: "integer", "float", "pointer"; "" for any.
+        pointee: the class of the pointer's target: "integer", "float", "pointer"; "" for any.
     """
 
     at: int
@@ -75,7 +75,7 @@ class _Wanted:
     pointee: str = ""
 
     def accepts(self, ctype: CType) -> bool:
-        """Tells whether an argument of a type is read as what it is."""
+        """Return whether an argument's type matches."""
         if self.what == "integer":
             return is_integer(ctype) and ctype.size == self.size
         if self.what == "float":
@@ -95,13 +95,13 @@ class _Wanted:
 def check_format(
     unit: Unit, callee: FunctionSymbol, nodes: list[Node], arguments: list[Expression]
 ) -> None:
-    """Warns of arguments that a call's format string does not fit.
+    """Warn about arguments that do not match a call's format string.
 
     Args:
-        unit: takes the warnings.
-        callee: what is called.
+        unit: receives the warnings.
+        callee: the called function.
         nodes: the arguments as written.
-        arguments: the same, promoted.
+        arguments: the arguments, promoted.
     """
     known = KNOWN.get(callee.name) if callee.is_external else None
     form = callee.format or known
@@ -118,7 +118,7 @@ def check_format(
 
 
 def _takes_string(ctype: FunctionType, form: Format) -> bool:
-    """Tells whether a function is the library's, or a namesake that takes something else."""
+    """Return whether a function is the library's and not a namesake with other parameters."""
     if ctype.parameters is None:
         return True
     if len(ctype.parameters) <= form.string:
@@ -130,7 +130,7 @@ def _takes_string(ctype: FunctionType, form: Format) -> bool:
 
 @dataclass(slots=True)
 class _Check:
-    """One format string."""
+    """The check of one format string."""
 
     unit: Unit
     place: Location
@@ -160,14 +160,14 @@ class _Check:
             return
         hint = ""
         if kind == "scanf" and not isinstance(argument.type, PointerType):
-            hint = "scanf needs to know where to put it: pass its address, with '&'"
+            hint = "scanf stores the value through a pointer: pass the address, with '&'"
         elif kind == "scanf" and wanted.pointee in {"integer", "float"}:
             better = _scanning(argument.type)
             hint = f"use '{better}'" if better else ""
         elif kind == "printf" and (better := fitting(argument.type)):
             hint = f"use '{better}'"
-        text = f"'{wanted.text}' expects '{wanted.name}', but the argument is '{argument.type}'"
-        self._warn(wanted.at, text, hint)
+        expected = f"'{wanted.text}' specifies type '{wanted.name}'"
+        self._warn(wanted.at, f"{expected} but the argument has type '{argument.type}'", hint)
 
     def _printf(self) -> Iterator[_Wanted]:
         at = 0
@@ -185,7 +185,7 @@ class _Check:
             at = match.end()
 
     def _printed(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
-        """Gives what a conversion of `printf` takes; None for one that is unknown."""
+        """Return the argument for a conversion of `printf`; None if it is unknown."""
         if conversion in "diouxXc" and conversion:
             size = max(4, _INTEGER_BYTES.get(length, 4))
             return _Wanted(at, text, "integer", size, _INTEGER_NAMES[size])
@@ -204,9 +204,10 @@ class _Check:
         return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
 
     def _unknown(self, at: int, text: str, conversion: str) -> None:
-        what = "no complete conversion" if conversion in {"", "\\"} else "no conversion"
+        is_incomplete = conversion in {"", "\\"}
+        what = "incomplete format specifier" if is_incomplete else "invalid conversion specifier"
         text = text.rstrip("\\")
-        self._warn(at, f"'{text}' is {what}", "write '%%' for a percent sign")
+        self._warn(at, f"{what} '{text}'", "write '%%' for a percent sign")
 
     def _scanf(self) -> Iterator[_Wanted]:
         at = 0
@@ -220,7 +221,7 @@ class _Check:
             at = match.end()
 
     def _scanned(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
-        """Gives what a conversion of `scanf` takes; None for one that is unknown."""
+        """Return the argument for a conversion of `scanf`; None if it is unknown."""
         if conversion in "diouxXn" and conversion:
             size = _INTEGER_BYTES.get(length, 4)
             return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
@@ -239,7 +240,7 @@ class _Check:
 
 
 def fitting(ctype: CType) -> str:
-    """Gives the conversion that prints a type; "" if there is none."""
+    """Return the conversion that prints a value of a type; "" if there is none."""
     if isinstance(ctype, FloatType):
         return "%Lf" if ctype.name == "long double" else "%f"
     if isinstance(ctype, PointerType):
@@ -251,7 +252,7 @@ def fitting(ctype: CType) -> str:
 
 
 def _scanning(ctype: CType) -> str:
-    """Gives the conversion that reads a number to where a pointer points; "" if there is none."""
+    """Return the conversion that reads a number into a pointer's target; "" if there is none."""
     target = ctype.target if isinstance(ctype, PointerType) else ctype
     if isinstance(target, FloatType):
         return {"float": "%f", "double": "%lf"}.get(target.name, "%Lf")
@@ -262,23 +263,23 @@ def _scanning(ctype: CType) -> str:
 
 
 _SEGMENT: Final = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
-_MOST_LINES: Final = 100
+_MAX_LINES: Final = 100
 
 
 def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
-    """Gives the place of a character in a string literal, which may consist of several.
+    """Return the location of a character in a sequence of string literals.
 
     Args:
-        unit: knows the lines of the source.
-        place: where the literal begins.
-        at: number of the character as written, without the quotes.
+        unit: has the lines of the source.
+        place: the location of the first literal.
+        at: the index of the character as written, without the quotes.
 
     Returns:
-        its place, or that of the literal when a macro stands between.
+        Its location, or that of the literal if there is a macro between.
     """
     lines = unit.diagnostics.lines.get(place.file, [])
     column = place.column - 1
-    for number in range(place.line, min(len(lines), place.line + _MOST_LINES) + 1):
+    for number in range(place.line, min(len(lines), place.line + _MAX_LINES) + 1):
         line = lines[number - 1]
         while True:
             column += len(line[column:]) - len(line[column:].lstrip())

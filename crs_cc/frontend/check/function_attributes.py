@@ -1,4 +1,4 @@
-"""What attributes say of a function: that it never returns, how its arguments are formatted, ..."""
+"""Attributes of functions: `noreturn`, `format`, `constructor`, `weak`, ..."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.asm_label import asm_label
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.check.gnu_attributes import Attribute
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.gnu_attributes import Attribute
+from crs_cc.frontend.parse.nodes import Node
 
 _LOWEST_PRIORITY = 65535
 _FORMATS = {
@@ -17,10 +17,10 @@ _FORMATS = {
 
 
 def apply_attributes(unit: Unit, symbol: FunctionSymbol, node: Node) -> None:
-    """Adds to a function what a declaration's attributes and specifiers say.
+    """Apply a declaration's attributes and specifiers to a function.
 
     Raises:
-        CheckError: one of them is wrong.
+        CheckError: one of them is invalid.
     """
     symbol.link_name = asm_label(node) or symbol.link_name
     if "_Noreturn" in (node.funcspec or []):
@@ -46,7 +46,7 @@ def _priority(unit: Unit, attribute: Attribute) -> int:
 
 
 def _format(attribute: Attribute) -> Format | None:
-    """Gives what `format(printf, 1, 2)` says; None for kinds that are not checked."""
+    """Return the meaning of `format(printf, 1, 2)`; None for kinds that are not checked."""
     words = [each.value for each in attribute.words]
     if len(words) != 3 or not words[1].isdigit() or not words[2].isdigit():
         raise CheckError(attribute.location, "'format' takes a kind and two numbers")

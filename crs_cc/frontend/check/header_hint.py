@@ -1,4 +1,4 @@
-"""Which header declares a name that a program uses without including it."""
+"""Hints at the header that declares an undeclared name."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ _USUAL: Final = (
     "stddef.h", "stdio.h", "stdlib.h", "string.h", "math.h", "stdint.h", "stdbool.h", "limits.h",
     "ctype.h", "time.h", "unistd.h", "sys/types.h",
 )  # fmt: skip
-"""The headers to name first for what several define, as `NULL` and `size_t`."""
+"""The preferred headers for names that several of them define, such as `NULL` and `size_t`."""
 
 
 def header_hint(name: str, folders: Sequence[Path]) -> str:
-    """Gives a hint to the header that declares a name; nothing if none of ours does.
+    """Return a hint at the header that declares a name; "" if there is none.
 
     Args:
         name: a function, macro or type.
-        folders: the folders of the headers that come with crs.
+        folders: the directories of the headers that come with crs.
     """
     pattern = re.compile(
         rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:[([]|;$)", re.MULTILINE
@@ -34,7 +34,7 @@ def header_hint(name: str, folders: Sequence[Path]) -> str:
 
 @lru_cache(maxsize=4)
 def _headers(folder: Path) -> tuple[tuple[str, str], ...]:
-    """Gives the headers for programs in a folder, the usual ones first, by name with their text."""
+    """Return the names and texts of the headers in a directory, the preferred ones first."""
     paths = [*sorted(folder.glob("*.h")), *sorted(folder.glob("sys/*.h"))]
     own = [path for path in paths if not path.name.startswith("crs")]
     found = {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in own}

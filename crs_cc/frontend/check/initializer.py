@@ -1,7 +1,7 @@
-"""Checks initialisers (C17 6.7.9): braces, left-out braces, designators, strings.
+"""Check initialisers (C17 6.7.9): braces, omitted braces, designators, strings.
 
-The result is a flat list: which value goes to which offset. Nested parts are walked with a stack
-of places, one for each aggregate that is open.
+The result is a flat list of values with their offsets. Nested aggregates are filled with a stack
+of places, one for each open aggregate.
 """
 
 from __future__ import annotations
@@ -19,8 +19,7 @@ from crs_cc.frontend.check.declarator import LARGEST_OBJECT
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.tree import Initialiser, InitialValue
 from crs_cc.frontend.check.type_compat import compatible
-from crs_cc.frontend.parse.gnu import Range
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node, Range
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -31,16 +30,16 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-MOST_VALUES: Final = 1 << 20
-"""How many values the elements of a range may get: each is kept while compiling."""
+MAX_VALUES: Final = 1 << 20
+"""The maximum number of values from designated ranges: each takes memory in the compiler."""
 
 LARGEST_INITIALISED: Final = 1 << 26
-"""An object with an initialiser may be this large [bytes]: its image is kept while compiling."""
+"""The maximum size of an initialised object [bytes]: the compiler keeps its image in memory."""
 
 
 @dataclass(slots=True, eq=False)
 class _Part:
-    """A part of the object: where it is and what."""
+    """A subobject: its offset, type and bit-field."""
 
     type: CType
     offset: int
@@ -49,7 +48,7 @@ class _Part:
 
 @dataclass(slots=True, eq=False)
 class _Place:
-    """An aggregate that is being filled, and the index of the part that comes next."""
+    """An aggregate that is being filled, and the index of its next part."""
 
     type: ArrayType | RecordType
     offset: int
@@ -57,7 +56,7 @@ class _Place:
     is_chosen: bool = False
 
     def part(self) -> _Part | None:
-        """Gives the next part, None behind the last."""
+        """Return the next part, None after the last."""
         if isinstance(self.type, ArrayType):
             if self.type.length is not None and self.index >= self.type.length:
                 return None
@@ -75,18 +74,18 @@ class _Place:
         return _Part(member.type, self.offset + member.offset, member if is_field else None)
 
     def choose(self, index: int) -> None:
-        """Goes to a part that a designator names."""
+        """Select the part that a designator denotes."""
         self.index = index
         self.is_chosen = True
 
     def advance(self) -> None:
-        """Goes to the part behind."""
+        """Select the next part."""
         self.index += 1
         self.is_chosen = False
 
 
 def _compute_once(each: InitialValue) -> None:
-    """Keeps a value that is needed several times in a variable, unless it is constant."""
+    """Store a value that is needed several times in a variable, unless it is constant."""
     value = each.value
     if isinstance(value, tree.Literal | tree.StringLiteral):
         return
@@ -97,8 +96,8 @@ def _compute_once(each: InitialValue) -> None:
         each.value = tree.Assign(value.type, value.location, name, value)
 
 
-def _again(value: tree.Expression) -> tree.Expression:
-    """Gives a value that `_compute_once` has seen to another element."""
+def _reused(value: tree.Expression) -> tree.Expression:
+    """Return a value of `_compute_once` for another element."""
     return value.target if isinstance(value, tree.Assign) else value
 
 
@@ -107,11 +106,11 @@ def _is_padding(member: Member) -> bool:
 
 
 def initialise(unit: Unit, ctype: CType, node: Node, is_static: bool) -> tuple[Initialiser, CType]:
-    """Checks an initialiser.
+    """Check an initialiser.
 
     Args:
-        unit: takes warnings.
-        ctype: the object's type; an array may have no length yet.
+        unit: receives warnings.
+        ctype: the object's type; the length of an array may be unknown.
         node: the initialiser.
         is_static: whether every value must be constant.
 
@@ -119,7 +118,7 @@ def initialise(unit: Unit, ctype: CType, node: Node, is_static: bool) -> tuple[I
         The values, and the type with its length.
 
     Raises:
-        CheckError: at the first mistake in it.
+        CheckError: it has an error.
     """
     filler = _Filler(unit, is_static)
     if isinstance(node, c_ast.InitList):
@@ -155,12 +154,12 @@ def _need_constants(initialiser: Initialiser) -> None:
 
 
 class _Filler:
-    """Walks an initialiser and collects its values.
+    """A walk through an initialiser that collects its values.
 
     Attributes:
-        length: elements seen so far of an outermost array without length.
-        reached: where the furthest value ends; behind it nothing can be overridden [bytes].
-        has_gaps: whether what is not named must become zero though there are no braces.
+        length: the number of elements so far of an outermost array without length.
+        reached: the end of the furthest value [bytes]; nothing after it can be overridden.
+        has_gaps: whether the rest must become zero although there are no braces.
     """
 
     def __init__(self, unit: Unit, is_static: bool) -> None:
@@ -172,7 +171,7 @@ class _Filler:
         self.reached = 0
 
     def braced(self, part: _Part, node: Node) -> None:
-        """Takes `{...}` for a part."""
+        """Initialise a part with `{...}`."""
         ctype = part.type
         if not isinstance(ctype, ArrayType | RecordType):
             self._braced_scalar(part, node)
@@ -196,34 +195,34 @@ class _Filler:
     def _item_for_all(
         self, places: list[_Place], node: Node, ranges: list[tuple[_Place, int]]
     ) -> None:
-        """Puts one item into the next part, and into those that ranges name besides."""
+        """Initialise the next part, and all others in designated ranges."""
         if not ranges:
             self._item(places, node)
             return
         shifts, part, before = [0], places[-1].part(), set(map(id, self.values))
         for place, count in ranges:
-            if len(shifts) * count > MOST_VALUES:
-                raise CheckError(self.unit.at(node), "the range is too large")
+            if len(shifts) * count > MAX_VALUES:
+                raise CheckError(self.unit.at(node), "designated range is too large")
             assert isinstance(place.type, ArrayType)
             size = place.type.element.size
             shifts = [shift + number * size for shift in shifts for number in range(count)]
         self._item(places, node)
         values = [each for each in self.values if id(each) not in before]
-        if len(values) * len(shifts) > MOST_VALUES:
-            raise CheckError(self.unit.at(node), "the range is too large")
+        if len(values) * len(shifts) > MAX_VALUES:
+            raise CheckError(self.unit.at(node), "designated range is too large")
         for each in values:
             _compute_once(each)
         for shift in shifts[1:]:
             if part is not None and isinstance(node, c_ast.InitList):
                 self._override(_Part(part.type, part.offset + shift))
             for each in values:
-                offset, value = shift + each.offset, _again(each.value)
+                offset, value = shift + each.offset, _reused(each.value)
                 self._take(InitialValue(offset, each.type, value, each.member))
         for place, count in ranges:
             place.index += count - 1
 
     def _override(self, part: _Part) -> None:
-        """Forgets what designators gave for an aggregate that is given anew (C17 6.7.9p19)."""
+        """Drop the earlier values of an aggregate that is initialised again (C17 6.7.9p19)."""
         end = part.offset + part.type.size
         if part.offset < self.reached:
             self.values = [each for each in self.values if not part.offset <= each.offset < end]
@@ -247,7 +246,7 @@ class _Filler:
             self.scalar(part, expression(self.unit, first))
 
     def _braced_string(self, part: _Part, node: Node) -> bool:
-        """Takes `{"text"}` for an array of characters."""
+        """Initialise an array of characters with `{"text"}`."""
         if not isinstance(part.type, ArrayType) or len(node.exprs) != 1:
             return False
         first = node.exprs[0]
@@ -262,7 +261,7 @@ class _Filler:
             self.length = max(self.length, place.index)
 
     def _item(self, places: list[_Place], node: Node) -> None:
-        """Puts one item into the next part, opening aggregates whose braces are left out."""
+        """Initialise the next part, opening aggregates whose braces are omitted."""
         while (part := places[-1].part()) is None and len(places) > 1:
             places.pop()
         if part is None:
@@ -283,7 +282,7 @@ class _Filler:
             place = _Place(part.type, part.offset)
             inner = place.part()
             if inner is None:
-                text = f"nothing in '{part.type}' can be initialized"
+                text = f"'{part.type}' has no member that can be initialized"
                 raise CheckError(self.unit.at(node), text)
             place.advance()
             places.append(place)
@@ -294,11 +293,11 @@ class _Filler:
             raise CheckError(self.unit.at(node), "initialized object is too large")
         is_flexible = isinstance(part.type, ArrayType) and part.type.length is None
         if is_flexible and not self.is_static:
-            text = "the flexible array in a local variable cannot be initialized"
+            text = "flexible array member of a local variable cannot be initialized"
             raise CheckError(self.unit.at(node), text)
 
     def whole(self, part: _Part, value: tree.Expression) -> bool:
-        """Takes a string for a whole array, or a struct for a whole struct, if it is one."""
+        """Initialise a whole array with a string, or a whole struct with a struct, if it is one."""
         ctype = part.type
         if isinstance(ctype, ArrayType) and isinstance(value, tree.StringLiteral):
             return self._string(part, ctype, value)
@@ -310,7 +309,7 @@ class _Filler:
         return False
 
     def _expand(self, part: _Part, literal: tree.CompoundLiteral) -> bool:
-        """Takes the parts of a compound literal where its value cannot be copied (as gcc does)."""
+        """Use the parts of a compound literal where its value cannot be copied (as gcc does)."""
         if isinstance(part.type, ArrayType):
             if not compatible(part.type, literal.type):
                 return False
@@ -343,16 +342,18 @@ class _Filler:
         return True
 
     def scalar(self, part: _Part, value: tree.Expression) -> None:
-        """Takes a value for a part that has no parts."""
+        """Initialise a scalar part."""
         converted = assigned(self.unit, value, part.type, "initialise")
         self._take(InitialValue(part.offset, part.type, converted, part.member))
 
     # Designators (C17 6.7.9p6, p7)
 
     def _designate(self, places: list[_Place], designators: list[Node]) -> list[tuple[_Place, int]]:
-        """Goes where designators say; gives the arrays of which a range is meant, and its length.
+        """Select the part that designators denote.
 
-        The place is then that of the first element of the range.
+        Returns:
+            The arrays with a designated range, of which the first element is selected, and the
+            number of elements in it.
         """
         ranges = []
         for number, designator in enumerate(designators):
@@ -368,18 +369,20 @@ class _Filler:
         return ranges
 
     def _open(self, places: list[_Place], location: Location) -> None:
-        """Opens the aggregate that was designated last."""
+        """Open the aggregate that is selected."""
         part = places[-1].part()
         if part is None or not isinstance(part.type, ArrayType | RecordType):
-            raise CheckError(location, "designator into something without parts")
+            raise CheckError(location, "designator in initializer for scalar type")
         places[-1].advance()
         places.append(_Place(part.type, part.offset))
 
     def _choose_elements(self, place: _Place, designator: Node) -> int:
-        """Goes to the element that is named, or the first of a range; gives how many are meant."""
+        """Select an element, or the first of a range; return the number of elements in it."""
         location = self.unit.at(designator)
         if not isinstance(place.type, ArrayType):
-            raise CheckError(location, f"array designator for non-array type '{place.type}'")
+            raise CheckError(
+                location, f"array designator cannot initialize non-array type '{place.type}'"
+            )
         chosen = designator.expr
         first, last = chosen, chosen
         if isinstance(chosen, Range):
@@ -387,7 +390,7 @@ class _Filler:
         index = constant.integer(self.unit, first, "array designator")
         end = index if last is first else constant.integer(self.unit, last, "array designator")
         if end < index:
-            raise CheckError(location, f"the range of elements is empty: {index} > {end}")
+            raise CheckError(location, f"array designator range [{index}, {end}] is empty")
         length = place.type.length
         if index < 0 or (length is not None and end >= length):
             wrong = end if index >= 0 else index
@@ -398,7 +401,7 @@ class _Filler:
     def _choose_member(self, places: list[_Place], name: str, location: Location) -> None:
         ctype = places[-1].type
         if not isinstance(ctype, RecordType):
-            raise CheckError(location, f"field designator for type '{ctype}', which has no fields")
+            raise CheckError(location, f"field designator cannot initialize a '{ctype}'")
         for index, member in enumerate(ctype.record.members or []):
             if member.name == name:
                 places[-1].choose(index)

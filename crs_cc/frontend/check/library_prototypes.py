@@ -1,6 +1,6 @@
-"""Functions of the library that programs may use without a declaration, and what they are.
+"""Library functions that are known without a declaration, as they are in gcc.
 
-gcc knows them too: `__builtin_strlen` is `strlen`, and an undeclared `sqrt` gives a `double`.
+`__builtin_strlen` is `strlen`, and an undeclared `sqrt` returns a `double`.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ _OTHER_DOUBLES: Final = (
 
 @functools.cache
 def library_functions() -> dict[str, tuple[FunctionType, str]]:
-    """Gives the type of each function, and its header."""
+    """Return the type and the header of each function."""
     found: dict[str, tuple[FunctionType, str]] = {}
     texts = dict(_PROTOTYPES)
     texts["ctype.h"] = "".join(f"int {name}(int); " for name in _ONE_INTEGER)
@@ -95,9 +95,9 @@ def library_functions() -> dict[str, tuple[FunctionType, str]]:
 
 
 def undeclared(name: str) -> tuple[FunctionType, str] | None:
-    """Gives what an undeclared function is taken for, and its header; None for one not known.
+    """Return the implied type of an undeclared function, and its header; None if it is unknown.
 
-    Only floating parameters are known: as to others, old programs may call as they like.
+    Only floating-point parameters have types: old programs may pass anything for others.
     """
     known = library_functions().get(name)
     if known is None:

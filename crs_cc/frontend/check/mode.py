@@ -1,4 +1,4 @@
-"""The attribute `mode`, with which GNU C names a number's type by its size."""
+"""The attribute `mode`, which selects a GNU C number type by its size."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.checker import CheckError
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     DOUBLE,
     FLOAT,
@@ -33,7 +33,7 @@ _FLOATS: Final = {"SF": FLOAT, "DF": DOUBLE}
 
 
 def with_mode(node: Node, ctype: CType) -> CType:
-    """Gives the type of a declaration as its attributes `mode` change it.
+    """Return the type of a declaration, changed by its attribute `mode`.
 
     Raises:
         CheckError: there is no such type.

@@ -1,4 +1,4 @@
-"""Checks the operators (C17 6.5.3 to 6.5.16)."""
+"""Check the operators (C17 6.5.3 to 6.5.16)."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from crs_cc.frontend.check.conversion import (
 )
 from crs_cc.frontend.check.expressions import rvalue, size_of
 from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.suspicious_operands import warn_signs, warn_string
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible, composite
-from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.warn.operands import warn_signs, warn_string
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     INT,
@@ -53,7 +53,7 @@ def _invalid(left: Expression, right: Expression, place: Location) -> CheckError
 
 @checks(c_ast.BinaryOp)
 def binary(unit: Unit, node: Node) -> Expression:
-    """Checks `left op right`."""
+    """Check `left op right`."""
     left = decay(expression(unit, node.left))
     right = decay(expression(unit, node.right))
     return operate(unit, node.op, left, right, unit.at(node))
@@ -62,7 +62,7 @@ def binary(unit: Unit, node: Node) -> Expression:
 def operate(
     unit: Unit, op: str, left: Expression, right: Expression, place: Location
 ) -> Expression:
-    """Makes `left op right` of two values, at the operator's place."""
+    """Return `left op right` for two values."""
     if op in {"&&", "||"}:
         return _logical(op, left, right, place)
     if op in fold.COMPARISONS:
@@ -83,7 +83,7 @@ def operate(
 def _folded(
     unit: Unit, op: str, ctype: CType, operands: tuple[Expression, Expression], place: Location
 ) -> Expression:
-    """Makes an operation on operands that are converted already, at once if they are constant."""
+    """Return an operation on converted operands, folded if they are constant."""
     left, right = operands
     if isinstance(right, tree.Literal):
         if isinstance(left, tree.Literal):
@@ -186,7 +186,7 @@ def _difference(op: str, left: Expression, right: Expression, place: Location) -
 
 @checks(c_ast.ArrayRef)
 def index(unit: Unit, node: Node) -> Expression:
-    """Checks `array[index]`, which is `*(array + index)` (C17 6.5.2.1)."""
+    """Check `array[index]`, which is `*(array + index)` (C17 6.5.2.1)."""
     array = decay(expression(unit, node.name))
     subscript = decay(expression(unit, node.subscript))
     if not isinstance(array.type, PointerType) and isinstance(subscript.type, PointerType):
@@ -208,7 +208,7 @@ def index(unit: Unit, node: Node) -> Expression:
 
 @checks(c_ast.UnaryOp)
 def unary(unit: Unit, node: Node) -> Expression:
-    """Checks the operators with one operand."""
+    """Check the operators with one operand."""
     return _UNARY[node.op](unit, node)
 
 
@@ -287,7 +287,7 @@ _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
 
 
 def is_lvalue(value: Expression) -> bool:
-    """Tells whether an expression names an object (C17 6.3.2.1p1)."""
+    """Return whether an expression is an lvalue (C17 6.3.2.1p1)."""
     match value:
         case tree.ObjectName() | tree.Dereference() | tree.StringLiteral() | tree.CompoundLiteral():
             return not isinstance(value.type, FunctionType)
@@ -297,10 +297,10 @@ def is_lvalue(value: Expression) -> bool:
 
 
 def modifiable(target: Expression) -> Expression:
-    """Checks that an expression names an object that may be changed.
+    """Check that an expression is a modifiable lvalue.
 
     Raises:
-        CheckError: when it does not.
+        CheckError: it is not.
     """
     ctype = target.type
     if not is_lvalue(target):
@@ -334,7 +334,7 @@ def _has_const_member(ctype: RecordType) -> bool:
 
 @checks(c_ast.Assignment)
 def assignment(unit: Unit, node: Node) -> Expression:
-    """Checks `target = value` and `target op= value`."""
+    """Check `target = value` and `target op= value`."""
     target = expression(unit, node.lvalue)
     value = decay(expression(unit, node.rvalue))
     if node.op == "=" and isinstance(target.type, ArrayType):
@@ -349,7 +349,7 @@ def assignment(unit: Unit, node: Node) -> Expression:
 
 
 def _copying(target: Expression) -> str:
-    """Gives a hint to how an array is copied."""
+    """Return a hint at how to copy an array."""
     assert isinstance(target.type, ArrayType)
     if target.type.element.size != 1:
         return "copy its elements one by one, or all with memcpy"
@@ -382,7 +382,7 @@ def _compound(
 
 @checks(c_ast.TernaryOp)
 def conditional(unit: Unit, node: Node) -> Expression:
-    """Checks `condition ? then : otherwise` (C17 6.5.15), and gcc's `condition ?: otherwise`."""
+    """Check `condition ? then : otherwise` (C17 6.5.15), and gcc's `condition ?: otherwise`."""
     condition = rvalue(unit, node.cond)
     if not is_scalar(condition.type):
         text = f"used type '{condition.type}' where arithmetic or pointer type is required"
@@ -402,7 +402,7 @@ def conditional(unit: Unit, node: Node) -> Expression:
     if isinstance(condition, tree.Literal):
         chosen = then if condition.value else otherwise
         if is_lvalue(chosen) and is_scalar(ctype):
-            return tree.Convert(ctype, chosen.location, chosen)  # no object any more
+            return tree.Convert(ctype, chosen.location, chosen)  # not an lvalue any more
         return chosen
     return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
 
@@ -438,7 +438,7 @@ def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) ->
 
 
 def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Location) -> CType:
-    """Gives what the pointer that a conditional expression gives points to (C17 6.5.15p6)."""
+    """Return the target type of a conditional expression of pointers (C17 6.5.15p6)."""
     a, b = left.target, right.target
     const, volatile = a.const or b.const, a.volatile or b.volatile
     plain_a, plain_b = unqualified(a), unqualified(b)

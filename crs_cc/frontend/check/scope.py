@@ -1,4 +1,4 @@
-"""What names mean: symbols, and the scopes that hold them (C17 6.2.1, 6.2.3).
+"""Symbols, and the scopes that map names to them (C17 6.2.1, 6.2.3).
 
 >>> from crs_cc.ir.types import INT
 >>> from crs_cc.core.source import Location
@@ -21,8 +21,8 @@ from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
 
 ENTRIES: Final = frozenset({"main", "runcode"})
-"""Functions that a program begins in, which need not say what they return: `main`, and that of a
-program in the form of the CRS report."""
+"""Entry points of a program, whose result type may be left out: `main`, and that of the CRS
+report's dialect."""
 
 
 @dataclass(slots=True, eq=False)
@@ -30,17 +30,19 @@ class ObjectSymbol:
     """A variable or parameter.
 
     Attributes:
-        link_name: the linker's name; None for a variable that lives in the function's frame.
-        is_external: known to other files.
-        is_defined: has an initialiser, or is static.
-        is_tentative: declared at file scope without `extern` and initialiser (C17 6.9.2).
-        is_weak: another file may define it, too, and prevails.
-        is_array_parameter: a pointer, but declared as an array.
-        in_memory: its address is taken, or it is no scalar, so that no register can hold it.
-        is_indirect: the name means what this variable, a pointer, points to; so it is with an array
-            whose length is not constant.
-        align: alignment that `_Alignas` asks for [bytes], 0 for the type's own.
-        block: the first and the last place of the block that declares it, see `ir.Variable`.
+        link_name: the linker's name; None for an automatic variable.
+        is_external: whether it has external linkage.
+        is_defined: whether it has an initialiser or is static.
+        is_tentative: whether it is declared at file scope without `extern` and initialiser
+            (C17 6.9.2).
+        is_weak: whether a definition in another file overrides it.
+        is_array_parameter: whether it is a pointer that was declared as an array.
+        in_memory: whether its address is taken or it is not a scalar, so that it cannot be kept in
+            a register.
+        is_indirect: whether the variable is a pointer to the named object; an array of variable
+            length is one.
+        align: the alignment from `_Alignas` [bytes], 0 for the type's own.
+        block: the start and end of the block that declares it, see `ir.instruction.Variable`.
     """
 
     name: str
@@ -58,18 +60,18 @@ class ObjectSymbol:
     block: tuple[Location, Location] | None = None
 
     def variable(self) -> Variable:
-        """Gives what debuggers and messages know of it."""
+        """Return its description for debuggers and messages."""
         return Variable(self.name, self.type, self.location, self.block, self.is_indirect)
 
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """How a function's arguments are formatted, as `printf`'s are.
+    """The format string of a function like `printf`.
 
     Attributes:
         kind: "printf" or "scanf".
-        string: number of the argument that is the format, from 0.
-        first: number of the first argument that it formats, -1 when they come as a `va_list`.
+        string: the index of the format argument.
+        first: the index of the first formatted argument, -1 for a `va_list`.
     """
 
     kind: str
@@ -82,12 +84,12 @@ class FunctionSymbol:
     """A function.
 
     Attributes:
-        is_implicit: known only because it was called.
-        is_noreturn: it never returns.
-        is_weak: another file may define it, too, and prevails.
-        starts: with what priority it runs before `main`; None when it does not.
-        ends: with what priority it runs after the end; None when it does not.
-        format: how its arguments are formatted.
+        is_implicit: whether it was declared only by a call.
+        is_noreturn: whether it never returns.
+        is_weak: whether a definition in another file overrides it.
+        starts: the priority with which it runs before `main`; None if it does not.
+        ends: the priority with which it runs after the program; None if it does not.
+        format: its format string, if it has one.
     """
 
     name: str
@@ -106,7 +108,7 @@ class FunctionSymbol:
 
 @dataclass(slots=True, eq=False)
 class TypedefName:
-    """A name for a type; `align` is what its attributes ask for [bytes], 0 for nothing."""
+    """A typedef name; `align` is the alignment from its attributes [bytes], 0 if there is none."""
 
     name: str
     type: CType
@@ -126,7 +128,7 @@ class EnumConstant:
 
 @dataclass(slots=True, eq=False)
 class BrokenName:
-    """A name whose declaration was wrong; of its uses nothing more is said."""
+    """A name with an invalid declaration; its uses are not reported."""
 
     name: str
     location: Location
@@ -152,7 +154,7 @@ class Scope:
     tags: dict[str, Tag] = field(default_factory=dict)
 
     def find(self, name: str) -> Symbol | None:
-        """Gives what a name means here, None when it is unknown."""
+        """Return the symbol of a name, None if it is undeclared."""
         scope: Scope | None = self
         while scope is not None:
             if name in scope.names:
@@ -161,7 +163,7 @@ class Scope:
         return None
 
     def find_tag(self, name: str) -> Tag | None:
-        """Gives what a tag means here, None when it is unknown."""
+        """Return the meaning of a tag, None if it is undeclared."""
         scope: Scope | None = self
         while scope is not None:
             if name in scope.tags:
@@ -172,12 +174,12 @@ class Scope:
     def closest(
         self, name: str, kind: type[Symbol] | None = None, others: Iterable[str] = ()
     ) -> str | None:
-        """Gives the known name most like an unknown one, None when none is like it.
+        """Return the name that resembles an unknown one most, None if there is none.
 
         Args:
             name: the unknown name.
-            kind: what it must be, if that is known.
-            others: names to consider beside those in scope.
+            kind: the class of symbol it must have, if that is known.
+            others: further names to consider beside those in scope.
         """
         scope: Scope | None = self
         known: dict[str, None] = {}

@@ -1,4 +1,4 @@
-"""Checks statements (C17 6.8). A mistake in one leaves the next ones to be checked."""
+"""Check statements (C17 6.8). After an error in one, the following ones are checked."""
 
 from __future__ import annotations
 
@@ -32,17 +32,16 @@ from crs_cc.frontend.check.conversion import (
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.suspicious_operands import warn_returned
 from crs_cc.frontend.check.tree import Expression, Statement
-from crs_cc.frontend.parse.gnu import ComputedGoto, LabelAddress, LocalLabels, Range
+from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.parse.lexer import Span
-from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.parse.unsupported import refused
-from crs_cc.frontend.warn.operands import warn_returned
+from crs_cc.frontend.parse.nodes import ComputedGoto, LabelAddress, LocalLabels, Node, Range
 from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, qualify
 
 
 def statement(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks a statement or a declaration in a block and adds what it means to `out`."""
+    """Check a statement or a declaration in a block and append the result to `out`."""
     found = STATEMENTS.get(node.__class__)
     if found is not None:
         found(unit, node, out)
@@ -58,7 +57,7 @@ def _expression_statement(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 
 def body(unit: Unit, node: Node | None) -> list[Statement]:
-    """Checks a statement that is part of another, in a scope of its own."""
+    """Check a statement that is part of another, in a scope of its own."""
     out: list[Statement] = []
     if node is not None:
         with unit.new_scope(), vla.block(_function(unit), out, unit.place):
@@ -73,7 +72,7 @@ def _function(unit: Unit) -> FunctionState:
 
 @checks_statement(c_ast.Compound)
 def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `{ ... }`."""
+    """Check `{ ... }`."""
     first, entries = len(out), _entries(_function(unit))
     with _block(unit, node, out):
         for each in node.block_items or []:
@@ -86,13 +85,13 @@ def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 
 def _entries(state: FunctionState) -> tuple[int, int]:
-    """Gives how many labels there are that lead into a block if they stand there."""
+    """Return the number of labels so far: those through which a block can be entered."""
     return len(state.labels), len(state.switches[-1].labels) if state.switches else 0
 
 
 @contextmanager
 def _names(unit: Unit, node: Node) -> Iterator[None]:
-    """Opens a block's scope of names; its variables learn where it begins and ends."""
+    """Open a block's scope of names, and record its start and end in its variables."""
     with unit.new_scope() as scope:
         yield
     if isinstance(node.coord, Span):
@@ -104,7 +103,7 @@ def _names(unit: Unit, node: Node) -> Iterator[None]:
 
 @contextmanager
 def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
-    """Opens a block's scope of names, of its own labels, and of its variables' memory."""
+    """Open a block's scope of names, local labels and variables' memory."""
     state = _function(unit)
     state.label_names.append({})
     try:
@@ -116,11 +115,11 @@ def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
 
 @checks_statement(c_ast.EmptyStatement, c_ast.Pragma)
 def nothing(_unit: Unit, _node: Node, _out: list[Statement]) -> None:
-    """Checks `;`, and passes over `#pragma`."""
+    """Check `;`, and ignore `#pragma`."""
 
 
 def _condition(unit: Unit, node: Node) -> Expression:
-    """Checks a controlling expression; a wrong one is reported and replaced."""
+    """Check a controlling expression; report an invalid one and replace it."""
     found = unit.attempt(_scalar, node)
     return tree.integer(1, INT, unit.at(node)) if found is None else found
 
@@ -135,7 +134,7 @@ def _scalar(unit: Unit, node: Node) -> Expression:
 
 @checks_statement(c_ast.If)
 def if_(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `if`."""
+    """Check `if`."""
     condition = _condition(unit, node.cond)
     then = body(unit, node.iftrue)
     otherwise = body(unit, node.iffalse)
@@ -144,7 +143,7 @@ def if_(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 @checks_statement(c_ast.While, c_ast.DoWhile)
 def while_(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `while` and `do`."""
+    """Check `while` and `do`."""
     location = unit.at(node)
     condition = _condition(unit, node.cond)
     inner = _loop_body(unit, node.stmt)
@@ -154,7 +153,7 @@ def while_(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 @checks_statement(c_ast.For)
 def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `for`."""
+    """Check `for`."""
     location = unit.at(node)
     start: list[Statement] = []
     with _names(unit, node), vla.block(_function(unit), out, location):
@@ -181,7 +180,7 @@ def _loop_body(unit: Unit, node: Node) -> list[Statement]:
 
 @checks_statement(c_ast.Break)
 def break_(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `break`."""
+    """Check `break`."""
     state, location = _function(unit), unit.at(node)
     if not state.breakable:
         unit.error(location, "'break' statement not in loop or switch statement")
@@ -192,7 +191,7 @@ def break_(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 @checks_statement(c_ast.Continue)
 def continue_(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `continue`."""
+    """Check `continue`."""
     state, location = _function(unit), unit.at(node)
     if not state.loops:
         unit.error(location, "'continue' statement not in loop statement")
@@ -203,7 +202,7 @@ def continue_(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 @checks_statement(c_ast.Goto)
 def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `goto`; whether its label exists is known at the function's end."""
+    """Check `goto`; its label is checked at the function's end."""
     made = tree.Goto(unit.at(node), _label_name(unit, node.name))
     state = _function(unit)
     state.gotos.append((made, list(state.automatics)))
@@ -212,7 +211,7 @@ def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 @checks_statement(c_ast.Label)
 def label(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks a label and the statement behind it."""
+    """Check a label and the statement after it."""
     location, state = unit.at(node), _function(unit)
     name = _label_name(unit, node.name)
     if name in state.labels:
@@ -225,7 +224,7 @@ def label(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 
 def _label_name(unit: Unit, name: str) -> str:
-    """Gives what a label is called in its function; `__label__` gives it a name of its own."""
+    """Return a label's name in its function; a local label gets a unique one."""
     for names in reversed(_function(unit).label_names):
         if name in names:
             return names[name]
@@ -234,7 +233,7 @@ def _label_name(unit: Unit, name: str) -> str:
 
 @checks_statement(LocalLabels)
 def local_labels(unit: Unit, node: LocalLabels, _out: list[Statement]) -> None:
-    """Checks `__label__`."""
+    """Check `__label__`."""
     names = _function(unit).label_names
     if not names:
         raise CheckError(unit.at(node), "'__label__' outside of a block")
@@ -243,10 +242,10 @@ def local_labels(unit: Unit, node: LocalLabels, _out: list[Statement]) -> None:
 
 @checks(LabelAddress)
 def label_address(unit: Unit, node: LabelAddress) -> Expression:
-    """Checks `&&label`, a number of its own for each label of the function."""
+    """Check `&&label`, whose value is a unique number of the label in its function."""
     location = unit.at(node)
     if unit.function is None:
-        raise CheckError(location, "the address of a label is taken outside of functions")
+        raise CheckError(location, "address of a label used outside of a function body")
     name, known = _label_name(unit, node.name), unit.function.addresses
     number, _ = known.setdefault(name, (len(known) + 1, location))
     return tree.Literal(PointerType(VOID), location, number)
@@ -254,7 +253,7 @@ def label_address(unit: Unit, node: LabelAddress) -> Expression:
 
 @checks_statement(ComputedGoto)
 def computed_goto(unit: Unit, node: ComputedGoto, out: list[Statement]) -> None:
-    """Checks `goto *target`."""
+    """Check `goto *target`."""
     unit.attempt(_computed_goto, node, out)
 
 
@@ -265,7 +264,7 @@ def _computed_goto(unit: Unit, node: ComputedGoto, out: list[Statement]) -> None
 
 
 def check_labels(unit: Unit) -> None:
-    """Reports every `goto` whose label does not exist, or lies where it must not go."""
+    """Report every `goto` whose label does not exist or must not be jumped to."""
     state = _function(unit)
     for name, (_, location) in state.addresses.items():
         if name not in state.labels:
@@ -280,7 +279,7 @@ def check_labels(unit: Unit) -> None:
 
 @checks_statement(c_ast.Switch)
 def switch(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `switch`."""
+    """Check `switch`."""
     location = unit.at(node)
     value = unit.attempt(_switch_value, node.cond)
     if value is None:
@@ -305,7 +304,7 @@ def _switch_value(unit: Unit, node: Node) -> Expression:
 
 @checks_statement(c_ast.Case, c_ast.Default)
 def case(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks a `case` or `default` label and the statements behind it."""
+    """Check a `case` or `default` label and the statements after it."""
     made = unit.attempt(_case_label, node)
     if made is not None:
         out.append(made)
@@ -332,7 +331,7 @@ def _case_label(unit: Unit, node: Node) -> tree.CaseLabel | None:
         first = _case_value(unit, node.expr.first if is_range else node.expr, opened)
         last = _case_value(unit, node.expr.last, opened) if is_range else first
         if first > last:
-            unit.warning(location, f"the range of this 'case' is empty: {first} > {last}")
+            unit.warning(location, f"empty case range specified: {first} > {last}")
             return None
         _enter_case(opened, first, last, location)
         made = tree.CaseLabel(location, first, last)
@@ -347,14 +346,14 @@ def _case_value(unit: Unit, node: Node, opened: SwitchState) -> int:
 
 
 def _enter_case(opened: SwitchState, first: int, last: int, location: Location) -> None:
-    """Notes a `case`; the values of all of them must differ (C17 6.8.4.2p3)."""
+    """Record a `case`, whose value must be unique (C17 6.8.4.2p3)."""
     number = bisect_left(opened.lows, first)
-    before, behind = opened.cases[max(0, number - 1) : number], opened.cases[number : number + 1]
+    before, following = opened.cases[max(0, number - 1) : number], opened.cases[number : number + 1]
     if before and before[0][0] >= first:
         hint = f"first at {before[0][1]}"
         raise CheckError(location, f"duplicate case value '{first}'", hint)
-    if behind and opened.lows[number] <= last:
-        hint = f"first at {behind[0][1]}"
+    if following and opened.lows[number] <= last:
+        hint = f"first at {following[0][1]}"
         raise CheckError(location, f"duplicate case value '{opened.lows[number]}'", hint)
     opened.lows.insert(number, first)
     opened.cases.insert(number, (last, location))
@@ -362,7 +361,7 @@ def _enter_case(opened: SwitchState, first: int, last: int, location: Location) 
 
 @checks_statement(c_ast.Return)
 def return_(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Checks `return`."""
+    """Check `return`."""
     unit.attempt(_return, node, out)
 
 
@@ -393,7 +392,7 @@ def _leave(state: FunctionState, location: Location, value: Expression | None) -
 
 @checks(c_ast.Compound)
 def statement_expression(unit: Unit, node: Node) -> Expression:
-    """Checks `({ ... })`, a statement used as an expression (as gcc has it)."""
+    """Check `({ ... })`, a statement used as an expression (GNU C)."""
     location = unit.at(node)
     if unit.function is None:
         raise CheckError(location, "statement expression not allowed at file scope")
@@ -406,9 +405,9 @@ def statement_expression(unit: Unit, node: Node) -> Expression:
 
 
 def _last_value(state: FunctionState, out: list[Statement]) -> Expression | None:
-    """Takes the value of a statement expression off its end, if it has one.
+    """Remove and return the value at the end of a statement expression, if it has one.
 
-    It is kept in a variable where memory that it may lie in is given back.
+    It is saved in a variable if the memory that it may be in is freed at the end.
     """
     if not out or not isinstance(last := out[-1], tree.ExpressionStatement):
         return None

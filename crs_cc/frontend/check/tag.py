@@ -21,7 +21,7 @@ from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.declarator import LARGEST_OBJECT, declared_type, specifies
 from crs_cc.frontend.check.mode import with_mode
 from crs_cc.frontend.check.scope import EnumConstant, Tag
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     BOOL,
     INT,
@@ -45,7 +45,7 @@ from crs_cc.ir.types import (
 
 @specifies(c_ast.Struct, c_ast.Union)
 def record_type(unit: Unit, node: Node) -> CType:
-    """Gives the type of a struct or union specifier, defining it if it has a body."""
+    """Return the type of a struct or union specifier, defining it if it has a body."""
     known = unit.specified.get(node)
     if known is not None:
         return known
@@ -68,7 +68,7 @@ def record_type(unit: Unit, node: Node) -> CType:
 
 
 def _tag(unit: Unit, name: str | None, *, defines: bool) -> Tag | None:
-    """Gives the tag that a specifier means; a definition means one of its own scope only."""
+    """Return the tag of a specifier; a definition ignores those of outer scopes."""
     if name is None:
         return None
     return unit.scope.tags.get(name) if defines else unit.scope.find_tag(name)
@@ -108,7 +108,7 @@ def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     if not is_complete(ctype) and not is_flexible:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
     if is_variably_modified(ctype):
-        raise CheckError(location, f"member '{node.name}' has a length that is not constant")
+        raise CheckError(location, f"member '{node.name}' must have a constant size")
     natural = natural_alignment(unit, node)
     packed = in_packed or is_packed(node)
     member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)
@@ -144,7 +144,7 @@ def _check_names(unit: Unit, members: list[Member], node: Node) -> None:
 
 @specifies(c_ast.Enum)
 def enum_type(unit: Unit, node: Node) -> CType:
-    """Gives the type of an enum specifier, declaring its constants if it has a body."""
+    """Return the type of an enum specifier, declaring its constants if it has a body."""
     known = unit.specified.get(node)
     if known is not None:
         return known
@@ -168,7 +168,7 @@ def enum_type(unit: Unit, node: Node) -> CType:
 
 
 def _declare_constants(unit: Unit, definition: Enumeration, nodes: list[Node]) -> None:
-    """Declares the constants; one that fits is an `int`, another has the type of the whole."""
+    """Declare the constants; one that fits is an `int`, others have the type of the enum."""
     value, constants, large = 0, {}, []
     for each in nodes:
         if not isinstance(each, c_ast.Enumerator):
@@ -194,7 +194,7 @@ def _declare_constants(unit: Unit, definition: Enumeration, nodes: list[Node]) -
 
 
 def static_assert(unit: Unit, node: Node) -> None:
-    """Checks `_Static_assert` (C17 6.7.10)."""
+    """Check `_Static_assert` (C17 6.7.10)."""
     if constant.integer(unit, node.cond, "static assertion") == 0:
         message = "" if node.message is None else f": {node.message.value}"
         raise CheckError(unit.at(node), f"static assertion failed{message}")

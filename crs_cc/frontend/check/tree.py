@@ -1,9 +1,8 @@
-"""The checked program: what C source means, with every type and conversion spelled out.
+"""The checked tree: C with explicit types and conversions.
 
-The checker (`check_*.py`, `declare.py`, ...) makes this tree of pycparser's, and tells the user of
-every mistake on the way; lowering (`lower_*.py`) turns it into IR and can no longer fail. Names
-are resolved to symbols, conversions are `Convert` nodes, `a[i]` is a `Dereference` of a
-`PointerAdd`, and constant operands are folded into a `Literal`.
+This package builds it from pycparser's tree and reports all errors; lowering turns it into IR and
+cannot fail. Names are resolved to symbols, conversions are `Convert` nodes, `a[i]` is a
+`Dereference` of a `PointerAdd`, and constant operands are folded into a `Literal`.
 
 >>> from crs_cc.ir.types import DOUBLE, INT
 >>> from crs_cc.core.source import Location
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(slots=True, eq=False)
 class Expression:
-    """What all expressions have: the type of the value, and the place in the source."""
+    """The base of all expressions: the type of the value, and the location in the source."""
 
     type: CType
     location: Location
@@ -34,7 +33,7 @@ class Expression:
 
 @dataclass(slots=True, eq=False)
 class Literal(Expression):
-    """An arithmetic or pointer constant; an integer lies in the range of its type."""
+    """An arithmetic or pointer constant; an integer is in the range of its type."""
 
     value: int | float
 
@@ -123,7 +122,7 @@ class Dereference(Expression):
 
 @dataclass(slots=True, eq=False)
 class MemberAccess(Expression):
-    """`record.member`; the record may be an object or a value that a call gave."""
+    """`record.member`; the record may be an object or the result of a call."""
 
     record: Expression
     member: Member
@@ -131,7 +130,7 @@ class MemberAccess(Expression):
 
 @dataclass(slots=True, eq=False)
 class Assign(Expression):
-    """`target = value`, the value already converted; gives what the target then holds."""
+    """`target = value`, with the value converted; its value is that of the target afterwards."""
 
     target: Expression
     value: Expression
@@ -139,9 +138,9 @@ class Assign(Expression):
 
 @dataclass(slots=True, eq=False)
 class CompoundAssign(Expression):
-    """`target op= value`: `op` is done in type `computed`, the target is evaluated once.
+    """`target op= value`: `op` is computed in type `computed`, the target is evaluated once.
 
-    For a pointer target `computed` is its type and the value is an index as in `PointerAdd`.
+    For a pointer target, `computed` is its type and the value is an index as in `PointerAdd`.
     """
 
     op: str
@@ -152,7 +151,7 @@ class CompoundAssign(Expression):
 
 @dataclass(slots=True, eq=False)
 class Increment(Expression):
-    """`++` (step 1) or `--` (step -1), before or behind the target."""
+    """`++` (step 1) or `--` (step -1), prefix or postfix."""
 
     target: Expression
     step: int
@@ -193,7 +192,7 @@ class Call(Expression):
 
 @dataclass(slots=True, eq=False)
 class Intrinsic(Expression):
-    """A call that becomes instructions in place, see `builtins`."""
+    """A call of a builtin, see `builtins`."""
 
     name: str
     arguments: list[Expression]
@@ -202,7 +201,7 @@ class Intrinsic(Expression):
 
 @dataclass(slots=True, eq=False)
 class VarArg(Expression):
-    """`__builtin_va_arg`: takes the next argument of this node's type from a list."""
+    """`__builtin_va_arg`: the next argument of this node's type from a list."""
 
     list: Expression
 
@@ -225,7 +224,7 @@ class StatementExpression(Expression):
 
 @dataclass(slots=True, eq=False)
 class InitialValue:
-    """A value for the part of an object at `offset` [bytes]; `member` when it is a bit-field."""
+    """A value for the subobject at `offset` [bytes]; `member` if it is a bit-field."""
 
     offset: int
     type: CType
@@ -238,8 +237,8 @@ class Initialiser:
     """The values of an object's parts in the order of the source.
 
     Attributes:
-        is_braced: whether the parts that are not named become zero.
-        extent: where the last value ends [bytes], behind the object if it fills a flexible array.
+        is_braced: whether the remaining parts become zero.
+        extent: the end of the last value [bytes]; beyond the object for a flexible array member.
     """
 
     values: list[InitialValue] = field(default_factory=list)
@@ -257,7 +256,7 @@ class ExpressionStatement:
 
 @dataclass(slots=True, eq=False)
 class Declare:
-    """A local variable begins to exist."""
+    """The declaration of a local variable."""
 
     location: Location
     symbol: ObjectSymbol
@@ -266,7 +265,7 @@ class Declare:
 
 @dataclass(slots=True, eq=False)
 class Lifetimes:
-    """The variables of a block begin to exist, without values, or end with it (C17 6.2.4p6)."""
+    """The start, without values, or end of the lifetime of a block's variables (C17 6.2.4p6)."""
 
     location: Location
     symbols: list[ObjectSymbol]
@@ -288,8 +287,8 @@ class Loop:
     """`while`, `do` and `for`.
 
     Attributes:
-        start: what comes before the loop.
-        condition: None for an endless one.
+        start: the statements before the loop.
+        condition: the condition; None for an endless loop.
         tests_first: False for `do`.
     """
 
@@ -303,7 +302,7 @@ class Loop:
 
 @dataclass(slots=True, eq=False)
 class Switch:
-    """`switch`; the labels lie anywhere in the body."""
+    """`switch`; the labels may be anywhere in the body."""
 
     location: Location
     value: Expression
@@ -313,7 +312,7 @@ class Switch:
 
 @dataclass(slots=True, eq=False)
 class CaseLabel:
-    """`case first ... last:`, for a single value twice the same; `default:` when it is None."""
+    """`case first ... last:`, twice the same for a single value; `default:` if they are None."""
 
     location: Location
     first: int | None
@@ -322,7 +321,7 @@ class CaseLabel:
 
 @dataclass(slots=True, eq=False)
 class Label:
-    """A place that `goto` goes to."""
+    """A label for `goto`."""
 
     location: Location
     name: str
@@ -330,7 +329,7 @@ class Label:
 
 @dataclass(slots=True, eq=False)
 class Goto:
-    """`goto`; `release` gives back the memory of arrays whose scope it leaves."""
+    """`goto`; `release` frees the memory of arrays whose scope it leaves."""
 
     location: Location
     name: str
@@ -339,10 +338,10 @@ class Goto:
 
 @dataclass(slots=True, eq=False)
 class ComputedGoto:
-    """`goto *target`: goes to the label of that number.
+    """`goto *target`: a jump to the label with a number.
 
     Attributes:
-        numbers: the number of each label of the function that has one, by its name.
+        numbers: the numbers of the function's labels that have one, by name.
     """
 
     location: Location
@@ -366,7 +365,7 @@ class Continue:
 
 @dataclass(slots=True, eq=False)
 class Return:
-    """`return`; `release` is done when the value is known, as in `Goto`."""
+    """`return`; `release`, as in `Goto`, is evaluated after the value."""
 
     location: Location
     value: Expression | None
@@ -396,9 +395,9 @@ class FunctionDefinition:
 
     Attributes:
         parameters: in order; a parameter without a name has the name "".
-        passed: the types in which callers pass them (a K&R `float` comes as `double`).
-        returns_implicit_int: no result type was written, so that no value need be returned.
-        end: where its closing brace is.
+        passed: the types in which callers pass them (a K&R `float` is passed as `double`).
+        returns_implicit_int: whether the result type is left out, so that `return` needs no value.
+        end: the location of its closing brace.
     """
 
     location: Location
@@ -419,5 +418,5 @@ class ObjectDefinition:
 
 
 def integer(value: int, ctype: IntegerType, location: Location) -> Literal:
-    """Makes an integer constant."""
+    """Return an integer constant."""
     return Literal(ctype, location, value)

@@ -1,4 +1,4 @@
-"""What a node of the checked tree consists of, in the order of its attributes.
+"""Traversal of the checked tree.
 
 >>> from crs_cc.frontend.check.tree import Literal, Unary
 >>> from crs_cc.ir.types import INT
@@ -36,7 +36,7 @@ def _is_node(kind: type) -> bool:
 
 
 def parts(node: Any) -> Iterator[Any]:
-    """Gives the expressions and statements that a node directly consists of."""
+    """Yield the direct children of a node, in the order of its attributes."""
     for name in _slots(node.__class__):
         value = getattr(node, name)
         if _is_node(value.__class__):
@@ -47,8 +47,8 @@ def parts(node: Any) -> Iterator[Any]:
             yield from (each.value for each in value.values)
 
 
-def everything(nodes: list[Any]) -> Iterator[Any]:
-    """Gives nodes and all that they consist of, in the order of the source."""
+def walk(nodes: list[Any]) -> Iterator[Any]:
+    """Yield nodes and all their descendants in the order of the source."""
     stack = list(reversed(nodes))
     while stack:
         node = stack.pop()

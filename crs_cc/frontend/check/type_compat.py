@@ -1,4 +1,4 @@
-"""Which types are compatible, and what two declarations of one thing say together (C17 6.2.7).
+"""Compatible and composite types (C17 6.2.7).
 
 >>> from crs_cc.ir.types import CHAR
 >>> unknown, known = ArrayType(CHAR), ArrayType(CHAR, 9)
@@ -24,7 +24,7 @@ from crs_cc.ir.types import (
 
 
 def compatible(left: CType, right: CType) -> bool:
-    """Tells whether two types are compatible (C17 6.2.7), as an enum and its integer type are."""
+    """Return whether two types are compatible (C17 6.2.7); an enum and its integer type are."""
     if left is right or left == right:
         return True
     if (left.const, left.volatile) != (right.const, right.volatile):
@@ -32,7 +32,7 @@ def compatible(left: CType, right: CType) -> bool:
     if isinstance(left, PointerType) and isinstance(right, PointerType):
         return compatible(left.target, right.target)
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
-        lengths = {left.length, right.length}  # None for those not known here (6.7.6.2p6)
+        lengths = {left.length, right.length}  # None if unknown (6.7.6.2p6)
         return (None in lengths or len(lengths) == 1) and compatible(left.element, right.element)
     if isinstance(left, FunctionType) and isinstance(right, FunctionType):
         return compatible(left.result, right.result) and _compatible_parameters(left, right)
@@ -42,7 +42,7 @@ def compatible(left: CType, right: CType) -> bool:
 
 
 def _compatible_parameters(left: FunctionType, right: FunctionType) -> bool:
-    """Compares parameter lists; one that is not known agrees with any promoted one (6.7.6.3)."""
+    """Compare parameter lists; an unknown one is compatible with promoted types (6.7.6.3)."""
     if left.parameters is None or right.parameters is None:
         known = right if left.parameters is None else left
         return not known.variadic and all(map(is_promoted, known.parameters or ()))
@@ -53,14 +53,14 @@ def _compatible_parameters(left: FunctionType, right: FunctionType) -> bool:
 
 
 def is_promoted(ctype: CType) -> bool:
-    """Tells whether the default argument promotions leave a type as it is (C17 6.5.2.2p6)."""
+    """Return whether the default argument promotions leave a type as it is (C17 6.5.2.2p6)."""
     if isinstance(ctype, IntegerType):
         return ctype.rank >= INT.rank
     return not (isinstance(ctype, FloatType) and ctype.name == "float")
 
 
 def composite(left: CType, right: CType) -> CType:
-    """Gives what two compatible declarations of one thing say together (C17 6.2.7p3)."""
+    """Return the composite type of two compatible types (C17 6.2.7p3)."""
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
         is_better = left.length is None and (right.length is not None or left.extent is None)
         known = right if is_better else left

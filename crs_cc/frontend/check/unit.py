@@ -1,4 +1,4 @@
-"""Checks a whole file: external declarations and function definitions (C17 6.9)."""
+"""Check a whole file: external declarations and function definitions (C17 6.9)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from crs_cc.frontend.check.declaration import (
     declare,
     declare_broken,
     declare_function,
-    declared_anyhow,
+    declared_or_broken,
     finish_objects,
     typedef,
 )
@@ -25,8 +25,8 @@ from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefNam
 from crs_cc.frontend.check.statements import check_labels, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
-from crs_cc.frontend.parse.parser import PREDECLARED_TYPES, Broken, Node
-from crs_cc.frontend.parse.unsupported import refused
+from crs_cc.frontend.check.unsupported import refused
+from crs_cc.frontend.parse.nodes import PREDECLARED_TYPES, Broken, Node
 from crs_cc.ir.types import (
     DOUBLE,
     INT,
@@ -39,11 +39,11 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-_ = calls  # enters the checker of calls
+_ = calls  # registers the checker of calls
 
 
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
-    """Checks all external declarations of a file; what is wrong goes to the diagnostics."""
+    """Check all external declarations of a file; errors go to its diagnostics."""
     for name in PREDECLARED_TYPES:
         unit.scope.names[name] = TypedefName(name, VA_LIST, unit.place)
     for node in nodes:
@@ -57,11 +57,11 @@ def check_unit(unit: Unit, nodes: list[Node]) -> None:
 
 
 def _nothing(_unit: Unit, _node: Node) -> None:
-    """Passes over `#pragma`."""
+    """Ignore `#pragma`."""
 
 
 def function_definition(unit: Unit, node: Node) -> None:
-    """Checks a function with its body."""
+    """Check a function with its body."""
     try:
         _function_definition(unit, node)
     finally:
@@ -71,7 +71,7 @@ def function_definition(unit: Unit, node: Node) -> None:
 def _function_definition(unit: Unit, node: Node) -> None:
     declaration = node.decl
     location = unit.at_name(declaration)
-    ctype = declared_anyhow(unit, declaration)
+    ctype = declared_or_broken(unit, declaration)
     if not isinstance(ctype, FunctionType):
         raise CheckError(location, f"expected ';' after the declaration of '{declaration.name}'")
     known = unit.scope.names.get(declaration.name) or unit.externals.get(declaration.name)
@@ -83,7 +83,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
     storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
     is_static = "static" in storage
     symbol = declare_function(unit, declaration.name, ctype, location, is_static)
-    # An inline definition may stand in a header that several files read (C17 6.7.4p7).
+    # An inline definition may be in a header that several files include (C17 6.7.4p7).
     symbol.is_weak = symbol.is_weak or ("inline" in storage and not is_static)
     apply_attributes(unit, symbol, declaration)
     if symbol.is_defined:
@@ -120,7 +120,7 @@ def _specifier(node: Node) -> Node:
 def _parameters(
     unit: Unit, node: Node, ctype: FunctionType, before: CType | None
 ) -> tuple[list[ObjectSymbol], list[CType]]:
-    """Declares the parameters; gives them and the types in which callers pass them."""
+    """Declare the parameters; return them and the types in which callers pass them."""
     declarator = node.decl.type
     if not isinstance(declarator, c_ast.FuncDecl):
         raise CheckError(unit.at(node.decl), "function definition declared through a typedef")
@@ -137,7 +137,7 @@ def _parameters(
 
 
 def _has_length(node: Node) -> bool:
-    """Tells whether a parameter is written as an array of a length that may have effects."""
+    """Return whether a parameter is an array whose length may have side effects."""
     is_array = isinstance(node.type, c_ast.ArrayDecl)
     return is_array and not isinstance(node.type.dim, c_ast.Constant | None)
 
@@ -158,10 +158,10 @@ def _declare_parameter(unit: Unit, node: Node, name: str | None, ctype: CType) -
 def _old_style(
     unit: Unit, node: Node, names: list[Node], before: CType | None
 ) -> tuple[list[ObjectSymbol], list[CType]]:
-    """Declares the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
+    """Declare the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
     declared: dict[str, tuple[Node, ObjectSymbol]] = {}
     listed = {each.name for each in names}
-    # The length of an array may name parameters that are declared behind it.
+    # The length of an array may depend on parameters that are declared after it.
     for each in sorted(node.param_decls or [], key=_is_derived):
         if not isinstance(each, c_ast.Decl) or each.name is None:
             unit.attempt(declared_type, each.type) if isinstance(each, c_ast.Decl) else None
@@ -186,14 +186,14 @@ def _old_style(
 
 
 def _is_derived(node: Node) -> bool:
-    """Tells whether a declaration is of an array, or of something made of other types."""
+    """Return whether a declaration has an array, pointer or function declarator."""
     return not isinstance(node.type, c_ast.TypeDecl)
 
 
 def _passed(ctype: CType, promised: CType | None) -> CType:
-    """Gives the type in which an old-style parameter arrives (C17 6.5.2.2p6).
+    """Return the type in which an old-style parameter arrives (C17 6.5.2.2p6).
 
-    After a prototype that says the same type it comes as that type (as gcc has it).
+    After a prototype with its own type it is passed as that type (as in gcc).
     """
     plain = unqualified(ctype)
     if is_promoted(plain) or (promised is not None and compatible(unqualified(promised), plain)):
@@ -210,4 +210,4 @@ EXTERNAL: Final[dict[type, External]] = {
     c_ast.StaticAssert: static_assert,
     c_ast.Typedef: typedef,
 }
-"""Who checks each class of external declaration."""
+"""The checker of each class of external declarations."""

@@ -1,10 +1,9 @@
-"""Arrays whose lengths only the running program knows, and types made of them (C17 6.7.6.2).
+"""Variable length arrays and variably modified types (C17 6.7.6.2).
 
 The size of such an array type is kept in a hidden variable, the type's extent, which is set where
 the type is written. An array variable of such a type is a pointer to memory that the library
-gives (`__crs_automatic`) and takes back at the end of the scope, as it does with that of `alloca`
-at the end of the function. The library hands memory out as a stack: giving back means everything
-behind a mark.
+allocates (`__crs_automatic`) and frees at the end of the scope; memory from `alloca` is freed at
+the end of the function. The library allocates as a stack: it frees everything after a mark.
 """
 
 from __future__ import annotations
@@ -35,19 +34,19 @@ _BYTES: Final = PointerType(CHAR)
 _ALLOCATE: Final = FunctionType(PointerType(VOID), (UINT, _BYTES))
 _RELEASE: Final = FunctionType(VOID, (INT,))
 EXTENT: Final = "[size]"
-"""What the extents are called, for debuggers; no variable of the user's can have that name."""
+"""The name of extents, for debuggers; it is not a valid identifier in C."""
 
 AUTOMATIC_COUNT: Final = "__crs_automatic_count"
-"""The library's counter of the pieces of memory that are given out."""
+"""The library's counter of allocated blocks."""
 
 
 def is_variable(ctype: CType) -> bool:
-    """Tells whether a type is an array whose size only the running program knows."""
+    """Return whether a type is a variable length array."""
     return isinstance(ctype, ArrayType) and ctype.extent is not None
 
 
 def size(ctype: CType, location: Location) -> Expression:
-    """Gives the size of a type as an expression of type `unsigned int`."""
+    """Return the size of a type as an expression of type `unsigned int`."""
     if isinstance(ctype, ArrayType) and ctype.extent is not None:
         assert isinstance(ctype.extent, ObjectSymbol)
         return tree.ObjectName(UINT, location, ctype.extent)
@@ -55,10 +54,10 @@ def size(ctype: CType, location: Location) -> Expression:
 
 
 def array(unit: Unit, element: CType, length: Expression) -> ArrayType:
-    """Makes an array type of a length that is not constant, and notes how to compute its size.
+    """Return a variable length array type, and record the computation of its size.
 
     Raises:
-        CheckError: the length is no integer, or stands outside of functions.
+        CheckError: the length is not an integer, or it is at file scope.
     """
     location = length.location
     if not is_integer(length.type):
@@ -66,7 +65,9 @@ def array(unit: Unit, element: CType, length: Expression) -> ArrayType:
     extent = ObjectSymbol(EXTENT, UINT, location)
     if unit.prototypes == 0:
         if unit.function is None:
-            raise CheckError(location, "array length is not constant, but outside of functions")
+            raise CheckError(
+                location, "variable length array declaration not allowed at file scope"
+            )
         operands = [convert(decay(length), LLONG), size(element, location)]
         computed = tree.Intrinsic(UINT, location, "__crs_array_size", operands)
         unit.function.effects.append(_set(extent, computed))
@@ -80,7 +81,7 @@ def _set(symbol: ObjectSymbol, value: Expression) -> Expression:
 
 @contextmanager
 def effects(unit: Unit) -> Iterator[list[Expression]]:
-    """Collects what must be done for the types that are checked meanwhile."""
+    """Collect the side effects of the types that are checked meanwhile."""
     state = unit.function
     if state is None:
         yield []
@@ -93,7 +94,7 @@ def effects(unit: Unit) -> Iterator[list[Expression]]:
 
 
 def after(done: list[Expression], result: Expression) -> Expression:
-    """Gives an expression that does all of these first."""
+    """Return an expression that is evaluated after side effects."""
     for each in reversed(done):
         result = tree.Comma(result.type, result.location, each, result)
     return result
@@ -103,7 +104,7 @@ def after(done: list[Expression], result: Expression) -> Expression:
 
 
 def moved(pointer: Expression, index: Expression, minus: bool, location: Location) -> Expression:
-    """Makes `pointer + index`, or `-`, of a pointer whose target may have a variable size."""
+    """Return `pointer + index`, or `-`, for a pointer whose target may have a variable size."""
     assert isinstance(pointer.type, PointerType)
     target = pointer.type.target
     if not is_variable(target):
@@ -114,13 +115,13 @@ def moved(pointer: Expression, index: Expression, minus: bool, location: Locatio
 
 
 def scaled(index: Expression, target: CType) -> Expression:
-    """Gives `index * sizeof(target)` as an `int`."""
+    """Return `index * sizeof(target)` as an `int`."""
     bytes_ = convert(size(target, index.location), INT)
     return tree.Binary(INT, index.location, "*", index, bytes_)
 
 
 def difference(left: Expression, right: Expression, location: Location) -> Expression:
-    """Makes `left - right` of two pointers of one type."""
+    """Return `left - right` for two pointers of the same type."""
     assert isinstance(left.type, PointerType)
     target = left.type.target
     if not is_variable(target):
@@ -132,7 +133,7 @@ def difference(left: Expression, right: Expression, location: Location) -> Expre
 
 
 def step(target: Expression, sign: int, *, is_postfix: bool) -> Expression:
-    """Makes `++` (sign 1) or `--` (-1) of a pointer to an array of variable size."""
+    """Return `++` (sign 1) or `--` (-1) of a pointer to an array of variable size."""
     ctype, location = target.type, target.location
     assert isinstance(ctype, PointerType)
     one = scaled(tree.integer(1, INT, location), ctype.target)
@@ -149,7 +150,7 @@ def step(target: Expression, sign: int, *, is_postfix: bool) -> Expression:
 def declare(
     unit: Unit, symbol: ObjectSymbol, ctype: CType, out: list[tree.Statement] | None
 ) -> None:
-    """Makes a local variable of a variably modified type; an array gets its memory."""
+    """Declare a local variable of a variably modified type, and allocate an array."""
     assert unit.function is not None
     state, location = unit.function, symbol.location
     mark = None
@@ -182,14 +183,14 @@ def _call(name: str, ctype: FunctionType, arguments: list[Expression], at: Locat
 
 
 def allocate(bytes_: Expression, name: str, location: Location) -> Expression:
-    """Makes the call that gets memory for the time of the present scope; `name` is whose."""
+    """Return the call that allocates memory for variable `name` until the end of the scope."""
     content = name.encode("utf-8", "surrogateescape") + b"\0"
     text = tree.StringLiteral(ArrayType(CHAR, len(content)), location, content)
     return _call("__crs_automatic", _ALLOCATE, [bytes_, decay(text)], location)
 
 
 def alloca(unit: Unit, bytes_: Expression, location: Location) -> Expression:
-    """Makes the call of `alloca`, whose memory is given back at the end of the function."""
+    """Return the call of `alloca`, whose memory is freed at the end of the function."""
     assert unit.function is not None
     if unit.function.alloca_mark is None:
         unit.function.alloca_mark = _new_mark(location)
@@ -197,7 +198,7 @@ def alloca(unit: Unit, bytes_: Expression, location: Location) -> Expression:
 
 
 def release(automatics: list[Automatic], first: int, location: Location) -> Expression | None:
-    """Gives what gives back the memory of all variables from number `first` on, if there is any."""
+    """Return the call that frees the memory of all variables from number `first` on, if any."""
     for each in automatics[first:]:
         if each.mark is not None:
             return _release(each.mark, location)
@@ -210,7 +211,7 @@ def _release(mark: ObjectSymbol, location: Location) -> Expression:
 
 @contextmanager
 def block(state: FunctionState, out: list[tree.Statement], location: Location) -> Iterator[None]:
-    """Ends the life of the variables of a block behind it."""
+    """End the lifetime of a block's variables after it."""
     first = len(state.automatics)
     try:
         yield
@@ -220,14 +221,14 @@ def block(state: FunctionState, out: list[tree.Statement], location: Location) -
 
 
 def leave(state: FunctionState, first: int, out: list[tree.Statement], location: Location) -> None:
-    """Adds what must be done on a way out of the scope of the variables from `first` on."""
+    """Append the actions for leaving the scope of the variables from number `first` on."""
     done = release(state.automatics, first, location)
     if done is not None:
         out.append(_statement(done))
 
 
 def finish(state: FunctionState, body: list[tree.Statement]) -> None:
-    """Lets every way out of a function give back what it got with `alloca`."""
+    """Make every `return` of a function free its memory from `alloca`."""
     mark = state.alloca_mark
     if mark is None:
         return
@@ -240,7 +241,7 @@ def finish(state: FunctionState, body: list[tree.Statement]) -> None:
 def jump(
     unit: Unit, what: str, place: Location, source: list[Automatic], target: list[Automatic]
 ) -> Expression | None:
-    """Checks a jump, and gives what it must do on the way (C17 6.8.6.1p1, 6.8.4.2p2)."""
+    """Check a jump, and return its actions (C17 6.8.6.1p1, 6.8.4.2p2)."""
     common = 0
     for left, right in zip(source, target, strict=False):
         if left is not right:
@@ -248,7 +249,9 @@ def jump(
         common += 1
     if common < len(target):
         entered = target[common]
-        text = f"{what} jumps into the scope of '{entered.name}', whose type has a variable length"
+        text = (
+            f"{what} jumps into the scope of '{entered.name}', which has a variably modified type"
+        )
         unit.error(place, text, f"declared at {entered.location}")
         return None
     return release(source, common, place)

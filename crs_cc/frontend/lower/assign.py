@@ -1,8 +1,9 @@
-"""Lowers what changes objects: `=`, `op=`, `++` and `--`, and the initial values of locals."""
+"""Lower assignments, compound assignments, increments and decrements."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
@@ -12,17 +13,7 @@ from crs_cc.frontend.lower.bit_field import fit_bits, read_bits, write_bits
 from crs_cc.frontend.lower.calls import call_into
 from crs_cc.frontend.lower.convert import convert_operand, unnarrowed
 from crs_cc.frontend.lower.expressions import is_checked, operator_name, shift_count
-from crs_cc.frontend.lower.lowerer import (
-    EFFECT,
-    PLACE,
-    VALUE,
-    Lowering,
-    Place,
-    constant,
-    place,
-    value,
-    value_into,
-)
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value, value_into
 from crs_cc.frontend.lower.memory import copy, load, store
 from crs_cc.ir.program import Binary, Constant, Move, Operand, Register
 from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerType, RecordType
@@ -30,11 +21,11 @@ from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerT
 
 @dataclass(slots=True, eq=False)
 class _Target:
-    """An object that is to be changed, its address computed once.
+    """The target of an assignment, with its address computed once.
 
     Attributes:
-        register: for a variable in a register; then `where` does not matter.
-        member: for a bit-field.
+        register: the register of the variable, if it is kept in one; then `where` is unused.
+        member: the member, if it is a bit-field.
     """
 
     type: CType
@@ -44,7 +35,7 @@ class _Target:
     member: Member | None = None
 
     def read(self, low: Lowering) -> Operand:
-        """Gives the value that the object has."""
+        """Return the current value."""
         if self.register is not None:
             return self.register
         if self.member is not None:
@@ -52,7 +43,7 @@ class _Target:
         return load(low, self.where, self.type, self.location)
 
     def write(self, low: Lowering, source: Operand) -> Operand:
-        """Gives the object a value of its type; returns the value that it then has."""
+        """Store a value of the target's type; return the value that the target then has."""
         if self.register is not None:
             low.move(self.register, source, self.location)
             return self.register
@@ -77,7 +68,7 @@ def _target(low: Lowering, expression: Expression) -> _Target:
 
 
 def _register(low: Lowering, expression: Expression) -> Register | None:
-    """Gives the register of a variable that lives in one."""
+    """Return the register of a variable that is kept in one."""
     if isinstance(expression, tree.ObjectName) and expression.symbol.link_name is None:
         found = low.local(expression.symbol)
         return found if isinstance(found, Register) else None
@@ -120,7 +111,7 @@ def _assign_record(low: Lowering, expression: tree.Assign) -> Place:
 
 
 def set_record(low: Lowering, where: Place, source: Expression, location: Location) -> None:
-    """Puts the value of a struct expression into a place."""
+    """Store the value of a struct expression at a place."""
     if isinstance(source, tree.Call):
         address = low.address(where, location)
         call_into(low, source, address)
@@ -150,7 +141,7 @@ def _compound(low: Lowering, expression: tree.CompoundAssign) -> Operand:
 def _write_back(
     low: Lowering, target: _Target, result: Operand, computed: CType, ctype: CType
 ) -> Operand:
-    """Converts a result to the target's type and writes it."""
+    """Convert a result to the target's type and store it."""
     into = target.register
     made = convert_operand(low, result, computed, ctype, target.location, into=into)
     return target.write(low, made)
@@ -198,7 +189,7 @@ def _increment(low: Lowering, expression: tree.Increment, into: Register | None)
 
 
 def _step(low: Lowering, expression: tree.Increment, target: _Target, old: Operand) -> Operand:
-    """Writes the value one step away from `old`; gives what the target then holds."""
+    """Store `old` plus one step; return what the target then holds."""
     ctype, location, step = expression.type, expression.location, expression.step
     if isinstance(ctype, PointerType):
         step *= ctype.target.size
@@ -220,10 +211,18 @@ def _increment_effect(low: Lowering, expression: tree.Increment) -> None:
     _step(low, expression, target, target.read(low))
 
 
-VALUE[tree.Assign] = _assign
-VALUE[tree.CompoundAssign] = _compound_value
-VALUE[tree.Increment] = _increment
-EFFECT[tree.Assign] = _assign_effect
-EFFECT[tree.CompoundAssign] = _compound_effect
-EFFECT[tree.Increment] = _increment_effect
-PLACE[tree.Assign] = _assign_record
+RULES: Final = Rules(
+    value={
+        tree.Assign: _assign,
+        tree.CompoundAssign: _compound_value,
+        tree.Increment: _increment,
+    },
+    effect={
+        tree.Assign: _assign_effect,
+        tree.CompoundAssign: _compound_effect,
+        tree.Increment: _increment_effect,
+    },
+    place={
+        tree.Assign: _assign_record,
+    },
+)

@@ -1,7 +1,7 @@
-"""Reads and writes bit-fields, through the unit of their type that they lie in, or byte by byte.
+"""Read and write bit-fields through their storage unit, or byte by byte.
 
-In a packed struct a bit-field may lie across two units, or in one that reaches beyond the struct:
-then no unit holds it.
+In a packed struct a bit-field may straddle two units of its type, or its unit may extend beyond
+the struct: then it is accessed byte by byte.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ def _unit_op(member: Member, name: str) -> str:
 
 
 def read_bits(low: Lowering, where: Place, member: Member, location: Location) -> Operand:
-    """Reads a bit-field: its bits, extended as its type says."""
+    """Return the value of a bit-field, sign- or zero-extended."""
     width, ctype = member.bit_width or 0, member.type
     assert isinstance(ctype, IntegerType | EnumType)
     if member.spread:
@@ -51,7 +51,7 @@ def _mask(member: Member, width: int, shift: int = 0, inverted: bool = False) ->
 def write_bits(
     low: Lowering, where: Place, member: Member, source: Operand, location: Location
 ) -> None:
-    """Writes a bit-field and leaves the other bits of its unit as they are."""
+    """Write a bit-field and keep the other bits of its unit."""
     width, ctype = member.bit_width or 0, member.type
     if member.spread:
         _write_bytes(low, where, member, source, location)
@@ -71,7 +71,7 @@ def write_bits(
 
 
 def _shifted(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:
-    """Gives the low bits of a value at the place of a bit-field in its unit."""
+    """Return the low bits of a value, shifted to the position of a bit-field in its unit."""
     width, offset = member.bit_width or 0, member.bit_offset
     if isinstance(source, Constant):
         kept = int(source.value) & ((1 << width) - 1)
@@ -83,7 +83,7 @@ def _shifted(low: Lowering, member: Member, source: Operand, location: Location)
 
 
 def fit_bits(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:
-    """Gives the value that a bit-field holds after `source` was written to it."""
+    """Return the value that a bit-field holds after `source` was written to it."""
     width, ctype = member.bit_width or 0, member.type
     assert isinstance(ctype, IntegerType | EnumType)
     total = 64 if ctype.size == 8 else 32
@@ -100,8 +100,8 @@ class _Piece(NamedTuple):
     """One byte of a bit-field.
 
     Attributes:
-        offset: of the byte, from the field's first one.
-        shift: by how many bits the byte's lowest bit lies above the value's lowest.
+        offset: the byte's offset from the field's first byte.
+        shift: how many bits the byte's lowest bit is above the value's lowest.
         mask: the bits of the byte that belong to the field.
     """
 
@@ -118,7 +118,7 @@ def _pieces(member: Member) -> Iterator[_Piece]:
 
 
 def _read_bytes(low: Lowering, where: Place, member: Member, location: Location) -> Operand:
-    """Reads a bit-field that no unit holds."""
+    """Read a bit-field byte by byte."""
     ctype, kind = member.type, value_type(member.type)
     assert isinstance(ctype, IntegerType | EnumType)
     base, offset = low.access(where, member.spread, location)
@@ -140,7 +140,7 @@ def _read_bytes(low: Lowering, where: Place, member: Member, location: Location)
 def _write_bytes(
     low: Lowering, where: Place, member: Member, source: Operand, location: Location
 ) -> None:
-    """Writes a bit-field that no unit holds and leaves the bits around it as they are."""
+    """Write a bit-field byte by byte and keep the bits around it."""
     base, offset = low.access(where, member.spread, location)
     for piece in _pieces(member):
         bits = _moved(low, member, source, -piece.shift, location)
@@ -158,7 +158,7 @@ def _write_bytes(
 
 
 def _moved(low: Lowering, member: Member, bits: Operand, by: int, location: Location) -> Operand:
-    """Shifts left, or right by a negative number."""
+    """Shift left, or right if `by` is negative."""
     if by == 0:
         return bits
     kind, name = value_type(member.type), "shl" if by > 0 else "shr_u"

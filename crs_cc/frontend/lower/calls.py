@@ -1,4 +1,4 @@
-"""Lowers calls, builtins and the arguments of variadic functions."""
+"""Lower calls, builtins and variadic arguments."""
 
 from __future__ import annotations
 
@@ -12,11 +12,9 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.vla import AUTOMATIC_COUNT
 from crs_cc.frontend.lower.convert import convert_operand, narrow
 from crs_cc.frontend.lower.lowerer import (
-    EFFECT,
-    PLACE,
-    VALUE,
     Lowering,
     Place,
+    Rules,
     memory_type,
     place,
     value,
@@ -52,7 +50,7 @@ from crs_cc.ir.types import INT, UINT, ULLONG, RecordType
 
 
 def argument(low: Lowering, expression: Expression) -> Argument:
-    """Lowers one argument; what is narrower than `int` is passed as an `int` (as on i386)."""
+    """Lower one argument; types narrower than `int` are passed as `int` (i386 convention)."""
     ctype = expression.type
     if isinstance(ctype, RecordType):
         address = low.address(place(low, expression), expression.location)
@@ -65,11 +63,11 @@ def argument(low: Lowering, expression: Expression) -> Argument:
 
 
 def _call(low: Lowering, expression: tree.Call, into: Register | None) -> Register:
-    """Lowers a call whose value is wanted."""
+    """Lower a call whose value is used."""
     ctype, location = expression.type, expression.location
     result = low.register(value_type(ctype)) if into is None else into
     _end_with_call(low, expression, [], result)
-    # Whoever declared a narrow result may be wrong about the function: trust only its low bits.
+    # The declaration of a narrow result may not match the function: trust only the low bits.
     narrowed = narrow(low, result, ctype, location, into=result)
     assert isinstance(narrowed, Register)
     return narrowed
@@ -83,14 +81,14 @@ def _call_effect(low: Lowering, expression: tree.Call) -> None:
 
 
 def _call_place(low: Lowering, expression: tree.Call) -> Place:
-    """Lowers a call that gives a struct, into a slot of its own."""
+    """Lower a call that returns a struct, into a slot of its own."""
     slot = low.slot("result", expression.type)
     call_into(low, expression, low.address((slot, 0), expression.location))
     return slot, 0
 
 
 def call_into(low: Lowering, expression: tree.Call, address: Operand) -> None:
-    """Lowers a call that gives a struct; it is written to an address."""
+    """Lower a call that returns a struct through an address."""
     _end_with_call(low, expression, [Argument(address, "i32", 4)], None)
 
 
@@ -105,7 +103,7 @@ def _end_with_call(
             register = low.register("i32")
             low.emit(Move(location, register, pointer))
             pointer = register
-    # From the last to the first, as gcc does on i386: programs came to rely on it.
+    # From the last to the first, as gcc does on i386: some programs rely on it.
     lowered = [argument(low, each) for each in reversed(expression.arguments)]
     arguments = [*arguments, *reversed(lowered)]
     then = low.new_block("after")
@@ -123,7 +121,7 @@ def _end_with_call(
 
 
 def _next_argument(low: Lowering, expression: tree.VarArg) -> Place:
-    """Takes the next argument off a list: gives its place and moves the list's pointer on."""
+    """Return the place of the next variadic argument and advance the list's pointer."""
     location = expression.location
     step = Constant("i32", (expression.type.size + 3) // 4 * 4)
     variable = expression.list
@@ -168,7 +166,7 @@ _COUNTS: Final = {
 
 
 def _intrinsic(low: Lowering, expression: tree.Intrinsic, into: Register | None) -> Operand:
-    """Lowers a builtin; one without value gives zero."""
+    """Lower a builtin; return zero if it has no value."""
     found = _SPECIAL.get(expression.name)
     if found is not None:
         return found(low, expression)
@@ -198,7 +196,7 @@ def _request(low: Lowering, expression: tree.Intrinsic) -> Operand:
 
 
 def _set_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
-    """Lowers `setjmp`: fills in `struct __crs_jump`; the place is written where it is known."""
+    """Lower `setjmp`: fill in `struct __crs_jump`, apart from the resume point's number."""
     location = expression.location
     pointer, *signals = (value(low, each) for each in expression.arguments)
     unblocked = signals[0] if signals else Constant("i32", 0)
@@ -222,14 +220,14 @@ def _long_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
 
 
 def _array_size(low: Lowering, expression: tree.Intrinsic) -> Operand:
-    """Lowers `length * size of an element`, with a length of 64 bits; stops where that is wrong."""
+    """Lower `length * element size` with a 64-bit length; stop the program if it is invalid."""
     location = expression.location
     length, element = (value(low, each) for each in expression.arguments)
     most = Constant("i64", LARGEST_OBJECT)
     before = low.binary(location, "i64.sub", length, Constant("i64", 1))
     none = low.binary(location, "i64.lt_s", before, Constant("i64", 0))
     _stop_if(low, none, "array length not positive", location)
-    # A length of more than 2**31 is as wrong as a size of so many bytes, and overflows nothing.
+    # A length above the limit cannot be multiplied: the product might overflow.
     huge = low.binary(location, "i64.gt_s", length, most)
     _stop_if(low, huge, "no memory for local array", location)
     wide = convert_operand(low, element, UINT, ULLONG, location)
@@ -329,10 +327,18 @@ def _intrinsic_effect(low: Lowering, expression: tree.Intrinsic) -> None:
     _intrinsic(low, expression, None)
 
 
-VALUE[tree.Call] = _call
-VALUE[tree.VarArg] = _var_arg
-VALUE[tree.Intrinsic] = _intrinsic
-EFFECT[tree.Call] = _call_effect
-EFFECT[tree.Intrinsic] = _intrinsic_effect
-PLACE[tree.Call] = _call_place
-PLACE[tree.VarArg] = _next_argument
+RULES: Final = Rules(
+    value={
+        tree.Call: _call,
+        tree.VarArg: _var_arg,
+        tree.Intrinsic: _intrinsic,
+    },
+    effect={
+        tree.Call: _call_effect,
+        tree.Intrinsic: _intrinsic_effect,
+    },
+    place={
+        tree.Call: _call_place,
+        tree.VarArg: _next_argument,
+    },
+)

@@ -1,4 +1,4 @@
-"""Lowers conversions between scalar types (C17 6.3.1, 6.3.2.3)."""
+"""Lower conversions between scalar types (C17 6.3.1, 6.3.2.3)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
-from crs_cc.frontend.lower.lowerer import EFFECT, VALUE, Lowering, effect, truth, value, value_type
+from crs_cc.frontend.lower.lowerer import Lowering, Rules, effect, truth, value, value_type
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import Binary, Constant, Operand, Register, Unary
 from crs_cc.ir.types import BOOL, CType, EnumType, FloatType, IntegerType, PointerType
@@ -24,7 +24,7 @@ def convert_operand(
     *,
     into: Register | None = None,
 ) -> Operand:
-    """Converts a value from one scalar type to another."""
+    """Convert a value from one scalar type to another."""
     if source is target or source == target:
         return operand
     if isinstance(target, IntegerType) and target.name == BOOL.name:
@@ -91,7 +91,7 @@ def _from_float(
         op = f"i64.trunc_{source.memory}_{'s' if _signed(target) else 'u'}"
         return _unary(low, op, operand, location, into)
     if target.size == 4 and not _signed(target):
-        # As gcc does on i386: what an unsigned int cannot hold wraps around.
+        # As gcc does on i386: values beyond unsigned int wrap around.
         wide = _unary(low, f"i64.trunc_{source.memory}_s", operand, location, None)
         return _unary(low, "i32.wrap_i64", wide, location, into)
     if target.size == 4:
@@ -124,7 +124,7 @@ def _between_integers(
 
 
 def _fits(source: CType, target: CType) -> bool:
-    """Tells whether every value of one integer type is kept as it is by another."""
+    """Return whether one integer type can represent every value of another."""
     if target.size == 4:
         return True
     if _signed(source) and not _signed(target):
@@ -145,7 +145,7 @@ def narrow(
     *,
     into: Register | None = None,
 ) -> Operand:
-    """Brings a value into the range of a `char`, `short` or wide bit-field; leaves others."""
+    """Truncate a value to a `char`, `short` or wide bit-field; return that of other types as is."""
     if isinstance(target, IntegerType) and target.width is not None:
         return _narrow_wide(low, operand, target, location, into)
     if target.size >= 4 or not isinstance(target, IntegerType):
@@ -172,9 +172,9 @@ def _narrow_wide(
 
 
 def unnarrowed(expression: tree.Expression) -> tree.Expression:
-    """Gives what a conversion to a narrow integer type starts from.
+    """Return the operand of conversions to a narrow integer type.
 
-    A store to memory drops the high bits itself.
+    They are redundant in front of a store to memory, which drops the high bits itself.
     """
     ctype = expression.type
     while (
@@ -202,5 +202,11 @@ def _drop(low: Lowering, expression: tree.Convert) -> None:
     effect(low, expression.operand)
 
 
-VALUE[tree.Convert] = _convert
-EFFECT[tree.Convert] = _drop
+RULES: Final = Rules(
+    value={
+        tree.Convert: _convert,
+    },
+    effect={
+        tree.Convert: _drop,
+    },
+)

@@ -1,4 +1,4 @@
-"""Lowers constants, operators without side effects, and conditions."""
+"""Lower constants, operators without side effects, and conditions."""
 
 from __future__ import annotations
 
@@ -10,12 +10,9 @@ from crs_cc.frontend.check.fold import COMPARISONS
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.convert import convert_operand, narrow
 from crs_cc.frontend.lower.lowerer import (
-    BRANCH,
-    EFFECT,
-    PLACE,
-    VALUE,
     Lowering,
     Place,
+    Rules,
     branch,
     constant,
     effect,
@@ -62,7 +59,7 @@ _EXCHANGEABLE: Final = COMPARISONS | {"+", "*", "&", "|", "^"}
 
 
 def operator_name(op: str, ctype: CType) -> str:
-    """Gives the IR's name of a C operator on operands of a promoted type."""
+    """Return the IR operator for a C operator on operands of a promoted type."""
     if isinstance(ctype, IntegerType):
         kind = f"{ctype.memory}{'s' if ctype.signed else 'u'}"
     elif isinstance(ctype, FloatType):
@@ -77,7 +74,7 @@ def _literal(_low: Lowering, expression: tree.Literal, _into: Register | None) -
 
 
 def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Operand:
-    if _goes_last(expression):
+    if _is_evaluated_last(expression):
         right = value(low, expression.right)
         left = value(low, expression.left)
     else:
@@ -90,20 +87,20 @@ def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Op
         into = low.register("i32" if op in COMPARISONS else left.type)
     name = operator_name(op, expression.left.type)
     low.emit(Binary(location, into, name, left, right, is_checked(op, expression.left.type)))
-    return into if op in COMPARISONS else _kept_small(low, into, expression.type, location)
+    return into if op in COMPARISONS else _truncated(low, into, expression.type, location)
 
 
-def _kept_small(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
-    """Cuts a result to the bits that a wide bit-field's type has."""
+def _truncated(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
+    """Truncate a result to the width of a wide bit-field's type."""
     if isinstance(ctype, IntegerType) and ctype.width is not None:
         return narrow(low, result, ctype, location, into=result)
     return result
 
 
-def _goes_last(expression: tree.Binary) -> bool:
-    """Tells whether gcc takes the left operand behind the right one, as programs may rely on.
+def _is_evaluated_last(expression: tree.Binary) -> bool:
+    """Return whether gcc evaluates the left operand last, which programs may rely on.
 
-    It brings a variable on the left of an operator whose sides may be exchanged to the right.
+    gcc moves a variable on the left of a commutative operator to the right.
     """
     if expression.op not in _EXCHANGEABLE or isinstance(expression.right, tree.Literal):
         return False
@@ -111,7 +108,7 @@ def _goes_last(expression: tree.Binary) -> bool:
 
 
 def _is_variable(operand: Expression) -> bool:
-    """Tells whether an operand is just a variable, converted to a type of its size perhaps."""
+    """Return whether an operand is a variable, possibly converted to a type of the same size."""
     while isinstance(operand, tree.Convert) and _is_same_size(operand.type, operand.operand.type):
         operand = operand.operand
     return isinstance(operand, tree.ObjectName)
@@ -123,13 +120,13 @@ def _is_same_size(left: CType, right: CType) -> bool:
 
 
 def is_checked(op: str, ctype: CType) -> bool:
-    """Tells whether an operation of C may have no result, see `ir.instruction.Binary`."""
+    """Return whether the result of an operation may be undefined, see `ir.instruction.Binary`."""
     signed = isinstance(ctype, IntegerType) and ctype.signed
     return op in {"<<", ">>"} or (signed and op in {"+", "-", "*"})
 
 
 def shift_count(low: Lowering, count: Operand, shifted: CType, location: Location) -> Operand:
-    """Gives a shift count the type of what is shifted, as WebAssembly wants it."""
+    """Convert a shift count to the type of the shifted value, as WebAssembly requires."""
     wanted = value_type(shifted)
     if count.type == wanted:
         return count
@@ -155,7 +152,7 @@ def _unary(low: Lowering, expression: tree.Unary, into: Register | None) -> Oper
     else:
         ones = Constant(operand.type, -1)
         low.emit(Binary(location, into, f"{operand.type}.xor", operand, ones))
-    return _kept_small(low, into, expression.type, location)
+    return _truncated(low, into, expression.type, location)
 
 
 def _not(low: Lowering, operand: Operand, location: Location, into: Register | None) -> Operand:
@@ -182,7 +179,7 @@ def _difference(
     return low.binary(location, "i32.div_s", bytes_, Constant("i32", size), into)
 
 
-# Values that conditions choose
+# Conditional values
 
 
 def _logical(low: Lowering, expression: tree.Logical, into: Register | None) -> Operand:
@@ -323,7 +320,7 @@ def _branch_unary(low: Lowering, expression: tree.Unary, then: Block, otherwise:
 
 
 def _branch_binary(low: Lowering, expression: tree.Binary, then: Block, otherwise: Block) -> None:
-    """Branches on a comparison with zero without comparing, where that is the same."""
+    """Branch on a comparison; one with zero is left out where the operand can be tested itself."""
     test: Expression = expression
     if expression.op in {"==", "!="} and isinstance(expression.right, tree.Literal):
         is_plain = isinstance(expression.left.type, IntegerType | PointerType)
@@ -337,7 +334,7 @@ def _branch_binary(low: Lowering, expression: tree.Binary, then: Block, otherwis
 
 
 def _branch_convert(low: Lowering, expression: tree.Convert, then: Block, otherwise: Block) -> None:
-    """Looks through conversions that keep zero zero and all else not zero."""
+    """Ignore conversions that map zero, and only zero, to zero."""
     source, target = expression.operand.type, expression.type
     keeps = not isinstance(source, FloatType) and source.size <= target.size
     if keeps and not isinstance(target, VoidType):
@@ -363,32 +360,42 @@ def _branch_comma(low: Lowering, expression: tree.Comma, then: Block, otherwise:
 
 
 def _nothing(_low: Lowering, _expression: Expression) -> None:
-    """Does nothing: the expression has no effect."""
+    """Emit nothing: the expression has no effect."""
 
 
-VALUE[tree.Literal] = _literal
-VALUE[tree.Binary] = _binary
-VALUE[tree.Unary] = _unary
-VALUE[tree.PointerDifference] = _difference
-VALUE[tree.Logical] = _logical
-VALUE[tree.Conditional] = _conditional
-VALUE[tree.Comma] = _comma
-VALUE[tree.StatementExpression] = _statements_value
-EFFECT[tree.Literal] = _nothing
-EFFECT[tree.StringLiteral] = _nothing
-EFFECT[tree.ObjectName] = _nothing
-EFFECT[tree.FunctionName] = _nothing
-EFFECT[tree.Logical] = _logical_effect
-EFFECT[tree.Conditional] = _conditional_effect
-EFFECT[tree.Comma] = _comma_effect
-EFFECT[tree.StatementExpression] = _statements_effect
-PLACE[tree.Conditional] = _conditional_place
-PLACE[tree.Comma] = _comma_place
-PLACE[tree.StatementExpression] = _statements_place
-BRANCH[tree.Literal] = _branch_literal
-BRANCH[tree.Logical] = _branch_logical
-BRANCH[tree.Unary] = _branch_unary
-BRANCH[tree.Binary] = _branch_binary
-BRANCH[tree.Convert] = _branch_convert
-BRANCH[tree.Conditional] = _branch_conditional
-BRANCH[tree.Comma] = _branch_comma
+RULES: Final = Rules(
+    value={
+        tree.Literal: _literal,
+        tree.Binary: _binary,
+        tree.Unary: _unary,
+        tree.PointerDifference: _difference,
+        tree.Logical: _logical,
+        tree.Conditional: _conditional,
+        tree.Comma: _comma,
+        tree.StatementExpression: _statements_value,
+    },
+    effect={
+        tree.Literal: _nothing,
+        tree.StringLiteral: _nothing,
+        tree.ObjectName: _nothing,
+        tree.FunctionName: _nothing,
+        tree.Logical: _logical_effect,
+        tree.Conditional: _conditional_effect,
+        tree.Comma: _comma_effect,
+        tree.StatementExpression: _statements_effect,
+    },
+    place={
+        tree.Conditional: _conditional_place,
+        tree.Comma: _comma_place,
+        tree.StatementExpression: _statements_place,
+    },
+    branch={
+        tree.Literal: _branch_literal,
+        tree.Logical: _branch_logical,
+        tree.Unary: _branch_unary,
+        tree.Binary: _branch_binary,
+        tree.Convert: _branch_convert,
+        tree.Conditional: _branch_conditional,
+        tree.Comma: _branch_comma,
+    },
+)

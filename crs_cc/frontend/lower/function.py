@@ -1,16 +1,12 @@
-"""Lowers a function definition: parameters, body, and the clean-up of its graph."""
+"""Lower a function definition: parameters, body, and simplification of its graph."""
 
 from __future__ import annotations
-
-from typing import TYPE_CHECKING
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.scope import ENTRIES, ObjectSymbol
-from crs_cc.frontend.lower import assign, calls, expressions, lvalues
-from crs_cc.frontend.lower import statements as statement_rules
 from crs_cc.frontend.lower.convert import convert_operand
-from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.graph import simplify
 from crs_cc.frontend.lower.lowerer import (
     Lowering,
     memory_type,
@@ -19,6 +15,8 @@ from crs_cc.frontend.lower.lowerer import (
     value_type,
 )
 from crs_cc.frontend.lower.memory import store
+from crs_cc.frontend.lower.rules import RULES
+from crs_cc.frontend.lower.unit_state import UnitState
 from crs_cc.ir.program import (
     MEMORY_SIZE,
     Block,
@@ -31,21 +29,16 @@ from crs_cc.ir.program import (
 )
 from crs_cc.ir.types import CType, RecordType, VoidType
 
-if TYPE_CHECKING:
-    from crs_cc.frontend.lower.unit import UnitLowering
 
-_ = (assign, calls, expressions, lvalues, statement_rules)  # enter their functions into the tables
-
-
-def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> Function:
-    """Makes the IR of a function."""
+def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Function:
+    """Return the IR of a function."""
     symbol, location = definition.symbol, definition.location
     result = symbol.type.result
     function = Function(
         symbol.link_name, location, variadic=symbol.type.variadic, ctype=symbol.type
     )
     entry = Block("entry")
-    low = Lowering(unit, function, entry)
+    low = Lowering(unit, function, RULES, entry)
     function.blocks.append(entry)
     if isinstance(result, RecordType):
         low.result_pointer = low.lasting_register("i32")
@@ -57,7 +50,7 @@ def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> F
     statements(low, definition.body)
     fall_off = Return(location, no_value(function))
     low.end(fall_off)
-    kept = tidy(function)
+    kept = simplify(function)
     for block, name, place in low.references:
         if block in kept:
             unit.use(name, place)
@@ -65,7 +58,7 @@ def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> F
 
 
 def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
-    """Makes a parameter; an old-style one is converted from the type it is passed as."""
+    """Lower a parameter; convert an old-style one from the type that it is passed as."""
     variable = symbol.variable()
     ctype, location = symbol.type, symbol.location
     if isinstance(ctype, RecordType):

@@ -1,6 +1,6 @@
-"""Tidies a function's graph: no unreachable blocks, no empty ones, no needless jumps.
+"""Simplify a function's graph: remove unreachable and empty blocks, and jumps between them.
 
-Every block costs fuel, and every jump time.
+Every block costs fuel, and every jump costs time.
 """
 
 from __future__ import annotations
@@ -10,11 +10,11 @@ from collections import Counter
 from crs_cc.ir.program import Block, Branch, Call, Function, Jump, Request, SetJump, Switch
 
 
-def tidy(function: Function) -> set[Block]:
-    """Cleans a function's graph, keeping the order of its blocks.
+def simplify(function: Function) -> set[Block]:
+    """Simplify a function's graph, keeping the order of its blocks.
 
     Returns:
-        The blocks whose instructions are still there, if perhaps in another block.
+        The blocks whose instructions remain, although perhaps in another block.
     """
     ends: dict[Block, Block] = {}
     for block in function.blocks:
@@ -26,11 +26,11 @@ def tidy(function: Function) -> set[Block]:
 
 
 def _destination(block: Block, ends: dict[Block, Block]) -> Block:
-    """Follows empty blocks to where they lead; an endless ring of them stays as it is.
+    """Return the block that a chain of empty blocks leads to; a cycle of them is left as it is.
 
     Args:
         block: where to start.
-        ends: where each empty block leads, as far as that is known.
+        ends: the known destinations of empty blocks.
     """
     passed: dict[Block, None] = {}
     while not block.instructions and isinstance(jump := block.terminator, Jump):
@@ -46,7 +46,7 @@ def _destination(block: Block, ends: dict[Block, Block]) -> Block:
 
 
 def _shorten(block: Block, ends: dict[Block, Block]) -> None:
-    """Lets a terminator go past empty blocks."""
+    """Make a terminator skip empty blocks."""
     match block.terminator:
         case Jump() as jump:
             jump.target = _destination(jump.target, ends)
@@ -61,7 +61,7 @@ def _shorten(block: Block, ends: dict[Block, Block]) -> None:
 
 
 def _reachable(function: Function) -> list[Block]:
-    """Gives the blocks that can be reached, in their order."""
+    """Return the reachable blocks in their order."""
     reached = {id(function.blocks[0])}
     waiting = [function.blocks[0]]
     while waiting:
@@ -73,7 +73,7 @@ def _reachable(function: Function) -> list[Block]:
 
 
 def _join(function: Function) -> None:
-    """Appends each block to the one before it, if that alone goes there and nowhere else."""
+    """Append each block to the one before it if they can only follow each other."""
     uses = Counter(id(each) for block in function.blocks for each in block.successors())
     uses[id(function.blocks[0])] += 1
     joined = [function.blocks[0]]

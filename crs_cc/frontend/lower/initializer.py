@@ -1,4 +1,4 @@
-"""Lowers initialisers: of locals to stores, of globals to bytes and relocations."""
+"""Lower initialisers: of locals to stores, of globals to bytes and relocations."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from crs_cc.frontend.check.tree import Initialiser, InitialValue
 from crs_cc.frontend.lower.assign import set_record
 from crs_cc.frontend.lower.bit_field import write_bits
 from crs_cc.frontend.lower.convert import unnarrowed
-from crs_cc.frontend.lower.lowerer import PLACE, STATEMENT, Lowering, Place, value, value_into
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, value, value_into
 from crs_cc.frontend.lower.memory import store
 from crs_cc.ir.program import Address, Constant, Copy, Fill, Lifetime, Register, Slot
 from crs_cc.ir.types import (
@@ -26,8 +26,8 @@ from crs_cc.ir.types import (
     RecordType,
 )
 
-_MOST_STORES: Final = 8
-"""A local with more constant values than this is copied from an image."""
+_MAX_STORES: Final = 8
+"""A local variable with more constant values is copied from an image."""
 
 
 # Locals
@@ -46,7 +46,7 @@ def _declare(low: Lowering, statement: tree.Declare) -> None:
 
 
 def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:
-    """Begins or ends the variables of a block that lie in memory."""
+    """Start or end the lifetimes of a block's variables in memory."""
     for symbol in statement.symbols:
         found = low.local(symbol) if symbol.link_name is None else None
         if isinstance(found, Slot):
@@ -56,10 +56,10 @@ def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:
 def initialise(
     low: Lowering, slot: Slot, ctype: CType, initialiser: Initialiser, location: Location
 ) -> None:
-    """Gives an object in a frame slot its initial value."""
+    """Initialise an object in a frame slot."""
     constants = [each for each in initialiser.values if _is_constant(each)]
     others = [each for each in initialiser.values if not _is_constant(each)]
-    if len(constants) > _MOST_STORES or any(_is_long(each) for each in constants):
+    if len(constants) > _MAX_STORES or any(_is_long(each) for each in constants):
         _copy_image(low, slot, ctype, constants, location)
         initialiser = Initialiser(others)
     elif initialiser.is_braced and _leaves_gaps(initialiser, ctype):
@@ -79,11 +79,11 @@ def _is_constant(each: InitialValue) -> bool:
 
 
 def _is_long(each: InitialValue) -> bool:
-    return isinstance(each.type, ArrayType) and each.type.size > _MOST_STORES
+    return isinstance(each.type, ArrayType) and each.type.size > _MAX_STORES
 
 
 def _leaves_gaps(initialiser: Initialiser, ctype: CType) -> bool:
-    """Tells whether some bytes of the object are given no value."""
+    """Return whether some bytes of the object are not initialised."""
     filled = 0
     for each in initialiser.values:
         if each.offset != filled or each.member is not None:
@@ -144,7 +144,7 @@ def _compound_literal(low: Lowering, expression: tree.CompoundLiteral) -> Place:
 
 
 class Image:
-    r"""The bytes of an object, as its initialiser says.
+    r"""The initial bytes of a static object.
 
     >>> from crs_cc.ir.types import SHORT
     >>> image = Image(4)
@@ -158,13 +158,13 @@ class Image:
         self.addresses: dict[int, ConstantAddress] = {}
 
     def put(self, each: InitialValue) -> None:
-        """Puts one constant value in its place."""
+        """Store one constant value."""
         end = each.offset + each.type.size
         if isinstance(each.type, ArrayType):
             assert isinstance(each.value, tree.StringLiteral)
             self.content[each.offset : end] = each.value.content.ljust(each.type.size, b"\0")
         elif isinstance(each.value, tree.Literal):
-            if each.member is not None:  # its unit may lie over a pointer before it
+            if each.member is not None:  # its unit may overlap a pointer before it
                 self._put_bits(each.offset, each.member, int(each.value.value))
             else:
                 self.addresses.pop(each.offset, None)
@@ -190,13 +190,19 @@ class Image:
 
 
 def encoded(ctype: CType, number: float) -> bytes:
-    """Gives the bytes of a scalar."""
+    """Return the bytes of a scalar."""
     if isinstance(ctype, FloatType):
         return struct.pack("<f" if ctype.size == 4 else "<d", number)
     assert isinstance(ctype, IntegerType | EnumType | PointerType)
     return (int(number) & (1 << 8 * ctype.size) - 1).to_bytes(ctype.size, "little")
 
 
-STATEMENT[tree.Declare] = _declare
-STATEMENT[tree.Lifetimes] = _lifetimes
-PLACE[tree.CompoundLiteral] = _compound_literal
+RULES: Final = Rules(
+    place={
+        tree.CompoundLiteral: _compound_literal,
+    },
+    statement={
+        tree.Declare: _declare,
+        tree.Lifetimes: _lifetimes,
+    },
+)

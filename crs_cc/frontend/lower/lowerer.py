@@ -1,19 +1,14 @@
 """Lowering: checked C to IR, one function at a time.
 
-A `Lowering` holds the function being made and the block that takes the next instruction. Who
-lowers which node stands in four tables, one for each thing that can be wanted of an expression:
-
-- `VALUE`: its value, as an operand; put into a given register if one is given;
-- `EFFECT`: only what it does;
-- `PLACE`: where the object lies that it names, as base and offset;
-- `BRANCH`: to go one way or the other.
-
-The `lower_*.py` files enter their functions into them.
+A `Lowering` holds the function under construction, the block that takes the next instruction, and
+the `Rules`: which function lowers which class of nodes. The modules above this one define rules for
+their nodes, `rules` combines them, and `value`, `effect`, `place`, `branch` and `statements` look
+them up, so that a rule can lower the parts of its node without knowing their rules.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
@@ -51,44 +46,83 @@ from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 
 if TYPE_CHECKING:
     from crs_cc.frontend.check.scope import ObjectSymbol
-    from crs_cc.frontend.lower.unit import UnitLowering
+    from crs_cc.frontend.lower.unit_state import UnitState
 
 ACTIVATIONS: Final = "__crs_activations"
 """The library's counter of calls of functions that use `setjmp`."""
 
-MOST_REGISTERS: Final = 10_000
-"""A function with so many registers keeps further variables in memory: WebAssembly has 50,000."""
+MAX_REGISTERS: Final = 10_000
+"""Beyond so many registers, variables are kept in memory: WebAssembly allows 50,000 locals."""
 
 Made = TypeVar("Made")
 
 Place: TypeAlias = tuple[Base, int]
-"""Where an object lies: `base + offset`."""
+"""The address of an object: `base + offset`."""
 
 
 def _for_each(make: Callable[[], Made]) -> dict[ValueType, Made]:
     return {"i32": make(), "i64": make(), "f32": make(), "f64": make()}
 
 
+LowerValue: TypeAlias = "Callable[[Lowering, Any, Register | None], Operand]"
+LowerEffect: TypeAlias = "Callable[[Lowering, Any], None]"
+LowerPlace: TypeAlias = "Callable[[Lowering, Any], Place]"
+LowerBranch: TypeAlias = "Callable[[Lowering, Any, Block, Block], None]"
+LowerStatement: TypeAlias = "Callable[[Lowering, Any], None]"
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """Which function lowers which class of nodes, for each thing an expression can be needed for.
+
+    Attributes:
+        value: return its value as an operand, in the given register if there is one.
+        effect: evaluate it for its side effects only.
+        place: return the base and offset of the object that it designates.
+        branch: jump to one of two blocks.
+        statement: lower a statement.
+    """
+
+    value: Mapping[type, LowerValue] = field(default_factory=dict)
+    effect: Mapping[type, LowerEffect] = field(default_factory=dict)
+    place: Mapping[type, LowerPlace] = field(default_factory=dict)
+    branch: Mapping[type, LowerBranch] = field(default_factory=dict)
+    statement: Mapping[type, LowerStatement] = field(default_factory=dict)
+
+    def __or__(self, other: Rules) -> Rules:
+        """Return the rules of both."""
+        return Rules(
+            {**self.value, **other.value},
+            {**self.effect, **other.effect},
+            {**self.place, **other.place},
+            {**self.branch, **other.branch},
+            {**self.statement, **other.statement},
+        )
+
+
 @dataclass(slots=True, eq=False)
 class Lowering:
-    """One function while its IR is made.
+    """A function under construction.
 
     Attributes:
         unit: what the functions of the file share.
-        function: what is being made.
-        block: the block that takes the next instruction; one that nothing leads to behind a jump.
-        places: where each local variable lies.
-        result_pointer: where a struct result goes.
-        breaks: where `break` goes, innermost last.
-        continues: where `continue` goes, innermost last.
+        function: the function.
+        rules: which function lowers which class of nodes.
+        block: the block that takes the next instruction; unreachable after a jump.
+        places: the register or slot of each local variable.
+        result_pointer: the address for a struct result.
+        breaks: the targets of `break`, innermost last.
+        continues: the targets of `continue`, innermost last.
         cases: the blocks of case labels.
         labels: the blocks of named labels.
-        chooser: for computed gotos, the register with the label's number and where it is chosen.
-        references: global names with the block that uses them, to see which are used at all.
+        chooser: for computed gotos, the register with the label's number and the block that
+            switches on it.
+        references: the global names that are used, with the block that uses them.
     """
 
-    unit: UnitLowering
+    unit: UnitState
     function: Function
+    rules: Rules
     block: Block
     places: dict[ObjectSymbol, Register | Slot] = field(default_factory=dict)
     result_pointer: Register | None = None
@@ -107,36 +141,36 @@ class Lowering:
     # Blocks
 
     def new_block(self, name: str) -> Block:
-        """Makes a block that `start` will open."""
+        """Return a new block, to be opened by `start`."""
         self.block_count += 1
         return Block(f"{name}.{self.block_count}")
 
     def start(self, block: Block, location: Location) -> None:
-        """Goes on in a block; the present one leads there unless it has ended."""
+        """Continue in a block; the current one falls through to it unless it has ended."""
         if self.block.terminator is None:
             self.block.terminator = Jump(location, block)
         self.function.blocks.append(block)
         self.block = block
 
     def end(self, terminator: Terminator) -> None:
-        """Ends the present block; what follows is reached by other ways or not at all."""
+        """End the current block; what follows is unreachable until `start`."""
         if self.block.terminator is None:
             self.block.terminator = terminator
         self.block = Block("dead")
 
     def emit(self, instruction: Instruction) -> None:
-        """Adds an instruction to the present block."""
+        """Append an instruction to the current block."""
         self.block.instructions.append(instruction)
 
     def mark(self, location: Location) -> None:
-        """Marks the start of a statement."""
+        """Mark the start of a statement."""
         self.block.instructions.append(Statement(location))
         self._used = dict(self._first)
 
     # Registers and slots
 
     def register(self, value_type: ValueType) -> Register:
-        """Gives a register for a value that the present statement alone needs."""
+        """Return a register for a temporary value of the current statement."""
         pool, used = self._temporaries[value_type], self._used[value_type]
         self._used[value_type] = used + 1
         if used == len(pool):
@@ -144,19 +178,19 @@ class Lowering:
         return pool[used]
 
     def lasting_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
-        """Makes a register of its own."""
+        """Return a new register."""
         registers = self.function.registers
         made = Register(len(registers), value_type, variable)
         registers.append(made)
         return made
 
     def used_registers(self) -> dict[ValueType, int]:
-        """Tells which registers the present statement uses so far."""
+        """Return how many temporary registers the current statement uses."""
         return dict(self._used)
 
     @contextmanager
     def inner_statements(self) -> Iterator[None]:
-        """Keeps the registers that the present statement uses while others run inside it."""
+        """Keep the temporaries of the current statement while statements inside it are lowered."""
         outer, self._first = self._first, dict(self._used)
         try:
             yield
@@ -164,23 +198,23 @@ class Lowering:
             self._first = outer
 
     def reuse_registers(self, used: dict[ValueType, int]) -> None:
-        """Says that all values that came after `used_registers` are not needed any more."""
+        """Free the temporaries that were taken since `used_registers`."""
         self._used = dict(used)
 
     def slot(
         self, name: str, ctype: CType, align: int = 0, variable: Variable | None = None
     ) -> Slot:
-        """Makes a frame slot."""
+        """Return a new frame slot."""
         made = Slot(name, ctype.size, max(align, ctype.align), variable)
         self.function.slots.append(made)
         return made
 
     def local(self, symbol: ObjectSymbol) -> Register | Slot:
-        """Gives where a local variable lies."""
+        """Return the register or slot of a local variable."""
         found = self.places.get(symbol)
         if found is None:
             variable = symbol.variable() if symbol.name else None
-            if symbol.in_memory or len(self.function.registers) > MOST_REGISTERS:
+            if symbol.in_memory or len(self.function.registers) > MAX_REGISTERS:
                 found = self.slot(symbol.name, symbol.type, symbol.align, variable)
             else:
                 found = self.lasting_register(value_type(symbol.type), variable)
@@ -188,7 +222,7 @@ class Lowering:
         return found
 
     def move(self, target: Register, source: Operand, location: Location) -> None:
-        """Puts an operand into a register, unless it is there."""
+        """Move an operand into a register unless it is there already."""
         if target is not source:
             self.block.instructions.append(Move(location, target, source))
 
@@ -200,13 +234,13 @@ class Lowering:
         right: Operand,
         into: Register | None = None,
     ) -> Register:
-        """Emits a binary operation whose result has the type that `op` begins with."""
+        """Emit a binary operation and return its result."""
         result = self.register(OPERATORS[op].result) if into is None else into
         self.block.instructions.append(Binary(location, result, op, left, right))
         return result
 
     def activation(self) -> Register:
-        """Gives what tells this call of the function from all others, for `setjmp`."""
+        """Return the number that identifies this call of the function, for `setjmp`."""
         if self._activation is None:
             made, entry = self.lasting_register("i32"), self.function.blocks[0]
             location = self.function.location
@@ -222,12 +256,12 @@ class Lowering:
     # Addresses
 
     def refer(self, name: str, location: Location) -> str:
-        """Notes that a global name is used."""
+        """Record that a global name is used."""
         self.references.append((self.block, name, location))
         return name
 
     def address(self, place: Place, location: Location, into: Register | None = None) -> Operand:
-        """Gives the address of a place as a value."""
+        """Return the address of a place as a value."""
         base, offset = place
         if isinstance(base, Register):
             if offset == 0:
@@ -239,12 +273,12 @@ class Lowering:
         return result
 
     def access(self, place: Place, size: int, location: Location) -> Place:
-        """Gives a place as `Load` and `Store` take it: surely inside its object, or in a register.
+        """Return a place that `Load` and `Store` accept: inside its object, or in a register.
 
         Args:
             place: the place.
             size: how many bytes are accessed.
-            location: whom to blame.
+            location: the location for messages.
         """
         base, offset = place
         if isinstance(base, Register):
@@ -260,18 +294,18 @@ class Lowering:
 
 
 def memory_type(ctype: CType) -> MemoryType:
-    """Gives how a scalar lies in memory."""
+    """Return the memory type of a scalar type."""
     assert isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
     return ctype.memory
 
 
 def value_type(ctype: CType) -> ValueType:
-    """Gives the type of the registers that hold a scalar."""
+    """Return the type of the registers that hold a scalar."""
     return VALUE_TYPE[memory_type(ctype)]
 
 
 def constant(ctype: CType, value: float) -> Constant:
-    """Makes an operand of a number in the range of a scalar type."""
+    """Return a number as a constant of a scalar type."""
     wanted = value_type(ctype)
     if wanted in {"f32", "f64"}:
         return Constant(wanted, float(value))
@@ -279,59 +313,46 @@ def constant(ctype: CType, value: float) -> Constant:
 
 
 def no_value(function: Function) -> Constant | None:
-    """Gives what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
+    """Return the result of a function that ends without `return`: 0 of main (C17 5.1.2.2.3)."""
     is_entry = function.name in ENTRIES and function.result == "i32"
     return Constant("i32", 0) if is_entry else None
 
 
-LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]
-LowerEffect: TypeAlias = Callable[[Lowering, Any], None]
-LowerPlace: TypeAlias = Callable[[Lowering, Any], Place]
-LowerBranch: TypeAlias = Callable[[Lowering, Any, Block, Block], None]
-LowerStatement: TypeAlias = Callable[[Lowering, Any], None]
-
-VALUE: Final[dict[type, LowerValue]] = {}
-EFFECT: Final[dict[type, LowerEffect]] = {}
-PLACE: Final[dict[type, LowerPlace]] = {}
-BRANCH: Final[dict[type, LowerBranch]] = {}
-STATEMENT: Final[dict[type, LowerStatement]] = {}
-
-
 def value(low: Lowering, expression: tree.Expression, into: Register | None = None) -> Operand:
-    """Gives the value of a scalar expression.
+    """Lower a scalar expression and return its value.
 
     Args:
         low: the function.
         expression: the expression.
-        into: where its last instruction may put the value; it need not.
+        into: a register that may be used for the value.
     """
-    return VALUE[expression.__class__](low, expression, into)
+    return low.rules.value[expression.__class__](low, expression, into)
 
 
 def value_into(low: Lowering, expression: tree.Expression, target: Register) -> None:
-    """Puts the value of a scalar expression into a register."""
+    """Lower a scalar expression and move its value into a register."""
     low.move(target, value(low, expression, target), expression.location)
 
 
 def effect(low: Lowering, expression: tree.Expression) -> None:
-    """Does what an expression does and drops its value."""
-    found = EFFECT.get(expression.__class__)
+    """Lower an expression for its side effects."""
+    found = low.rules.effect.get(expression.__class__)
     if found is not None:
         found(low, expression)
-    elif expression.__class__ in VALUE and is_scalar(expression.type):
+    elif expression.__class__ in low.rules.value and is_scalar(expression.type):
         value(low, expression)
-    elif expression.__class__ in PLACE:
+    elif expression.__class__ in low.rules.place:
         place(low, expression)
 
 
 def place(low: Lowering, expression: tree.Expression) -> Place:
-    """Gives where the object lies that an expression names, or a struct that it gives."""
-    return PLACE[expression.__class__](low, expression)
+    """Lower an lvalue or a struct expression and return its place."""
+    return low.rules.place[expression.__class__](low, expression)
 
 
 def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Block) -> None:
-    """Goes to `then` when a scalar is not zero, else to `otherwise`."""
-    found = BRANCH.get(condition.__class__)
+    """Branch to `then` if a scalar is not zero, else to `otherwise`."""
+    found = low.rules.branch.get(condition.__class__)
     if found is not None:
         found(low, condition, then, otherwise)
         return
@@ -339,7 +360,7 @@ def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Bl
 
 
 def truth(low: Lowering, condition: tree.Expression) -> Operand:
-    """Gives an i32 that is zero exactly when a scalar is."""
+    """Lower a scalar and return an i32 that is zero if and only if the scalar is."""
     operand = value(low, condition)
     if operand.type == "i32":
         return operand
@@ -350,6 +371,7 @@ def truth(low: Lowering, condition: tree.Expression) -> Operand:
 
 
 def statements(low: Lowering, body: list[tree.Statement]) -> None:
-    """Lowers statements one after the other."""
+    """Lower statements one after the other."""
+    rules = low.rules.statement
     for each in body:
-        STATEMENT[each.__class__](low, each)
+        rules[each.__class__](low, each)

@@ -1,19 +1,18 @@
-"""Lowers what names an object to its place, and to its value.
+"""Lower lvalues to their places and to their values.
 
-A place is a base and an offset. The offset grows with members and constant indices, so that
-`p->a.b[2]` is one load from the register of `p`.
+A place is a base and an offset. Members and constant indices are added to the offset, so that
+`p->a.b[2]` is a single load from the register of `p`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.bit_field import read_bits
-from crs_cc.frontend.lower.lowerer import PLACE, VALUE, Lowering, Place, constant, place, value
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value
 from crs_cc.frontend.lower.memory import load
 from crs_cc.ir.program import (
     Constant,
@@ -29,15 +28,6 @@ _LARGEST_OFFSET = 1 << 30
 # Places
 
 
-def _places(kind: type) -> Callable[[Any], Any]:
-    def enter(function: Any) -> Any:
-        PLACE[kind] = function
-        return function
-
-    return enter
-
-
-@_places(tree.ObjectName)
 def _object(low: Lowering, expression: tree.ObjectName) -> Place:
     symbol = expression.symbol
     if symbol.link_name is not None:
@@ -46,29 +36,25 @@ def _object(low: Lowering, expression: tree.ObjectName) -> Place:
     return low.local(symbol), 0
 
 
-@_places(tree.StringLiteral)
 def _string(low: Lowering, expression: tree.StringLiteral) -> Place:
     return low.unit.string(expression), 0
 
 
-@_places(tree.MemberAccess)
 def _member(low: Lowering, expression: tree.MemberAccess) -> Place:
     base, offset = place(low, expression.record)
     return base, offset + expression.member.offset
 
 
-@_places(tree.Dereference)
 def _dereference(low: Lowering, expression: tree.Dereference) -> Place:
     return pointee(low, expression.pointer)
 
 
-@_places(tree.FunctionName)
 def _function(low: Lowering, expression: tree.FunctionName) -> Place:
     return low.refer(expression.symbol.link_name, expression.location), 0
 
 
 def pointee(low: Lowering, pointer: Expression) -> Place:
-    """Gives the place that a pointer points to."""
+    """Return the place that a pointer points to."""
     match pointer:
         case tree.AddressOf(operand=operand):
             return place(low, operand)
@@ -85,7 +71,7 @@ def pointee(low: Lowering, pointer: Expression) -> Place:
 
 
 def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
-    """Gives the place of `pointer + index`; what is constant of it goes into the offset."""
+    """Return the place of `pointer + index`, with its constant part in the offset."""
     assert isinstance(moved.type, PointerType)
     size, location = moved.type.target.size, moved.location
     base, offset = pointee(low, moved.pointer)
@@ -106,7 +92,7 @@ def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
 
 
 def _split(index: Expression) -> tuple[Expression | None, int]:
-    """Splits an index into a part that varies and a constant."""
+    """Split an index into a variable part and a constant."""
     if isinstance(index, tree.Literal):
         return None, int(index.value)
     if isinstance(index, tree.Convert) and index.operand.type.size == index.type.size:
@@ -120,7 +106,7 @@ def _split(index: Expression) -> tuple[Expression | None, int]:
 
 
 def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> Operand:
-    """Gives `index * size`."""
+    """Return `index * size`."""
     operand = value(low, index)
     if size == 1:
         return operand
@@ -136,7 +122,7 @@ def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> 
 
 
 def _value_of_object(low: Lowering, expression: Expression, into: Register | None) -> Operand:
-    """Reads the object that an expression names."""
+    """Read the object that an expression designates."""
     if isinstance(expression, tree.ObjectName) and expression.symbol.link_name is None:
         found = low.local(expression.symbol)
         if isinstance(found, Register):
@@ -155,10 +141,20 @@ def _value_of_moved(low: Lowering, expression: tree.PointerAdd, into: Register |
     return low.address(_moved(low, expression), expression.location, into)
 
 
-VALUE[tree.ObjectName] = _value_of_object
-VALUE[tree.Dereference] = _value_of_object
-VALUE[tree.MemberAccess] = _value_of_object
-VALUE[tree.CompoundLiteral] = _value_of_object
-
-VALUE[tree.AddressOf] = _value_of_address
-VALUE[tree.PointerAdd] = _value_of_moved
+RULES: Final = Rules(
+    value={
+        tree.ObjectName: _value_of_object,
+        tree.Dereference: _value_of_object,
+        tree.MemberAccess: _value_of_object,
+        tree.CompoundLiteral: _value_of_object,
+        tree.AddressOf: _value_of_address,
+        tree.PointerAdd: _value_of_moved,
+    },
+    place={
+        tree.ObjectName: _object,
+        tree.StringLiteral: _string,
+        tree.MemberAccess: _member,
+        tree.Dereference: _dereference,
+        tree.FunctionName: _function,
+    },
+)

@@ -1,4 +1,4 @@
-"""Reads and writes scalars and structs at their places."""
+"""Load, store and copy scalars and structs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from crs_cc.ir.types import CType
 def load(
     low: Lowering, where: Place, ctype: CType, location: Location, into: Register | None = None
 ) -> Register:
-    """Reads a scalar from a place."""
+    """Read a scalar from a place."""
     memory = memory_type(ctype)
     base, offset = low.access(where, MEMORY_SIZE[memory], location)
     result = low.register(value_type(ctype)) if into is None else into
@@ -20,14 +20,14 @@ def load(
 
 
 def store(low: Lowering, where: Place, ctype: CType, source: Operand, location: Location) -> None:
-    """Writes a scalar to a place."""
+    """Write a scalar to a place."""
     memory = memory_type(ctype)
     base, offset = low.access(where, MEMORY_SIZE[memory], location)
     low.emit(Store(location, base, offset, source, memory))
 
 
 def copy(low: Lowering, target: Place, source: Place, size: int, location: Location) -> None:
-    """Copies a struct."""
+    """Copy a struct."""
     if size > 0:
         to, of = low.address(target, location), low.address(source, location)
         low.emit(Copy(location, to, of, Constant("i32", size)))

@@ -1,13 +1,15 @@
-"""Lowers statements to blocks in the order of the source."""
+"""Lower statements to blocks in the order of the source."""
 
 from __future__ import annotations
+
+from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.lower.lowerer import (
-    STATEMENT,
     Lowering,
+    Rules,
     branch,
     effect,
     no_value,
@@ -19,8 +21,8 @@ from crs_cc.frontend.lower.memory import copy
 from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
 from crs_cc.ir.types import RecordType
 
-_MOST_CASES = 256
-"""A range of so many values becomes a comparison instead of cases."""
+_MAX_CASES = 256
+"""A case range with so many values becomes a comparison instead of single cases."""
 
 
 def _expression(low: Lowering, statement: tree.ExpressionStatement) -> None:
@@ -88,7 +90,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
         low.cases[label] = block
         if label.first is None or label.last is None:
             default = block
-        elif label.last - label.first < _MOST_CASES:
+        elif label.last - label.first < _MAX_CASES:
             values = range(label.first, label.last + 1)
             cases += [(wrap(each, bits, signed=True), block) for each in values]
         else:
@@ -103,7 +105,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
 def _test_range(
     low: Lowering, operand: Operand, ends: tuple[int, int], block: Block, location: Location
 ) -> None:
-    """Goes to `block` when a value lies in a range that is too long for single cases."""
+    """Branch to `block` if a value is in a case range that is too long for single cases."""
     (first, last), kind = ends, operand.type
     bits = 64 if kind == "i64" else 32
     start = Constant(kind, wrap(first, bits, signed=True))
@@ -136,7 +138,7 @@ def _goto(low: Lowering, statement: tree.Goto) -> None:
 
 
 def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
-    """Goes to the label of a number, by way of one switch for the whole function."""
+    """Jump to the label with a number through one switch for the whole function."""
     location = statement.location
     low.mark(location)
     operand = value(low, statement.target)
@@ -188,14 +190,18 @@ def _release(low: Lowering, release: tree.Expression | None) -> None:
         effect(low, release)
 
 
-STATEMENT[tree.ExpressionStatement] = _expression
-STATEMENT[tree.If] = _if
-STATEMENT[tree.Loop] = _loop
-STATEMENT[tree.Switch] = _switch
-STATEMENT[tree.CaseLabel] = _case
-STATEMENT[tree.Label] = _label
-STATEMENT[tree.Goto] = _goto
-STATEMENT[tree.ComputedGoto] = _computed_goto
-STATEMENT[tree.Break] = _break
-STATEMENT[tree.Continue] = _continue
-STATEMENT[tree.Return] = _return
+RULES: Final = Rules(
+    statement={
+        tree.ExpressionStatement: _expression,
+        tree.If: _if,
+        tree.Loop: _loop,
+        tree.Switch: _switch,
+        tree.CaseLabel: _case,
+        tree.Label: _label,
+        tree.Goto: _goto,
+        tree.ComputedGoto: _computed_goto,
+        tree.Break: _break,
+        tree.Continue: _continue,
+        tree.Return: _return,
+    },
+)

@@ -1,110 +1,91 @@
-"""Gives each declaration and each struct the attributes that stand around it.
+"""Attaches GNU attributes to the declarations and structs that they belong to.
 
 They go into the `attributes` of pycparser's `Decl`, `Typedef`, `Struct` and `Union` nodes, which
-it fills for C23 only.
+pycparser itself fills for C23 only.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import Any, Final
 
 from pycparser import c_ast
 
-from crs_cc.frontend.check.gnu_attributes import PACK, Attribute
-from crs_cc.frontend.parse.suspicious import Node, WarningParser
+from crs_cc.frontend.parse.gnu_attributes import Attribute
+from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.parse.token_stream import TokenStream
+from crs_cc.frontend.preprocess.gnu import PACK
 
-_OPERANDS = frozenset({"aligned", "constructor", "destructor"})
+_OPERANDS: Final = frozenset({"aligned", "constructor", "destructor"})
 """Attributes whose argument is an expression."""
 
+_SHARED: Final = "gnu_attributes"
+"""The key of the attributes in pycparser's dictionary of declaration specifiers."""
 
-class AttributeParser(WarningParser):
-    """The parser of declarations that collects attributes.
 
-    `_before` has them by the token that they stand before; whoever collects takes them out.
-    """
+class Attributes:
+    """The attributes of a file, by the token that they precede."""
 
-    _before: dict[Any, list[Attribute]]
+    def __init__(
+        self,
+        before: Mapping[Token, list[Attribute]],
+        stream: TokenStream,
+        parse_operand: Callable[[], Node],
+    ) -> None:
+        """Set up the collection.
 
-    def _taken(self, start: int, stop: int) -> list[Attribute]:
-        """Takes the attributes before some tokens, by the tokens' numbers."""
+        Args:
+            before: the attributes.
+            stream: the file.
+            parse_operand: parses an expression that is all there is in the stream.
+        """
+        self._before = dict(before)
+        self._stream = stream
+        self._parse_operand = parse_operand
+
+    def take(self, start: int, stop: int | None = None) -> list[Attribute]:
+        """Remove and return the attributes before some tokens.
+
+        Args:
+            start: the position of the first token.
+            stop: the position after the last one; if not given, after the next token.
+        """
         if not self._before:
             return []
         found: list[Attribute] = []
-        for token in self._buffer[start:stop]:
+        stream = self._stream
+        for token in stream.buffer[start : stream.index + 1 if stop is None else stop]:
             found += self._before.pop(token, [])
         for each in found:
             if each.name in _OPERANDS and each.words and each.value is None:
-                each.value = self._operand(each)
+                with stream.reading(each.words):
+                    each.value = self._parse_operand()
         return found
 
-    def _operand(self, attribute: Attribute) -> Node:
-        """Parses an attribute's argument."""
-        outside = self._buffer, self._index
-        self._buffer, self._index = [*attribute.words, *[None] * 64], 0
-        try:
-            node = self._parse_conditional_expression()
-            if self._peek() is not None:
-                self._parse_error("expected ')'", None)
-            return node
-        finally:
-            self._buffer, self._index = outside
-
-    def _parse_unary_expression(self) -> Node:
-        """Parses GNU's `__alignof__ expression` as `sizeof expression` is parsed, too."""
-        token = self._accept("_ALIGNOF")
-        if token is None:
-            return super()._parse_unary_expression()
-        found = self._try_parse_paren_type_name()
-        if found is not None and self._peek_type() != "LBRACE":
-            return c_ast.UnaryOp("_Alignof", found[0], token)
-        if found is not None:
-            self._reset(found[1])
-        return c_ast.UnaryOp("_Alignof", self._parse_unary_expression(), token)
-
-    def _parse_struct_or_union_specifier(self) -> Node:
-        start = self._index
-        begin = self._taken(start + 1, start + 3)
-        node = super()._parse_struct_or_union_specifier()
+    def attach_to_record(self, node: Node, found: list[Attribute]) -> None:
+        """Attach the attributes before a struct or union, and those after its members."""
         if node.decls is None:
-            begin = [each for each in begin if each.name != PACK]
+            found = [each for each in found if each.name != PACK]
         else:
-            begin += self._taken(self._index, self._index + 1)
-        node.attributes = begin
-        return node
+            found += self.take(self._stream.index)
+        node.attributes = found
 
-    def _parse_specifiers(self, *, allow_storage_and_function: bool) -> Any:
-        start = self._index
-        spec, saw_type, first = super()._parse_specifiers(
-            allow_storage_and_function=allow_storage_and_function
-        )
-        found = self._taken(start, self._index + 1)
+    def attach_to_specifiers(self, spec: Any, found: list[Attribute]) -> None:
+        """Attach attributes to declaration specifiers."""
         if spec is not None and found:
-            spec["gnu_attributes"] = found
-        return spec, saw_type, first
+            spec[_SHARED] = found
 
-    def _parse_declarator_kind(self, kind: str, allow_paren: bool) -> Node:
-        start = self._index
-        node = super()._parse_declarator_kind(kind, allow_paren)
-        self._add(node, self._taken(start + 1, self._index + 1))
-        return node
-
-    def _parse_struct_declarator(self) -> Any:
-        found = super()._parse_struct_declarator()
-        self._add(found["decl"], self._taken(self._index, self._index + 1))
-        return found
-
-    def _add(self, declarator: Node, found: list[Attribute]) -> None:
-        """Keeps the attributes of a declarator with its name until its declaration is made."""
+    def attach_to_declarator(self, declarator: Node, found: list[Attribute]) -> None:
+        """Attach attributes to a declarator's name until its declaration is built."""
         if found:
             while not isinstance(declarator, c_ast.TypeDecl):
                 declarator = declarator.type
             declarator.attributes = [*(declarator.attributes or []), *found]
 
-    def _build_declarations(
-        self, spec: Any, decls: Any, typedef_namespace: bool = False
-    ) -> list[Node]:
-        built: list[Node] = super()._build_declarations(spec, decls, typedef_namespace)
-        shared = spec.get("gnu_attributes", [])
+    def attach_to_declarations(self, spec: Any, built: list[Node]) -> None:
+        """Attach to each declaration the attributes of its specifiers and of its declarator."""
+        shared = spec.get(_SHARED, [])
         for node in built:
             inner = node.type
             while isinstance(inner, c_ast.PtrDecl | c_ast.ArrayDecl | c_ast.FuncDecl):
@@ -112,4 +93,3 @@ class AttributeParser(WarningParser):
             own = inner.attributes if isinstance(inner, c_ast.TypeDecl) else None
             if shared or own:
                 node.attributes = [*shared, *(own or [])]
-        return built

@@ -1,7 +1,7 @@
-"""The tokens of preprocessed C, all at once, for pycparser's parser.
+"""A lexer for preprocessed C that returns all tokens at once, for pycparser's parser.
 
-pycparser's own lexer tries several patterns at every character; this one needs a single pass of
-one pattern, a good part of the time to compile a file.
+pycparser's own lexer tries several patterns at every character. This one makes a single pass with
+one pattern, which saves a good part of the time to compile a file.
 
 >>> from crs_cc.core.source import Diagnostics, Location
 >>> tokens = lex("x += 0x1F;", lambda line, column: Location("a.c", line, column), Diagnostics())
@@ -21,7 +21,7 @@ Locate: TypeAlias = Callable[[int, int], Location]
 
 
 class Token:
-    """A token, and lazily its place: most tokens are never blamed.
+    """A token. Its location is computed on demand: most tokens are never reported.
 
     Attributes:
         type: pycparser's name for the kind of token.
@@ -42,19 +42,19 @@ class Token:
 
     @property
     def location(self) -> Location:
-        """Gives the place in the user's file."""
+        """The location in the user's file."""
         found = self._location
         if found is None:
             found = self._location = self._locate(self.lineno, self.column)
         return found
 
     def copy(self, type_: str, value: str) -> Token:
-        """Makes another token at the same place."""
+        """Return another token at the same location."""
         return Token(type_, value, self.lineno, self.column, self._locate)
 
 
 class Span:
-    """The tokens of an expression, from the first to the last, and lazily their place."""
+    """The tokens of an expression, from the first to the last; located on demand."""
 
     __slots__ = ("_location", "first", "last")
 
@@ -65,7 +65,7 @@ class Span:
 
     @property
     def location(self) -> Location:
-        """Gives the place of the first token, which knows where the last one begins."""
+        """The location of the first token, with the column of the last one."""
         found = self._location
         if found is None:
             start, end = self.first.location, self.last.location
@@ -126,12 +126,12 @@ _FLOATING: Final = re.compile(
 
 
 def lex(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Token]:
-    """Gives the tokens of a preprocessed file.
+    """Return the tokens of a preprocessed file.
 
     Args:
         text: the text, without comments and directives.
-        locate: gives the user's place for a line and column of the text.
-        diagnostics: takes errors; what cannot be a token is left out.
+        locate: returns the user's location for a line and column of the text.
+        diagnostics: receives errors; invalid tokens are left out.
     """
     tokens: list[Token] = []
     append = tokens.append
@@ -157,7 +157,7 @@ def lex(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Token]:
 
 
 def _constant_type(kind: int, value: str) -> str:
-    """Gives the type of a constant, "" when it is none."""
+    """Return the type of a constant, "" if it is invalid."""
     if kind == _STRING:
         return "STRING_LITERAL"
     if kind == _CHARACTER:
@@ -172,7 +172,7 @@ def _constant_type(kind: int, value: str) -> str:
 
 
 def _complaint(kind: int, value: str) -> str:
-    """Says what is wrong with a token that cannot be one."""
+    """Return the message for an invalid token."""
     if kind != _NUMBER:
         if value in {"'", '"'}:
             return f"missing terminating {value} character"

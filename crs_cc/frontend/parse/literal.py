@@ -1,4 +1,4 @@
-r"""Numbers, characters and strings as C spells them (C17 6.4.4, 6.4.5).
+r"""The values of constants and string literals (C17 6.4.4, 6.4.5).
 
 >>> value, ctype = number("0x80000000u")
 >>> value, str(ctype)
@@ -31,7 +31,7 @@ from crs_cc.ir.types import (
     IntegerType,
 )
 
-_MOST_DIGITS: Final = 100
+_MAX_DIGITS: Final = 100
 _SUFFIX: Final = re.compile(r"[uUlL]*$")
 _DECIMAL: Final = {"": (INT, LONG, LLONG), "l": (LONG, LLONG), "ll": (LLONG,)}
 _ANY_SIGN: Final = {
@@ -53,10 +53,10 @@ _ELEMENT: Final = {None: CHAR, "": CHAR, "u8": CHAR, "L": INT, "u": USHORT, "U":
 
 @lru_cache(maxsize=4096)
 def number(text: str) -> tuple[int | float, IntegerType | FloatType]:
-    """Gives the value and type of an integer or floating constant.
+    """Return the value and type of an integer or floating constant.
 
     Raises:
-        ValueError: when no type can hold the value.
+        ValueError: no type can represent the value.
     """
     text = text.replace("'", "")
     is_hex = text[:2] in {"0x", "0X"}
@@ -78,7 +78,7 @@ def _floating(digits: str, suffix: str, convert: Callable[[str], float]) -> tupl
 
 
 def single(value: float) -> float:
-    """Rounds to the nearest `float`; too large a value becomes infinite (C17 6.3.1.5)."""
+    """Round to the nearest `float`; too large a value becomes infinite (C17 6.3.1.5)."""
     try:
         return float(struct.unpack("<f", struct.pack("<f", value))[0])
     except OverflowError:
@@ -91,7 +91,7 @@ def _integer(text: str) -> tuple[int, IntegerType]:
     digits = text[: len(text) - len(suffix)]
     prefix = digits[:2].lower()
     base = {"0x": 16, "0b": 2}.get(prefix, 8 if digits[0] == "0" else 10)
-    if len(digits) > _MOST_DIGITS:
+    if len(digits) > _MAX_DIGITS:
         raise ValueError("integer constant is too large for any type")
     value = int(digits[2:] if base in {16, 2} else digits, base)
     length = suffix.count("l") * "l"
@@ -109,10 +109,10 @@ def _integer(text: str) -> tuple[int, IntegerType]:
 
 @lru_cache(maxsize=1024)
 def character(text: str) -> tuple[int, IntegerType]:
-    """Gives the value and type of a character constant; `'ab'` is `'a' * 256 + 'b'`, as in gcc.
+    """Return the value and type of a character constant; `'ab'` is `'a' * 256 + 'b'`, as in gcc.
 
     Raises:
-        ValueError: when it holds no character or a number that is too large.
+        ValueError: it is empty or contains a number that is too large.
     """
     prefix, body = _split(text)
     units = _units(body, prefix)
@@ -131,10 +131,10 @@ def character(text: str) -> tuple[int, IntegerType]:
 
 @lru_cache(maxsize=1024)
 def string(text: str) -> tuple[bytes, IntegerType]:
-    """Gives the bytes of adjacent string literals, with the final zero, and the element type.
+    """Return the bytes of adjacent string literals, with the final zero, and the element type.
 
     Raises:
-        ValueError: when a number in it is too large for an element.
+        ValueError: a number in it is too large for an element.
     """
     prefix, _ = _split(text)
     element = _ELEMENT[prefix]
@@ -152,12 +152,12 @@ def _split(text: str) -> tuple[str, str]:
 
 
 def _parts(text: str) -> list[str]:
-    """Gives what lies between the quotes of each of several adjacent literals."""
+    """Return the text between the quotes of each of several adjacent literals."""
     return [found.group(1) for found in re.finditer(r'"((?:[^"\\]|\\.)*)"', text, re.DOTALL)]
 
 
 def _units(body: str, prefix: str) -> list[int]:
-    """Gives the numbers of the array elements that a literal's text stands for."""
+    """Return the array elements that a literal's text denotes, as numbers."""
     units: list[int] = []
     position = 0
     for found in _ESCAPE.finditer(body):
@@ -186,7 +186,7 @@ def _escape(found: re.Match[str], prefix: str) -> list[int]:
 
 
 def _encoded(text: str, prefix: str) -> list[int]:
-    """Encodes plain characters: UTF-8 for `char`, else UTF-16 or UTF-32 (as gcc does)."""
+    """Encode plain characters: UTF-8 for `char`, else UTF-16 or UTF-32 (as gcc does)."""
     size = _ELEMENT[prefix].size
     if size == 1:
         return list(text.encode("utf-8", "surrogateescape"))

@@ -1,4 +1,4 @@
-"""How much work macros may cause: a few lines can expand to more than any memory holds.
+"""A limit for macro expansion: a few lines can expand to more than fits into memory.
 
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
 >>> budget = Budget(left=1000)
@@ -16,17 +16,17 @@ from typing import Final
 from crs_cc.frontend.preprocess.source_text import Place
 from crs_cc.frontend.preprocess.tokens import Token
 
-LEAST: Final = 200_000
-"""How many tokens the expansions of a run may move, however little source there is."""
-PER_CHARACTER: Final = 10
-"""How many more for each character of source: what is long may be so in its macros, too."""
+MIN_TOKENS: Final = 200_000
+"""How many tokens expansions may move, however short the source is."""
+TOKENS_PER_CHARACTER: Final = 10
+"""How many more they may move for each character of source."""
 
 
 class ExhaustedError(Exception):
     """The budget is used up.
 
     Attributes:
-        place: the macro's call that needed more.
+        place: the macro call that exceeded it.
     """
 
     def __init__(self, place: Place) -> None:
@@ -36,23 +36,23 @@ class ExhaustedError(Exception):
 
 @dataclass(slots=True)
 class Budget:
-    """What is left of the work that macros may cause.
+    """The number of tokens that expansions may still move.
 
     Attributes:
-        left: tokens; 4 characters of a long token count as one.
+        left: the number; 4 characters of a long token count as one.
     """
 
-    left: int = LEAST
+    left: int = MIN_TOKENS
 
     def grow(self, characters: int) -> None:
-        """Adds what so much source may cause."""
-        self.left += PER_CHARACTER * characters
+        """Raise the limit for further source text."""
+        self.left += TOKENS_PER_CHARACTER * characters
 
     def spend(self, tokens: Sequence[Token], place: Place) -> None:
-        """Pays for moving tokens, and a token's price for the move itself.
+        """Count tokens that are moved, and one more for the move itself.
 
         Raises:
-            ExhaustedError: there is not enough left.
+            ExhaustedError: the limit is exceeded.
         """
         self.left -= 1 + sum([1 + (len(token.text) >> 2) for token in tokens])
         if self.left < 0:

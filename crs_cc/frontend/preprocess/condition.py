@@ -1,8 +1,8 @@
 """The value of the expression after `#if` (C17 6.10.1).
 
-All arithmetic is done in `intmax_t` and `uintmax_t`, 64 bits. Operators wait on a stack until one
-of lower precedence comes, so that no nesting is too deep. A value carries what went wrong in it:
-`0 && 1/0` is well, because the right side is not evaluated.
+All arithmetic is done in `intmax_t` and `uintmax_t`, 64 bits. Operators are kept on a stack until
+one of lower precedence follows, so that the depth of nesting is not limited. An error is part of
+the value: `0 && 1/0` is valid because the right side is not evaluated.
 
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
 >>> evaluate(tokenise("(1 << 4) + 0x10 > 31 && -1 > 0u", 0))
@@ -11,7 +11,7 @@ True
 True
 >>> evaluate(tokenise("1 +", 0))
 Traceback (most recent call last):
-crs_cc.frontend.preprocess.condition.ConditionError: the expression ends too early
+crs_cc.frontend.preprocess.condition.ConditionError: unexpected end of the expression
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ class ConditionError(Exception):
     """The expression has no value.
 
     Attributes:
-        place: where it goes wrong; none for its end.
-        hint: what the user can do.
+        place: the place of the error; None for the end of the expression.
+        hint: a hint for the user.
     """
 
     def __init__(self, place: Place | None, text: str, hint: str = "") -> None:
@@ -59,7 +59,7 @@ class ConditionError(Exception):
 
 
 class _Operator(NamedTuple):
-    """An operator that waits: `(`, a unary one as `-x`, a binary one, or `?` and then `?:`."""
+    """A pending operator: `(`, a unary one such as `-x`, a binary one, or `?` and then `?:`."""
 
     text: str
     precedence: int
@@ -67,13 +67,13 @@ class _Operator(NamedTuple):
 
 
 def evaluate(tokens: Sequence[Token]) -> bool:
-    """Tells whether an expression is not 0; all macros in it must have been replaced.
+    """Return whether an expression is not 0; all macros in it must have been replaced.
 
     Raises:
         ConditionError: it has no value.
     """
     if not tokens:
-        raise ConditionError(None, "there is no expression")
+        raise ConditionError(None, "expected an expression")
     value = _Evaluation().value(tokens)
     if value.problem:
         raise ConditionError(value.place, value.problem)
@@ -81,7 +81,7 @@ def evaluate(tokens: Sequence[Token]) -> bool:
 
 
 class _Evaluation:
-    """The stacks of operands and of operators that wait."""
+    """The stacks of operands and of pending operators."""
 
     def __init__(self) -> None:
         self.values: list[Value] = []
@@ -96,16 +96,16 @@ class _Evaluation:
             else:
                 operand_next = self._operator(token)
         if operand_next:
-            raise ConditionError(None, "the expression ends too early")
+            raise ConditionError(None, "unexpected end of the expression")
         self._apply_down_to(0)
         if self.operators:
             waiting = self.operators[-1]
             partner = ")" if waiting.text == "(" else ":"
-            raise ConditionError(waiting.place, f"'{waiting.text}' has no '{partner}'")
+            raise ConditionError(waiting.place, f"missing '{partner}' for '{waiting.text}'")
         return self.values[0]
 
     def _operand(self, token: Token, follower: str) -> bool:
-        """Takes a token where an operand must begin; tells whether one must still follow."""
+        """Read a token where an operand must start; return whether one must still follow."""
         text = token.text
         if token.kind == NAME:
             if follower == "(":
@@ -121,11 +121,11 @@ class _Evaluation:
         if text == "(":
             self.operators.append(_Operator(text, -1, token.place))
             return True
-        what = "a string" if token.kind == STRING else f"'{shown(text)}'"
-        raise ConditionError(token.place, f"{what} cannot stand here in the expression")
+        what = "string" if token.kind == STRING else f"'{shown(text)}'"
+        raise ConditionError(token.place, f"unexpected {what} in the expression")
 
     def _operator(self, token: Token) -> bool:
-        """Takes a token that follows an operand; tells whether an operand must come next."""
+        """Read a token after an operand; return whether an operand must follow."""
         text = token.text
         if text in (")", ":"):
             opening = "(" if text == ")" else "?"
@@ -145,7 +145,7 @@ class _Evaluation:
         return True
 
     def _apply_down_to(self, level: int) -> None:
-        """Applies the operators that bind at least so tightly, up to a `(` or `?` that is open."""
+        """Apply the operators of at least this precedence, up to an open `(` or `?`."""
         while self.operators:
             top = self.operators[-1]
             if top.text in ("(", "?") or top.precedence < level:
@@ -174,7 +174,7 @@ def _unary(operator: str, value: Value) -> Value:
 
 
 def _choose(condition: Value, left: Value, right: Value) -> Value:
-    """Gives the value of `condition ? left : right`, of their common type."""
+    """Return the value of `condition ? left : right` in their common type."""
     chosen = left if condition.number else right
     chosen = chosen.with_number(chosen.number, unsigned=left.unsigned or right.unsigned)
     return condition if condition.problem else chosen
@@ -207,7 +207,7 @@ def _binary(operator: _Operator, left: Value, right: Value) -> Value:
 
 
 def _shifted(number: int, count: int) -> int:
-    """Shifts left, or right by a negative count; a count above 63 takes all bits (as gcc does)."""
+    """Shift left, or right if negative; a count above 63 shifts out all bits (as in gcc)."""
     return number << min(count, 64) if count >= 0 else number >> min(-count, 64)
 
 
@@ -216,12 +216,12 @@ def resolve_operators(
     is_defined: Callable[[str], bool],
     has_header: Callable[[str, Token], bool],
 ) -> list[Token]:
-    """Replaces `defined NAME`, `defined(NAME)` and `__has_include(...)` by 0 or 1.
+    """Replace `defined NAME`, `defined(NAME)` and `__has_include(...)` by 0 or 1.
 
     Args:
         tokens: the expression.
-        is_defined: tells whether a name is a macro.
-        has_header: tells whether a header, as `"a.h"` or `<a.h>`, exists.
+        is_defined: returns whether a name is a macro.
+        has_header: returns whether a header, such as `"a.h"` or `<a.h>`, exists.
 
     Raises:
         ConditionError: one of them is not well-formed.
@@ -248,11 +248,11 @@ def _operand_of_defined(tokens: Sequence[Token], index: int) -> tuple[str, int]:
     in_parentheses = index + 1 < len(tokens) and tokens[index + 1].text == "("
     at = index + 2 if in_parentheses else index + 1
     if at >= len(tokens) or tokens[at].kind != NAME:
-        raise ConditionError(tokens[index].place, "'defined' needs a name after it")
+        raise ConditionError(tokens[index].place, "'defined' must be followed by a name")
     if not in_parentheses:
         return tokens[at].text, at + 1
     if at + 1 >= len(tokens) or tokens[at + 1].text != ")":
-        raise ConditionError(tokens[index].place, "'defined' has no ')' after the name")
+        raise ConditionError(tokens[index].place, "missing ')' after 'defined'")
     return tokens[at].text, at + 2
 
 
@@ -260,7 +260,7 @@ def _operand_of_has_include(tokens: Sequence[Token], index: int) -> tuple[str, i
     place = tokens[index].place
     inside = [each.text for each in tokens[index + 1 : index + 3]]
     if len(inside) < 2 or inside[0] != "(":
-        raise ConditionError(place, "'__has_include' needs a header in parentheses")
+        raise ConditionError(place, "'__has_include' must be followed by a header in parentheses")
     end = index + 2
     if tokens[end].kind == STRING:
         end += 1
@@ -269,5 +269,5 @@ def _operand_of_has_include(tokens: Sequence[Token], index: int) -> tuple[str, i
             end += 1
         end += 1
     if end >= len(tokens) or tokens[end].text != ")":
-        raise ConditionError(place, "'__has_include' has no ')' after the header")
+        raise ConditionError(place, "missing ')' after '__has_include'")
     return spell(tokens[index + 2 : end]), end + 1

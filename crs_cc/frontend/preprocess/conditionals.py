@@ -3,7 +3,7 @@
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> from pathlib import Path
 >>> reader = Reader(Places().add("a.c", ""), Path("."))
->>> begin(reader, "#if", 0, holds=False)
+>>> open_group(reader, "#if", 0, holds=False)
 >>> reader.skipping
 True
 """
@@ -17,18 +17,18 @@ from crs_cc.frontend.preprocess.report import Report
 from crs_cc.frontend.preprocess.source_text import Place
 
 
-def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
-    """Opens a group, whose first part is used if its condition holds."""
+def open_group(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
+    """Open a group, whose first part is used if its condition is true."""
     skipped = reader.skipping
     active = holds and not skipped
     reader.conditionals.append(Conditional(directive, place, active, skipped or active))
 
 
-def go_on(
+def start_elif(
     reader: Reader, directive: str, place: Place, report: Report, holds: Callable[[], bool]
 ) -> None:
-    """Begins the next part, as `#elif` does; the condition counts only if no part was used."""
-    group = _open_group(reader, directive, place, report)
+    """Start the next part, as `#elif` does; the condition matters only if no part was used."""
+    group = _innermost(reader, directive, place, report)
     if group is None:
         return
     if group.else_place is not None:
@@ -38,9 +38,9 @@ def go_on(
     group.done = group.done or group.active
 
 
-def otherwise(reader: Reader, place: Place, report: Report) -> None:
-    """Begins the last part, as `#else` does."""
-    group = _open_group(reader, "#else", place, report)
+def start_else(reader: Reader, place: Place, report: Report) -> None:
+    """Start the last part, as `#else` does."""
+    group = _innermost(reader, "#else", place, report)
     if group is None:
         return
     if group.else_place is not None:
@@ -51,19 +51,19 @@ def otherwise(reader: Reader, place: Place, report: Report) -> None:
     group.else_place = place
 
 
-def finish(reader: Reader, place: Place, report: Report) -> None:
-    """Closes a group, as `#endif` does."""
-    if _open_group(reader, "#endif", place, report) is not None:
+def end_group(reader: Reader, place: Place, report: Report) -> None:
+    """Close a group, as `#endif` does."""
+    if _innermost(reader, "#endif", place, report) is not None:
         reader.conditionals.pop()
 
 
 def close_all(reader: Reader, report: Report) -> None:
-    """Reports the groups that are open at the end of a file."""
+    """Report the groups that are open at the end of a file."""
     for group in reversed(reader.conditionals):
-        report.error(group.place, f"this '{group.directive}' has no '#endif'")
+        report.error(group.place, f"unterminated '{group.directive}': missing '#endif'")
 
 
-def _open_group(reader: Reader, directive: str, place: Place, report: Report) -> Conditional | None:
+def _innermost(reader: Reader, directive: str, place: Place, report: Report) -> Conditional | None:
     if not reader.conditionals:
         report.error(place, f"'{directive}' without an '#if' before it")
         return None

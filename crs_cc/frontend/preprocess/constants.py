@@ -34,8 +34,8 @@ class Value(NamedTuple):
     Attributes:
         number: the value.
         unsigned: its type.
-        problem: why there is no value, empty if there is one.
-        place: where the problem is.
+        problem: the error in it; "" if there is none.
+        place: the place of the error.
     """
 
     number: int
@@ -44,7 +44,7 @@ class Value(NamedTuple):
     place: Place | None = None
 
     def with_number(self, number: int, *, unsigned: bool) -> Value:
-        """Gives a number, reduced to a type's range, with the same problem."""
+        """Return the value of a number reduced to the type's range, with the same error."""
         number &= (1 << 64) - 1
         if not unsigned and number >> 63:
             number -= 1 << 64
@@ -52,7 +52,7 @@ class Value(NamedTuple):
 
 
 def constant(token: Token) -> Value:
-    """Gives the value of a number or character constant; a value with a problem if it has none."""
+    """Return the value of a number or character constant; one with an error if it is invalid."""
     if token.kind == CHARACTER:
         return _character(token)
     match = INTEGER.fullmatch(token.text)
@@ -69,14 +69,14 @@ def constant(token: Token) -> Value:
 
 
 def _character(token: Token) -> Value:
-    """Gives a character constant's value; as in gcc, `'ab'` is `'a' * 256 + 'b'`."""
+    """Return a character constant's value; as in gcc, `'ab'` is `'a' * 256 + 'b'`."""
     prefix, _, rest = token.text.partition("'")
     width = _WIDTH[prefix]
     units: list[int] = []
     for match in _ESCAPE.finditer(rest[:-1]):
         units += _units(match, width)
     if not units:
-        return Value(0, unsigned=False, problem="an empty character constant", place=token.place)
+        return Value(0, unsigned=False, problem="empty character constant", place=token.place)
     number = 0
     for unit in units[-4:]:
         number = (number << 8 | unit & 0xFF) if width == 8 else unit & ((1 << width) - 1)
@@ -88,7 +88,7 @@ def _character(token: Token) -> Value:
 
 
 def _units(match: re.Match[str], width: int) -> list[int]:
-    """Gives the code units of one character or escape sequence."""
+    """Return the code units of one character or escape sequence."""
     if match["octal"]:
         return [int(match["octal"], 8)]
     if match["hex"]:

@@ -1,4 +1,4 @@
-"""What each `#` line does (C17 6.10).
+"""Preprocessing directives (C17 6.10).
 
 >>> sorted(_IN_SKIPPED_GROUPS - {"if", "ifdef", "ifndef"})
 ['elif', 'elifdef', 'elifndef', 'else', 'endif']
@@ -12,9 +12,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend.check.gnu_attributes import KEYWORD, PACK
 from crs_cc.frontend.preprocess import conditionals
 from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_operators
+from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
 from crs_cc.frontend.preprocess.includes import Refusal
 from crs_cc.frontend.preprocess.macros import RESERVED, read_definition
 from crs_cc.frontend.preprocess.source_text import Place
@@ -31,13 +31,13 @@ MAX_LINE: Final = (1 << 31) - 1
 
 @dataclass(slots=True)
 class _Line:
-    """A directive's line.
+    """A line with a directive.
 
     Attributes:
         name: the directive.
-        place: where its `#` is.
+        place: the place of its `#`.
         rest: the text after the name.
-        rest_place: where that begins.
+        rest_place: the place of that text.
     """
 
     name: str
@@ -50,19 +50,19 @@ class _Line:
 
 
 def run_directive(state: State, text: str, place: Place) -> bool:
-    """Does what a line says, if it is a directive.
+    """Execute a line if it is a directive.
 
     Args:
         state: the run.
         text: the line.
-        place: where it begins.
+        place: its place.
 
     Returns:
-        whether it is one.
+        Whether it is one.
 
     Raises:
-        StopError: the run cannot go on.
-        ExhaustedError: macros in it expand to too much.
+        StopError: preprocessing cannot continue.
+        ExhaustedError: macros in it expand to too many tokens.
     """
     match = _DIRECTIVE.match(text)
     if match is None:
@@ -73,7 +73,7 @@ def run_directive(state: State, text: str, place: Place) -> bool:
         return True
     if line.name.isdigit():
         line.rest, line.rest_place = match[1] + line.rest, place + match.start(1)
-        _line(state, line)  # as another preprocessor leaves it: # 12 "file.c"
+        _line(state, line)  # the output of another preprocessor: # 12 "file.c"
     elif line.name in _DIRECTIVES:
         _DIRECTIVES[line.name](state, line)
     elif line.name or line.rest.strip():
@@ -81,15 +81,15 @@ def run_directive(state: State, text: str, place: Place) -> bool:
         close = difflib.get_close_matches(name, _DIRECTIVES, n=1)
         hint = f"did you mean '#{close[0]}'?" if close else ""
         if name in _ASSERTIONS:
-            hint = "gcc itself gave assertions up; define a macro instead"
-        state.report.error(hash_place, f"there is no directive '#{shown(name)}'", hint)
+            hint = "assertions are obsolete in gcc; define a macro instead"
+        state.report.error(hash_place, f"unknown directive '#{shown(name)}'", hint)
     return True
 
 
 def _define(state: State, line: _Line) -> None:
     tokens = line.tokens()
     if not tokens:
-        state.report.error(line.place, "'#define' needs a name")
+        state.report.error(line.place, "'#define' must be followed by a name")
         return
     macro = read_definition(tokens, state.report)
     if macro is not None:
@@ -105,19 +105,20 @@ def _undef(state: State, line: _Line) -> None:
         return
     macro = state.macros.get(name.text)
     if macro is not None and macro.dynamic is not None:
-        state.report.warning(name.place, f"the built-in macro '{name.text}' is undefined")
+        state.report.warning(name.place, f"undefining builtin macro '{name.text}'")
     state.undefine(name.text)
 
 
 def _only_name(state: State, line: _Line) -> Token | None:
-    """Gives the one name that a directive takes."""
+    """Return the only operand of a directive, a name."""
     tokens = line.tokens()
     if not tokens:
-        state.report.error(line.place, f"'#{line.name}' needs a name")
+        state.report.error(line.place, f"'#{line.name}' must be followed by a name")
         return None
     if tokens[0].kind != NAME:
         state.report.error(
-            tokens[0].place, f"'#{line.name}' needs a name, not '{shown(tokens[0].text)}'"
+            tokens[0].place,
+            f"'#{line.name}' must be followed by a name, not '{shown(tokens[0].text)}'",
         )
         return None
     _demand_end(state, line, tokens[1:])
@@ -146,23 +147,23 @@ def _include(state: State, line: _Line) -> None:
             state.report.error(place, found.text, found.hint)
             return
         meant, found = ours
-        state.report.warning(place, f"'{shown(name)}' is not found; '{meant}' is taken for it")
+        state.report.warning(place, f"'{shown(name)}' not found; using '{meant}'")
     state.include(found, place)
 
 
 def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
-    """Gives a header's name, whether it stands in quotes, and its place (C17 6.10.2)."""
+    """Return a header's name, whether it is quoted, and its place (C17 6.10.2)."""
     rest, place = line.rest, line.rest_place
     match = _HEADER.match(rest)
     if match is None:
         tokens = state.expand(line.tokens())
         if not tokens:
-            state.report.error(line.place, f"'#{line.name}' needs a header's name")
+            state.report.error(line.place, f"'#{line.name}' must be followed by a header's name")
             return None
         rest, place = spell(tokens), tokens[0].place
         match = _HEADER.match(rest)
         if match is None:
-            state.report.error(place, 'a header is named as "name.h" or <name.h>')
+            state.report.error(place, 'write "name.h" or <name.h>')
             return None
         after = []
     else:
@@ -173,7 +174,7 @@ def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
 
 
 def _condition(state: State, line: _Line) -> bool:
-    """Gives the value of the expression after `#if` or `#elif`."""
+    """Return the value of the expression after `#if` or `#elif`."""
 
     def is_defined(name: str) -> bool:
         return name in state.macros or name == "__has_include"
@@ -181,7 +182,7 @@ def _condition(state: State, line: _Line) -> bool:
     def has_header(header: str, token: Token) -> bool:
         match = _HEADER.fullmatch(header)
         if match is None:
-            raise ConditionError(token.place, 'a header is named as "name.h" or <name.h>')
+            raise ConditionError(token.place, 'write "name.h" or <name.h>')
         name, quoted = match[1] or match[2] or "", match[1] is not None
         found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
         return not isinstance(found, Refusal)
@@ -198,16 +199,16 @@ def _condition(state: State, line: _Line) -> bool:
 
 def _if(state: State, line: _Line) -> None:
     holds = not state.reader.skipping and _condition(state, line)
-    conditionals.begin(state.reader, f"#{line.name}", line.place, holds=holds)
+    conditionals.open_group(state.reader, f"#{line.name}", line.place, holds=holds)
 
 
 def _ifdef(state: State, line: _Line) -> None:
     holds = not state.reader.skipping and _names_a_macro(state, line)
-    conditionals.begin(state.reader, f"#{line.name}", line.place, holds=holds)
+    conditionals.open_group(state.reader, f"#{line.name}", line.place, holds=holds)
 
 
 def _names_a_macro(state: State, line: _Line) -> bool:
-    """Tells whether the condition of `#ifdef`, `#ifndef` and their `#elif` forms holds."""
+    """Return the condition of `#ifdef`, `#ifndef` and their `#elif` forms."""
     name = _only_name(state, line)
     if name is None:
         return False
@@ -217,19 +218,19 @@ def _names_a_macro(state: State, line: _Line) -> bool:
 
 def _elif(state: State, line: _Line) -> None:
     judge = _condition if line.name == "elif" else _names_a_macro
-    conditionals.go_on(
+    conditionals.start_elif(
         state.reader, f"#{line.name}", line.place, state.report, lambda: judge(state, line)
     )
 
 
 def _else(state: State, line: _Line) -> None:
     _demand_end(state, line, line.tokens())
-    conditionals.otherwise(state.reader, line.place, state.report)
+    conditionals.start_else(state.reader, line.place, state.report)
 
 
 def _endif(state: State, line: _Line) -> None:
     _demand_end(state, line, line.tokens())
-    conditionals.finish(state.reader, line.place, state.report)
+    conditionals.end_group(state.reader, line.place, state.report)
 
 
 def _error(state: State, line: _Line) -> None:
@@ -241,11 +242,11 @@ def _warning(state: State, line: _Line) -> None:
 
 
 def _line(state: State, line: _Line) -> None:
-    """Changes what `__LINE__` and `__FILE__` give (C17 6.10.4); messages keep the true place."""
+    """Set `__LINE__` and `__FILE__` (C17 6.10.4); messages keep the real location."""
     tokens = state.expand(line.tokens())
     digits = tokens[0].text if tokens else ""
     if not (digits.isdigit() and digits.isascii() and len(digits) <= 10):
-        state.report.error(line.place, "'#line' needs a line number")
+        state.report.error(line.place, "'#line' must be followed by a line number")
         return
     number = int(digits)
     if not 0 <= number <= MAX_LINE:
@@ -253,7 +254,7 @@ def _line(state: State, line: _Line) -> None:
         return
     if len(tokens) > 1:
         if tokens[1].kind != STRING or tokens[1].text[0] != '"':
-            state.report.error(tokens[1].place, "'#line' needs a file name in quotes")
+            state.report.error(tokens[1].place, "the file name of '#line' must be in quotes")
             return
         state.reader.presumed_name = re.sub(r"\\(.)", r"\1", tokens[1].text[1:-1])
     reader = state.reader
@@ -262,11 +263,11 @@ def _line(state: State, line: _Line) -> None:
 
 
 def _pragma(state: State, line: _Line) -> None:
-    state.pending += obey_pragma(state, line.tokens())
+    state.pending += execute_pragma(state, line.tokens())
 
 
-def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
-    """Does what a `#pragma` says, and gives the tokens that stand for it in the program."""
+def execute_pragma(state: State, tokens: list[Token]) -> list[Token]:
+    """Execute a `#pragma`, and return the tokens that represent it in the program."""
     name = tokens[0].text if tokens else ""
     if name == "once":
         if state.reader.header is not None:
@@ -282,9 +283,11 @@ def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
 
 
 def _keep_macro(state: State, tokens: list[Token]) -> None:
-    """Does what `#pragma push_macro("NAME")` or `pop_macro` says."""
+    """Execute `#pragma push_macro("NAME")` or `pop_macro`."""
     if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
-        state.report.warning(tokens[0].place, f"'#pragma {tokens[0].text}' needs a name in quotes")
+        state.report.warning(
+            tokens[0].place, f"'#pragma {tokens[0].text}' must be followed by a name in quotes"
+        )
         return
     name = tokens[2].text.strip('"')
     kept = state.kept_macros.setdefault(name, [])
@@ -298,7 +301,7 @@ def _keep_macro(state: State, tokens: list[Token]) -> None:
 
 
 def _ignore(_state: State, _line: _Line) -> None:
-    """Does nothing: `#ident` and `#sccs` were marks in object files."""
+    """Ignore `#ident` and `#sccs`, which put comments into object files."""
 
 
 _DIRECTIVES: Final[dict[str, Callable[[State, _Line], None]]] = {

@@ -1,4 +1,4 @@
-"""Macros whose value depends on where they stand: `__LINE__`, `__FILE__`, `__COUNTER__`.
+"""Macros whose value depends on their place: `__LINE__`, `__FILE__`, `__COUNTER__`.
 
 >>> from pathlib import Path
 >>> from crs_cc.frontend.preprocess.includes import Headers
@@ -22,7 +22,7 @@ from crs_cc.frontend.preprocess.tokens import NUMBER, STRING, Token
 
 
 def dynamic_macros(state: State) -> list[Macro]:
-    """Makes these macros for a run."""
+    """Return these macros for a run."""
     counter = count()
 
     def line(token: Token) -> str:

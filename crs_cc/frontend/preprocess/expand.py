@@ -1,11 +1,11 @@
 """Macro replacement (C17 6.10.3), without recursion.
 
-Tokens are read from a stack of contexts: what a macro was replaced by lies on top of what follows
-its call. While a context is on the stack its macro is *active*, and a name of an active macro that
-is read is painted: it is never replaced again. An argument that must be expanded before it is put
-into the body is a job of its own, and its call waits for it; so the depth of nested calls costs
-memory, not stack. The order in which macros become active and inactive is that of gcc, which
-decides the cases that the standard leaves open.
+Tokens are read from a stack of contexts: the replacement of a macro is on top of what follows its
+call. While a context is on the stack its macro is *active*, and the name of an active macro is
+painted when it is read: it is never replaced again. An argument that must be expanded before it is
+substituted is a separate job, for which the call waits; so the depth of nested calls takes memory,
+not stack. Macros become active and inactive in the same order as in gcc, which decides the cases
+that the standard leaves unspecified.
 
 >>> from crs_cc.frontend.preprocess.macros import read_definition
 >>> from crs_cc.frontend.preprocess.source_text import Places
@@ -30,10 +30,10 @@ from crs_cc.frontend.preprocess.substitute import substitute
 from crs_cc.frontend.preprocess.tokens import NAME, Token
 
 MoreTokens = Callable[[], list[Token] | None]
-"""Gives the tokens of the next line, and none at the end of the file."""
+"""Returns the tokens of the next line, None at the end of the file."""
 
 MacroUses = dict[Place, list[Macro]]
-"""The macros that were replaced at a place: the one that was called, and those in its body."""
+"""The macros that were replaced at a place: the one that was called and those in its body."""
 
 
 def expand(
@@ -45,15 +45,15 @@ def expand(
     *,
     uses: MacroUses | None = None,
 ) -> list[Token]:
-    """Replaces all macros in tokens.
+    """Replace all macros in tokens.
 
     Args:
         tokens: a line.
         macros: the macros, by name; `more` may change them.
-        budget: what pays for it.
-        report: hears of wrong calls.
-        more: gives the next line when a call does not end on this one.
-        uses: takes note of what is replaced.
+        budget: the limit for expansion.
+        report: receives messages about invalid calls.
+        more: returns the next line if a call does not end on this one.
+        uses: records the macros that are replaced.
 
     Raises:
         ExhaustedError: the budget is used up.
@@ -64,7 +64,7 @@ def expand(
 
 @dataclass(slots=True)
 class _Context:
-    """Tokens to read, and the macro that they came from."""
+    """Tokens to read, and the macro that they come from."""
 
     tokens: Iterator[Token]
     macro: str = ""
@@ -72,7 +72,7 @@ class _Context:
 
 @dataclass(slots=True)
 class _Job:
-    """A list of tokens that is being expanded, as an argument of a call or as a line."""
+    """A list of tokens that is being expanded: an argument of a call, or a line."""
 
     contexts: list[_Context]
     call: _Call | None = None
@@ -82,7 +82,7 @@ class _Job:
 
 @dataclass(slots=True)
 class _Call:
-    """A macro's call that waits for its arguments to be expanded."""
+    """A macro call that waits for its arguments to be expanded."""
 
     job: _Job
     macro: Macro
@@ -123,7 +123,7 @@ class _Expansion:
                 return job.output
 
     def _read_to_macro(self, job: _Job) -> Token | None:
-        """Puts out what is no macro; gives the next name of a macro, none at the end."""
+        """Output tokens up to the next macro; return its name, None at the end."""
         output, macros, active = job.output, self.macros, self.active
         while job.contexts:
             for token in job.contexts[-1].tokens:
@@ -140,7 +140,7 @@ class _Expansion:
         return None
 
     def _read(self, job: _Job) -> Token | None:
-        """Gives the next token, none at the end of what is there."""
+        """Return the next token, None at the end of the contexts."""
         contexts = job.contexts
         while contexts:
             for token in contexts[-1].tokens:
@@ -149,7 +149,7 @@ class _Expansion:
         return None
 
     def _read_on(self, job: _Job) -> Token | None:
-        """Gives the next token, from the next line if need be, none at the end of the file."""
+        """Return the next token, from the next line if necessary, None at the end of the file."""
         while (token := self._read(job)) is None:
             if job.call is not None or self.more is None or (line := self.more()) is None:
                 return None
@@ -157,7 +157,7 @@ class _Expansion:
         return token
 
     def _invoke(self, job: _Job, name: Token, macro: Macro) -> _Job:
-        """Begins to replace a macro; gives the job to go on with."""
+        """Start to replace a macro; return the job to continue with."""
         if macro.dynamic is not None:
             job.output.append(macro.dynamic(name))
             return job
@@ -179,7 +179,7 @@ class _Expansion:
         return self._advance(_Call(job, macro, name, arguments, [*macro.expanded]))
 
     def _operand(self, job: _Job) -> list[Token]:
-        """Reads `NAME` or `( NAME` after `defined`, without replacing anything."""
+        """Read `NAME` or `( NAME` after `defined` without replacement."""
         tokens = []
         while (token := self._read(job)) is not None:
             tokens.append(token)
@@ -188,7 +188,7 @@ class _Expansion:
         return tokens
 
     def _collect(self, job: _Job, name: Token, macro: Macro) -> list[list[Token]] | None:
-        """Reads the arguments of a call up to its `)`; gives none when they do not fit."""
+        """Read the arguments of a call up to its `)`; return None if they do not match."""
         assert macro.parameters is not None
         arguments: list[list[Token]] = [[]]
         most = len(macro.parameters) if macro.variadic else None
@@ -207,13 +207,13 @@ class _Expansion:
             elif text in self.active and token.kind == NAME:
                 token = _painted(token)
             arguments[-1].append(token)
-        self.report.error(name.place, f"the call of macro '{macro.name}' has no ')' at its end")
+        self.report.error(name.place, f"unterminated call of macro '{macro.name}': missing ')'")
         return None
 
     def _fit(
         self, name: Token, macro: Macro, arguments: list[list[Token]]
     ) -> list[list[Token]] | None:
-        """Gives the arguments of a call, one for each parameter, none when there are others."""
+        """Return the arguments of a call, one for each parameter; None if their number is wrong."""
         assert macro.parameters is not None
         for argument in arguments:
             self.budget.spend(argument, name.place)
@@ -229,12 +229,12 @@ class _Expansion:
         plural = "" if fewest == 1 else "s"
         self.report.error(
             name.place,
-            f"macro '{macro.name}' takes {number} argument{plural}, not {len(arguments)}",
+            f"macro '{macro.name}' requires {number} argument{plural}, but has {len(arguments)}",
         )
         return None
 
     def _advance(self, call: _Call) -> _Job:
-        """Expands the next argument that needs it, then replaces the call."""
+        """Expand the next argument that needs it, or replace the call."""
         while call.waiting:
             number = call.waiting[-1]
             argument = call.arguments[number]
@@ -245,12 +245,12 @@ class _Expansion:
         return self._replace(call)
 
     def _finish_argument(self, job: _Job, call: _Call) -> _Job:
-        """Hands an expanded argument to the call that waits for it."""
+        """Pass an expanded argument to the call that waits for it."""
         call.expanded[call.waiting.pop()] = job.output
         return self._advance(call)
 
     def _replace(self, call: _Call) -> _Job:
-        """Puts a macro's replacement on the stack, to be read next."""
+        """Push a macro's replacement, to be read next."""
         job, name = call.job, call.name
         tokens = substitute(
             call.macro,

@@ -1,9 +1,10 @@
-r"""GNU syntax that the parser does not know, taken away or put into standard words.
+r"""GNU syntax that the parser does not know, removed or replaced by standard syntax.
 
-This works on single tokens and on constructs of a word with parentheses after it. To add another:
-a word with a standard twin goes into `_TWINS`, a word with parentheses into `_CONSTRUCTS` with a
-method that gives the tokens to put in its place. Lines without any such word do not come here, so
-syntax that no word announces, as `case 1 ... 5`, must also be no plain line (`spelling.is_plain`).
+This works on single keywords and on constructs of a keyword with parentheses. To add another: a
+keyword with a standard equivalent goes into `_EQUIVALENTS`, one with parentheses into
+`_CONSTRUCTS`, with a method that returns its replacement. Lines without any such keyword are not
+rewritten, so syntax without a keyword, such as `case 1 ... 5`, must be excluded by
+`spelling.is_plain`.
 
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> from crs_cc.frontend.preprocess.tokens import spell, tokenise
@@ -21,11 +22,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.frontend.check.gnu_attributes import ASM_LABEL, KEYWORD
 from crs_cc.frontend.preprocess.report import Report
 from crs_cc.frontend.preprocess.tokens import NAME, Token, tokenise
 
-_TWINS: Final = {
+KEYWORD: Final = "__attribute__"
+PACK: Final = "__pragma_pack__"
+"""The attribute by which the preprocessor replaces `#pragma pack(...)`."""
+
+ASM_LABEL: Final = "__asm_label__"
+"""The attribute by which the preprocessor replaces `asm("name")` after a declarator."""
+
+_EQUIVALENTS: Final = {
     "__inline": "inline", "__inline__": "inline",
     "__const": "const", "__const__": "const",
     "__volatile": "volatile", "__volatile__": "volatile",
@@ -47,23 +54,23 @@ _ASM_QUALIFIERS: Final = frozenset({
     "const", "goto", "inline", "__inline", "__inline__", "volatile", "__volatile", "__volatile__",
 })  # fmt: skip
 Pragma = Callable[[list[Token]], list[Token]]
-"""Does what the tokens behind `#pragma` say, and gives what stands in their place."""
+"""Executes the tokens after `#pragma`, and returns their replacement."""
 
-WORDS: Final = frozenset(_TWINS) | _DROPPED | _CONSTRUCTS
-"""A line without any of these words is left as it is."""
+WORDS: Final = frozenset(_EQUIVALENTS) | _DROPPED | _CONSTRUCTS
+"""A line without any of these words is not rewritten."""
 
 _STATEMENT_BEGIN: Final = re.compile(r"\s*(?:if|while|for|switch|else|do|return)\b")
 _BEFORE_ASM: Final = 200
-"""How far back is looked for the beginning of a declaration [characters, or tokens]."""
+"""How far back the start of a declaration is looked for [characters, or tokens]."""
 
 
 @dataclass(slots=True)
 class _Construct:
-    """A word whose parentheses are not closed yet.
+    """A keyword whose parentheses are not closed yet.
 
     Attributes:
-        word: the word.
-        is_label: of `asm`, whether it names a declared object, and is not a statement.
+        word: the keyword.
+        is_label: for `asm`, whether it names a declared object instead of being a statement.
         inside: the tokens between the parentheses.
         depth: how many parentheses are open.
     """
@@ -75,7 +82,7 @@ class _Construct:
 
 
 class GnuSyntax:
-    """Rewrites a stream of tokens, which comes in pieces."""
+    """Rewrites a stream of tokens, which is passed in pieces."""
 
     def __init__(self, report: Report, pragma: Pragma) -> None:
         self._report = report
@@ -84,39 +91,41 @@ class GnuSyntax:
 
     @property
     def is_open(self) -> bool:
-        """Tells whether the last construct goes on in the tokens to come."""
+        """Return whether the last construct continues in the following tokens."""
         return self._construct is not None
 
     def rewrite(self, tokens: Sequence[Token], before: Callable[[], str]) -> list[Token]:
-        """Gives the standard form of tokens.
+        """Return the standard form of tokens.
 
         Args:
             tokens: the next piece of the program.
-            before: gives the text before them, as far as it was written.
+            before: returns the text before them, as far as it was written.
         """
         result: list[Token] = []
         for token in tokens:
-            if self._construct is not None and self._goes_on(self._construct, token, result):
+            if self._construct is not None and self._continue_construct(
+                self._construct, token, result
+            ):
                 continue
             text = token.text
             if text not in WORDS or token.kind != NAME:
                 result.append(token)
-            elif text in _TWINS:
-                result.append(Token(NAME, _TWINS[text], token.place, token.spaced))
+            elif text in _EQUIVALENTS:
+                result.append(Token(NAME, _EQUIVALENTS[text], token.place, token.spaced))
             elif text in _CONSTRUCTS:
                 is_label = text in _ASM and _follows_declarator(before(), result)
                 self._construct = _Construct(token, is_label)
         return result
 
     def finish(self) -> None:
-        """Reports what is still open at the end of the program."""
+        """Report a construct that is open at the end of the program."""
         if self._construct is not None:
             word = self._construct.word
-            self._report.error(word.place, f"'{word.text}' has no ')' at its end")
+            self._report.error(word.place, f"missing ')' after '{word.text}'")
             self._construct = None
 
-    def _goes_on(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
-        """Tells whether a token belongs to the open construct, and takes it then."""
+    def _continue_construct(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
+        """Return whether a token belongs to the open construct, and consume it if so."""
         if construct.depth == 0 and token.text != "(":
             if construct.word.text in _ASM and token.text in _ASM_QUALIFIERS:
                 construct.is_label = False
@@ -136,7 +145,7 @@ class GnuSyntax:
         return True
 
     def _close(self, construct: _Construct) -> list[Token]:
-        """Gives what stands for a construct."""
+        """Return the replacement of a construct."""
         if construct.word.text in _ASM:
             self._close_asm(construct)
             return _label(construct) if construct.is_label else []
@@ -145,7 +154,7 @@ class GnuSyntax:
         return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
 
     def _close_asm(self, construct: _Construct) -> None:
-        """Refuses statements."""
+        """Reject statements."""
         if not construct.is_label:
             self._report.error(
                 construct.word.place,
@@ -155,14 +164,14 @@ class GnuSyntax:
 
 
 def _label(construct: _Construct) -> list[Token]:
-    """Gives the assembler name of a declared object or function as an attribute."""
+    """Return the assembler name of a declared object or function as an attribute."""
     place = construct.word.place
     begin = [each.moved(place, each.spaced) for each in tokenise(f" {KEYWORD}(({ASM_LABEL}", 0)]
     return [*begin, *construct.inside, *tokenise("))", place)]
 
 
 def _follows_declarator(before: str, tokens: Sequence[Token]) -> bool:
-    """Tells whether a declaration ends at some point of the program, and no statement begins."""
+    """Return whether the preceding tokens are a declarator, and not the start of a statement."""
     text = " ".join([before[-_BEFORE_ASM:], *(each.text for each in tokens[-_BEFORE_ASM:])])
     statement = re.split(r"[;{}]", text)[-1]
     last = statement.rstrip()[-1:]

@@ -1,12 +1,12 @@
-"""Finds and reads header files, and refuses every file that a program has no business with.
+"""Finds and reads header files, and refuses all other files.
 
-A program may be hostile, and a compiler that reads whatever `#include` names shows the content in
-its messages. So only regular files may be read that lie, after all links are followed, below the
-folder of the main file, a folder of `-I`, or the folder of our own headers.
+A program may be hostile, and a compiler that reads any file that `#include` names shows its
+contents in messages. So only regular files may be read that are, after all links are followed,
+below the directory of the main file, a directory of `-I`, or the directory of our own headers.
 
 >>> headers = Headers(Path("demo"), Options())
 >>> headers.find("../secret.h", quoted=True, folder=Path("demo"))
-Refusal(text="'../secret.h' lies outside the folders that a program may read", hint='')
+Refusal(text="'../secret.h' is outside the directories that a program may read", hint='')
 """
 
 from __future__ import annotations
@@ -23,10 +23,11 @@ from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.tokens import shown
 
 MAX_FILE_SIZE: Final = 4 << 20
-"""The largest source file that is read [bytes]."""
+"""The maximum size of a source file [bytes]."""
+GENERATED: Final = "<generated>"
+"""The folder of generated headers in messages."""
 _OUTSIDE: Final = "lies outside"
-"""Stands for the digest of a file that is not read; it equals none, so nothing is taken as known.
-"""
+"""Replaces the digest of a file that may not be read; it never compares equal to a stored one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,23 +35,29 @@ class Header:
     """A header that was found.
 
     Attributes:
-        path: where, as the user's folders are named.
-        file: the same file with all links followed.
-        root: the folder of the search in which it was found.
+        path: its path, relative to the user's directories.
+        file: its path with all links followed.
+        root: the directory of the search path in which it was found.
+        content: its content, if it is not a file but generated.
     """
 
     path: Path
     file: Path
     root: Path
+    content: bytes | None = None
+
+    def read(self) -> bytes | Refusal:
+        """Return what is in the header."""
+        return read_regular_file(self.file) if self.content is None else self.content
 
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why a file is not read.
+    """The reason why a file is not read.
 
     Attributes:
         text: the error.
-        hint: what the user can do.
+        hint: a hint for the user.
     """
 
     text: str
@@ -58,38 +65,42 @@ class Refusal:
 
 
 class Headers:
-    """The folders of a run."""
+    """The header directories of a run."""
 
     def __init__(
         self, main_folder: Path, options: Options, digests: dict[str, str] | None = None
     ) -> None:
-        """Takes the folder of the user's main file, and the options with the other folders.
+        """Set the directories.
 
         Args:
-            main_folder: the folder of the user's main file.
-            options: the other folders.
-            digests: gets the `digest` of each file that is looked for, found or not: a file that
-                appears in a folder where there was none changes the program too.
+            main_folder: the directory of the user's main file.
+            options: the other directories.
+            digests: receives the `digest` of each file that is looked for, found or not: a file
+                that is added to a directory changes the program, too.
         """
         self._digests = {} if digests is None else digests
         self.include_paths = options.include_paths
         self.system_paths = options.system_paths
+        self._generated = dict(options.generated)
         folders = (main_folder, *self.include_paths, *self.system_paths)
         self._roots = [root for root in map(_resolved, folders) if root is not None]
 
     def find(
         self, name: str, *, quoted: bool, folder: Path, after: Path | None = None
     ) -> Header | Refusal:
-        """Gives the file that an `#include` means (C17 6.10.2).
+        """Return the file that an `#include` means (C17 6.10.2).
 
         Args:
-            name: what stands between the quotes or angle brackets.
-            quoted: whether it stands in quotes, and the including file's folder is searched first.
-            folder: the including file's folder.
-            after: for `#include_next`, the folder of the search at which the last one ended.
+            name: the name between the quotes or angle brackets.
+            quoted: whether it is in quotes, so that the including file's directory is searched
+                first.
+            folder: the including file's directory.
+            after: for `#include_next`, the directory in which the last search ended.
         """
         if not name or Path(name).is_absolute():
-            return Refusal(f"'{shown(name)}' cannot be included", "name a header without its path")
+            return Refusal(
+                f"'{shown(name)}' cannot be included", "include the header without its path"
+            )
         folders = [*self.include_paths, *self.system_paths]
         if after in folders:
             folders = folders[folders.index(after) + 1 :]
@@ -100,19 +111,22 @@ class Headers:
             path = each / from_text(name)
             file = _resolved(path)
             if file and not any(file.is_relative_to(root) for root in self._roots):
-                outside = True  # and whether it exists is not told
+                outside = True  # without revealing whether it exists
                 self._digests[str(path)] = _OUTSIDE
                 continue
             if str(path) not in self._digests:
                 self._digests[str(path)] = digest(path)
             if file and _exists(file):
                 return Header(path, file, each)
+        if name in self._generated:
+            path = Path(GENERATED, name)
+            return Header(path, path, Path(GENERATED), self._generated[name].encode())
         if outside:
-            return Refusal(f"'{shown(name)}' lies outside the folders that a program may read")
+            return Refusal(f"'{shown(name)}' is outside the directories that a program may read")
         return self._missing(name, folders)
 
     def find_ours(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:
-        """Gives the header of ours that a name stands for which `find` refuses, with its name."""
+        """Return our header for a name that `find` refuses, with its usual name."""
         meant = header_of_ours(name, self.system_paths)
         found = self.find(meant, quoted=quoted, folder=folder) if meant else None
         return (meant, found) if isinstance(found, Header) else None
@@ -122,17 +136,17 @@ class Headers:
         ours = ["the headers of crs"] if self.system_paths else []
         where = ", ".join([*dict.fromkeys(own), *ours]) or "no folder"
         return Refusal(
-            f"header '{shown(name)}' is not found; looked in: {where}",
+            f"'{shown(name)}' file not found; searched in: {where}",
             hint_for_missing(name, folders),
         )
 
 
 def read_regular_file(path: Path) -> bytes | Refusal:
-    """Reads a file, if it is a regular one of bearable size."""
+    """Return the content of a file if it is a regular one that is not too large."""
     try:
         status = path.stat()
         if stat.S_ISDIR(status.st_mode):
-            return Refusal("is a folder, not a file")
+            return Refusal("is a directory")
         if not stat.S_ISREG(status.st_mode):
             return Refusal("is not a regular file")
         with path.open("rb") as stream:
@@ -147,10 +161,10 @@ def read_regular_file(path: Path) -> bytes | Refusal:
 
 
 def digest(path: Path) -> str:
-    """Gives what changes whenever the content of a file does, and when it appears or vanishes.
+    """Return a digest of a file's content, or of its absence.
 
-    Taken before the file is read: so when it is changed in between, what was read is never taken
-    for what the file holds.
+    It must be computed before the file is read: if the file changes in between, the digest then
+    does not match the new content.
     """
     content = read_regular_file(path)
     return content.text if isinstance(content, Refusal) else hashlib.sha256(content).hexdigest()
@@ -159,7 +173,11 @@ def digest(path: Path) -> str:
 def _resolved(path: Path) -> Path | None:
     try:
         return path.resolve()
-    except (OSError, RuntimeError, ValueError):  # names too long, loops of links, odd characters
+    except (
+        OSError,
+        RuntimeError,
+        ValueError,
+    ):  # names too long, loops of links, invalid characters
         return None
 
 

@@ -1,7 +1,7 @@
-"""Notes behind errors in what a macro was replaced by: where the macro is defined.
+"""Notes about macro definitions for errors in their replacements.
 
-An error there has the place of the macro's call, which shows nothing of what is wrong. Neither
-does a hint to such a place: `to close the '(' at a.c:3:5`, where only a macro stands.
+Such an error has the location of the macro call, which does not show the cause. Neither does a
+hint with such a location: `to close the '(' at a.c:3:5`, where there is only a macro.
 """
 
 from __future__ import annotations
@@ -22,22 +22,22 @@ _QUOTED: Final = re.compile(r"'([^']+)'")
 def add_macro_notes(
     diagnostics: Diagnostics, source: Preprocessed, headers: Sequence[Path]
 ) -> None:
-    """Puts a note behind the first error that comes out of each macro.
+    """Add a note to the first error in the replacement of each macro.
 
     Args:
         diagnostics: the messages about the file.
         source: the file.
-        headers: the folders of the headers that come with crs; their macros are not shown.
+        headers: the directories of the headers that come with crs; their macros are not shown.
     """
     uses = {str(place): macros for place, macros in source.macro_uses().items()}
-    messages, told = list(diagnostics.messages), set[str]()
+    messages, noted = list(diagnostics.messages), set[str]()
     diagnostics.messages.clear()
     for message in messages:
         diagnostics.messages.append(message)
         note = _note(message, uses, source) if message.severity == "error" else None
-        if note is None or note[1] in told or _is_below(note[0], headers):
+        if note is None or note[1] in noted or _is_below(note[0], headers):
             continue
-        told.add(note[1])
+        noted.add(note[1])
         diagnostics.add("note", *note)
 
 
@@ -50,13 +50,13 @@ def _note(
         return None
     macro = _blamed(message.text, macros)
     if not macro.place:
-        return None  # one that is there from the start
+        return None  # a predefined macro
     first = f", which '{macros[0].name}' uses," if macro is not macros[0] else ""
     return source.definition(macro), f"macro '{macro.name}'{first} is defined here"
 
 
 def _blamed(text: str, macros: Sequence[Macro]) -> Macro:
-    """Gives the macro that has in it what a message speaks of, or the one that was called."""
+    """Return the macro whose definition contains the cause of a message, or the one called."""
     quoted = set(_QUOTED.findall(text))
     return next(
         (each for each in macros if any(token.text in quoted for token in each.body)), macros[0]

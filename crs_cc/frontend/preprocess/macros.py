@@ -1,7 +1,7 @@
-"""Macros, and how a `#define` line is read (C17 6.10.3).
+"""Macros, and the parser of `#define` (C17 6.10.3).
 
-The body is worked out once, when the macro is defined: `Macro.parts` says of each piece what to
-put there when the macro is called.
+The body is analysed once, when the macro is defined: `Macro.parts` describes the replacement of
+each of its parts.
 
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
@@ -32,17 +32,17 @@ PartKind = Literal["token", "argument", "raw", "string", "rest", "optional"]
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A piece of a macro's body.
+    """A part of a macro's body.
 
     Attributes:
-        kind: what it puts there: its token; the argument with its own macros replaced; the
-            argument as written, beside `##`; the argument as a string, after `#`; the last
-            argument of GNU's `, ## args`; the inside of `__VA_OPT__(...)`.
+        kind: its replacement: the token itself; the expanded argument; the argument as written,
+            beside `##`; the argument as a string, after `#`; the last argument of GNU's
+            `, ## args`; the inside of `__VA_OPT__(...)`.
         token: the token in the body.
-        argument: number of the argument.
-        pasted: whether `##` stands before it.
+        argument: the index of the argument.
+        pasted: whether it follows `##`.
         inside: the parts inside `__VA_OPT__`.
-        quoted: whether `#` stands before `__VA_OPT__`.
+        quoted: whether `__VA_OPT__` follows `#`.
     """
 
     kind: PartKind
@@ -59,14 +59,14 @@ class Macro:
 
     Attributes:
         name: its name.
-        parameters: the names of its parameters; none for an object-like macro.
-        variadic: whether the last parameter takes all arguments that are left.
+        parameters: the names of its parameters; None for an object-like macro.
+        variadic: whether the last parameter receives all remaining arguments.
         body: the tokens of its definition.
-        parts: what they stand for.
-        expanded: numbers of the arguments that are needed with their macros replaced.
-        pastes: whether `##` stands in its body.
-        place: where it was defined.
-        dynamic: for `__LINE__` and the like, what gives its value.
+        parts: the replacement of the body.
+        expanded: the indices of the arguments that must be expanded.
+        pastes: whether its body contains `##`.
+        place: the place of its definition.
+        dynamic: for `__LINE__` and the like, the function that returns its value.
     """
 
     name: str
@@ -80,7 +80,7 @@ class Macro:
     dynamic: Callable[[Token], Token] | None = None
 
     def same_as(self, other: Macro) -> bool:
-        """Tells whether another definition says the same, token by token (C17 6.10.3p2)."""
+        """Return whether another definition has the same tokens (C17 6.10.3p2)."""
         return (
             self.dynamic is other.dynamic
             and self.parameters == other.parameters
@@ -92,19 +92,19 @@ class Macro:
 
 
 def dynamic_macro(name: str, value: Callable[[Token], Token]) -> Macro:
-    """Makes an object-like macro whose value is asked for at each use."""
+    """Return an object-like macro whose value is computed at each use."""
     return Macro(name, None, False, (), (), (), False, 0, value)
 
 
 DEFINED: Final = Macro("defined", None, False, (), (), (), False, 0)
-"""Stands for the operator of `#if`: the name after it is not replaced."""
+"""A macro for the operator of `#if`: the name after it is not replaced."""
 
 
 def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
-    """Reads what stands after `#define`; gives none when that is no definition."""
+    """Parse the tokens after `#define`; return None if they are not a definition."""
     name = tokens[0]
     if name.kind != NAME:
-        report.error(name.place, f"a macro's name cannot be '{shown(name.text)}'")
+        report.error(name.place, f"macro name must be an identifier, not '{shown(name.text)}'")
         return None
     if name.text in RESERVED:
         report.error(name.place, f"'{name.text}' cannot be the name of a macro")
@@ -117,7 +117,7 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
     else:
         parameters, variadic, start = None, False, 1
         if len(tokens) > 1 and not tokens[1].spaced:
-            report.warning(tokens[1].place, "no space between the macro's name and its value")
+            report.warning(tokens[1].place, "missing white space after the macro's name")
     reader = _BodyReader(tokens[start:], parameters, variadic, report)
     parts = reader.read()
     if parts is None:
@@ -137,10 +137,10 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
 def _read_parameters(
     tokens: Sequence[Token], report: Report
 ) -> tuple[tuple[str, ...], bool, int] | None:
-    """Reads the parameters, which begin at the third token.
+    """Parse the parameters, which start at the third token.
 
     Returns:
-        their names, whether the last one is variadic, and the number of the body's first token.
+        Their names, whether the last one is variadic, and the index of the body's first token.
     """
     names: dict[str, None] = {}  # in order
     variadic = False
@@ -167,12 +167,12 @@ def _read_parameters(
                 f"expected {expected} in the macro's parameters, found '{shown(token.text)}'",
             )
             return None
-    report.error(tokens[-1].place, "the macro's parameters lack a ')'")
+    report.error(tokens[-1].place, "missing ')' in the macro's parameters")
     return None
 
 
 class _BodyReader:
-    """Reads a macro's body into parts."""
+    """Parses a macro's body into parts."""
 
     def __init__(
         self,
@@ -190,7 +190,7 @@ class _BodyReader:
         self.expanded: set[int] = set()
 
     def read(self) -> tuple[Part, ...] | None:
-        """Gives the parts of the whole body, or none when it is wrong."""
+        """Return the parts of the whole body, None if it is invalid."""
         return self._read(0, len(self.body), in_option=False)
 
     def _read(self, index: int, end: int, *, in_option: bool) -> tuple[Part, ...] | None:
@@ -200,7 +200,9 @@ class _BodyReader:
             token = self.body[index]
             if token.text in PASTE and token.kind == PUNCTUATOR:
                 if not parts or index + 1 == end:
-                    self.report.error(token.place, f"'{token.text}' needs something on both sides")
+                    self.report.error(
+                        token.place, f"'{token.text}' cannot be at either end of a macro's body"
+                    )
                     return None
                 pasted = True
                 index += 1
@@ -219,7 +221,7 @@ class _BodyReader:
     def _read_part(
         self, index: int, end: int, parts: Sequence[Part], pasted: bool
     ) -> tuple[Part, int] | None:
-        """Gives the part that begins at a token, and where the next begins; none if wrong."""
+        """Return the part that starts at a token, and the start of the next; None if invalid."""
         token = self.body[index]
         if token.text in HASH and token.kind == PUNCTUATOR and self.function_like:
             follower = self.body[index + 1] if index + 1 < end else token
@@ -233,7 +235,7 @@ class _BodyReader:
         number = self.numbers.get(token.text)
         if number is None:
             if token.text in (VARIADIC, OPTIONAL):
-                self.report.warning(token.place, f"'{token.text}' means nothing here")
+                self.report.warning(token.place, f"'{token.text}' is not allowed here")
             return Part("token", token, pasted=pasted), index + 1
         if index + 1 < end and self.body[index + 1].text in PASTE:
             return Part("raw", token, number, pasted), index + 1
@@ -246,11 +248,11 @@ class _BodyReader:
         return Part("argument", token, number), index + 1
 
     def _read_option(self, index: int, end: int, pasted: bool) -> tuple[Part, int] | None:
-        """Reads `__VA_OPT__(...)` (C23 6.10.5.2)."""
+        """Parse `__VA_OPT__(...)` (C23 6.10.5.2)."""
         token = self.body[index]
         close = _closing(self.body, index + 1, end)
         if close is None:
-            self.report.error(token.place, f"'{OPTIONAL}' needs parentheses after it")
+            self.report.error(token.place, f"'{OPTIONAL}' must be followed by parentheses")
             return None
         inside = self._read(index + 2, close, in_option=True)
         if inside is None:
@@ -260,7 +262,7 @@ class _BodyReader:
 
 
 def _closing(body: Sequence[Token], index: int, end: int) -> int | None:
-    """Gives the number of the `)` that closes the `(` at a token."""
+    """Return the index of the `)` that closes the `(` at a token."""
     depth = 0
     for number in range(index, end):
         depth += {"(": 1, ")": -1}.get(body[number].text, 0)

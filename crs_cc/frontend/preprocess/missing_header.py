@@ -1,7 +1,7 @@
-"""What a user meant whose header is missing, or what to tell him.
+"""Replacements and hints for headers that do not exist.
 
 >>> hint_for_missing("fstream", [])
-'it belongs to C++, and crs compiles C'
+'this is C++, but crs compiles C'
 """
 
 from __future__ import annotations
@@ -12,14 +12,14 @@ from itertools import islice
 from pathlib import Path
 from typing import Final
 
-from crs_cc.frontend.parse.other_language_hint import CPLUSPLUS
+from crs_cc.frontend.other_language_hint import CPLUSPLUS
 
-_GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
-_NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"
-_PROCESSES: Final = f"a control program is a single process here: {_GUARD}"
-_TERMINAL: Final = f"a control program has no terminal or display here: {_GUARD}"
-_DEVICES: Final = f"a control program has no devices but its robot here: {_GUARD}"
-_DOS: Final = f"it belongs to DOS or Windows: {_GUARD}"
+_GUARD: Final = "put the code that needs it between '#ifndef __CRS__' and '#endif'"
+_NETWORK: Final = f"control programs cannot use the network: {_GUARD}"
+_PROCESSES: Final = f"control programs are single processes: {_GUARD}"
+_TERMINAL: Final = f"control programs have no terminal or display: {_GUARD}"
+_DEVICES: Final = f"control programs have no devices but their robot: {_GUARD}"
+_DOS: Final = f"it is a header of DOS or Windows: {_GUARD}"
 
 
 def _all(names: str, hint: str) -> dict[str, str]:
@@ -30,15 +30,15 @@ _HINTS: Final = {
     **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
     **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h", _PROCESSES),
     **_all("sys/ptrace.h pthread.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
-    "stdatomic.h": f"a control program is a single thread here, which needs no atomics: {_GUARD}",
-    "complex.h": f"crs has no complex numbers: {_GUARD}",
+    "stdatomic.h": f"control programs are single-threaded and need no atomics: {_GUARD}",
+    "complex.h": f"complex numbers are not supported: {_GUARD}",
     **_all("curses.h ncurses.h term.h termio.h sgtty.h", _TERMINAL),
     **_all("readline/readline.h", _TERMINAL),
     **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
     **_all("asm/io.h sys/io.h linux/serial.h linux/joystick.h linux/videodev.h", _DEVICES),
     **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
     **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", CPLUSPLUS),
-    "varargs.h": "include <stdarg.h> instead, and give the function a named parameter",
+    "varargs.h": "include <stdarg.h> instead, and add a named parameter to the function",
 }
 
 _MAX_LISTED: Final = 1000
@@ -46,17 +46,17 @@ _VENDORS: Final = "nclient.h"
 
 
 def header_of_ours(name: str, folders: Sequence[Path]) -> str:
-    """Gives the header in one of our folders that a name stands for which names no file.
+    """Return the name of our header for a name that is not the name of a file.
 
-    Programs of other systems write letters in another case, and name the standard headers and the
-    vendor's, wherever it was installed, with their paths.
+    Programs for other systems use other letter case, and include the standard headers and the
+    vendor's by the path of their installation.
 
     Args:
-        name: what stands between the quotes or angle brackets.
-        folders: those of our own headers.
+        name: the name between the quotes or angle brackets.
+        folders: the directories of our own headers.
 
     Returns:
-        Its name, or empty text if there is none.
+        The name, "" if there is none.
     """
     wanted = Path(name.replace("\\", "/").lower().removeprefix("/usr/include/"))
     if wanted.name == _VENDORS:
@@ -71,7 +71,7 @@ def header_of_ours(name: str, folders: Sequence[Path]) -> str:
 
 
 def hint_for_missing(name: str, folders: Sequence[Path]) -> str:
-    """Gives a hint to a header that was looked for in folders, and empty text if there is none."""
+    """Return a hint for a header that is not in any of the directories, "" if there is none."""
     if name in _HINTS:
         return _HINTS[name]
     wanted = Path(name)

@@ -1,4 +1,4 @@
-"""What a caller can choose for the preprocessor, named after the options of `cc`.
+"""Options of the preprocessor, named after those of `cc`.
 
 >>> Options(defines=("DEBUG", "SPEED=200", "TWICE(x)=((x)*2)")).defines[1]
 'SPEED=200'
@@ -25,23 +25,24 @@ Dialect: TypeAlias = Literal["nomad", "report"]
 DIALECTS: Final[tuple[Dialect, ...]] = get_args(Dialect)
 
 DIALECT_HEADERS: Final[dict[Dialect, str]] = {"report": "crs/report.h"}
-"""What a dialect includes before the first line."""
+"""The headers that a dialect includes before the first line."""
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """Where headers are and what is defined before the first line.
+    """Header directories, macro definitions and the language.
 
     Attributes:
-        include_paths: folders of the user's headers, in the order of search (`-I`).
-        system_paths: folders of the headers that come with crs_cc, searched last.
+        include_paths: directories of the user's headers, in the order of search (`-I`).
+        system_paths: directories of the headers that come with crs_cc, searched last.
         defines: macros to define, as `NAME`, `NAME=value` or `NAME(a)=value` (`-D`).
         undefines: names to undefine after that (`-U`).
-        standard: the C that the program is written in, a key of `STANDARDS` (`-std=`). It decides
-            about predefined macros and trigraphs; the language is the same in all.
-        dialect: whose functions the program calls: the vendor's, or those of the CRS report, which
-            need no header; then it may also be just the statements of its body.
+        standard: the C standard, a key of `STANDARDS` (`-std=`). It selects predefined macros and
+            trigraphs; the language is the same in all.
+        dialect: the robot functions that the program calls: the vendor's, or those of the CRS
+            report, which need no header; a program for these may consist of bare statements.
         trusted: whether the file is the allocator, see `ir.program.Function`.
+        generated: headers of ours that are in no file: the name of each, and its text.
     """
 
     include_paths: tuple[Path, ...] = ()
@@ -51,8 +52,9 @@ class Options:
     standard: str = "gnu17"
     trusted: bool = False
     dialect: Dialect = "nomad"
+    generated: tuple[tuple[str, str], ...] = ()
 
     @property
     def is_strict(self) -> bool:
-        """Tells whether the standard is one of ISO's, without GNU's additions."""
+        """Return whether the standard is one of ISO's, without GNU extensions."""
         return not self.standard.startswith("gnu")

@@ -25,7 +25,7 @@ from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, PUNCTUATOR, Token
 
 @dataclass(frozen=True, slots=True)
 class _TokenLine:
-    """Where the tokens of a line of output begin, and where each comes from."""
+    """The columns of the tokens in a line of output, and the places that they come from."""
 
     columns: list[int]
     places: list[Place]
@@ -38,8 +38,8 @@ class Preprocessed:
     Attributes:
         text: the program, for the parser.
         macros: the names of the macros at its end.
-        uses: the macros that were replaced, by the place.
-        more: preprocesses another text as if it stood behind the last line: its name, and the text.
+        uses: the macros that were replaced, by place.
+        more: preprocesses another text, given its name and content, after the last line.
     """
 
     text: str
@@ -52,19 +52,19 @@ class Preprocessed:
 
     @property
     def files(self) -> tuple[str, ...]:
-        """The files that were read, by the names that messages give them."""
+        """The names of the files that were read, as in messages."""
         return tuple(text.name for text in self._places.texts)
 
     def location(self, line: int, column: int) -> Location:
-        """Gives the place in the user's files of a place in `text`.
+        """Return the location in the user's files of a position in `text`.
 
         Args:
-            line: number of the line in `text`, counted from 1, as the parser counts.
-            column: number of the character in the line, counted from 1; 0 means its first token.
+            line: the line in `text`, counted from 1.
+            column: the column in the line, counted from 1; 0 means its first token.
 
         Returns:
-            where the token there was written, or the macro's call that it comes from. A place
-            outside the text gives the nearest one inside.
+            The location of the token there, or of the macro call that it comes from. A position
+            outside the text is moved to the nearest one inside.
         """
         if not self._lines:
             return Location(self._places.texts[-1].name)
@@ -79,11 +79,11 @@ class Preprocessed:
         return self._places.location(mapped + offset)
 
     def macro_uses(self) -> dict[Location, Sequence[Macro]]:
-        """Gives the macros that were replaced, by the location of the one that was called."""
+        """Return the macros that were replaced, by the location of the call."""
         return {self._places.location(place): macros for place, macros in self.uses.items()}
 
     def definition(self, macro: Macro) -> Location:
-        """Gives where a macro is defined."""
+        """Return the location of a macro's definition."""
         return self._places.location(macro.place)
 
 
@@ -92,18 +92,18 @@ _AS_SPACE: Final = str.maketrans("\v\f", "  ")
 
 @dataclass(slots=True)
 class Writer:
-    """Puts the output together."""
+    """Collects the output."""
 
     _rows: list[str] = field(default_factory=list)
     _lines: list[Place | _TokenLine] = field(default_factory=list)
 
     def line(self, text: str, place: Place) -> None:
-        """Writes a line as the user wrote it."""
+        """Write a line of the source unchanged."""
         self._rows.append(text.rstrip().translate(_AS_SPACE))
         self._lines.append(place)
 
     def tokens(self, tokens: Sequence[Token]) -> None:
-        """Writes a line of tokens."""
+        """Write a line of tokens."""
         if not tokens:
             return
         parts: list[str] = []
@@ -122,7 +122,7 @@ class Writer:
         self._lines.append(_TokenLine(columns, [token.place for token in tokens]))
 
     def tail(self, size: int) -> str:
-        """Gives about the last characters that were written."""
+        """Return about the last characters that were written."""
         parts: list[str] = []
         for line in reversed(self._rows):
             parts.append(line[-size:])
@@ -132,7 +132,7 @@ class Writer:
         return "\n".join(reversed(parts))
 
     def finish(self, places: Places) -> Preprocessed:
-        """Gives the program."""
+        """Return the program."""
         text = "\n".join([*self._rows, ""]) if self._rows else ""
         return Preprocessed(text, self._rows, self._lines, places)
 
@@ -140,11 +140,11 @@ class Writer:
 _LONGER: Final = (
     "++ -- && || << >> == -> += -= *= /= %= &= |= ^= != <= >= ## .. // /* <: <% :> %> %: ::"
 )
-"""Two characters that, side by side, are read as one token or begin one, or a comment."""
+"""Pairs of characters that form or start one token, or a comment."""
 
 
 def would_merge(left: Token, right: Token) -> bool:
-    """Tells whether two tokens, written side by side, would be read as others."""
+    """Return whether two adjacent tokens would be read as other tokens."""
     if left.kind in (NAME, NUMBER):
         return right.kind != PUNCTUATOR or (left.kind == NUMBER and right.text[0] in "+-.")
     if right.kind == NUMBER:

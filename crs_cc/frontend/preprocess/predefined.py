@@ -1,8 +1,8 @@
 """The macros that are defined before the first line: those of gcc on i386 Linux, and `__CRS__`.
 
-`long double` has 64 bits here and is described as `double` is. `__GNUC__` is not defined, so
-headers and programs choose what every compiler understands. Date and time are fixed: the same
-source must give the same program every day (C17 6.10.8.1 allows it where none is available).
+`long double` has 64 bits, like `double`. `__GNUC__` is not defined, so that headers and programs
+choose portable code. Date and time are fixed: the same source must always compile to the same
+program (C17 6.10.8.1 allows it where none is available).
 
 >>> {macro.name: macro.body for macro in predefined_macros()}["__LONG_MAX__"][0].text
 '0x7fffffffL'
@@ -22,7 +22,7 @@ from crs_cc.frontend.preprocess.source_text import Places
 from crs_cc.frontend.preprocess.tokens import tokenise
 
 ORIGIN: Final = "<built-in>"
-"""The file that they seem to stand in; its only character is at place 0."""
+"""The name of the file that they are in; its only character is at place 0."""
 
 _ONES: Final = (
     "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_ATOMICS__ __STDC_NO_COMPLEX__ __STDC_NO_THREADS__ "
@@ -83,7 +83,7 @@ _SIZES_BYTE: Final = {
     "LONG_DOUBLE": 8, "SIZE_T": 4, "PTRDIFF_T": 4, "WCHAR_T": 4, "WINT_T": 4,
 }  # fmt: skip
 _TYPES: Final = {
-    # name: its type, its largest value; none where another row of this file gives it
+    # name: its type, its largest value; None if it is defined elsewhere in this file
     "INT": ("", "0x7fffffff"),
     "LONG": ("", "0x7fffffffL"),
     "LONG_LONG": ("", "0x7fffffffffffffffLL"),
@@ -122,7 +122,7 @@ _WIDTHS: Final = {
     "WCHAR": 32, "WINT": 32, "INTMAX": 64, "INTPTR": 32, "SIG_ATOMIC": 32,
 }  # fmt: skip
 _FAST_BITS: Final = {8: 8, 16: 32, 32: 32, 64: 64}
-"""How many bits the `int_fast` types of gcc on i386 have."""
+"""The widths of the `int_fast` types of gcc on i386 [bits]."""
 
 _NOT_RESERVED: Final = ("linux", "unix", "i386")
 """Names that are the program's own in strict C."""
@@ -130,7 +130,7 @@ _NOT_RESERVED: Final = ("linux", "unix", "i386")
 
 @cache
 def predefined_macros(standard: str = "gnu17") -> tuple[Macro, ...]:
-    """Gives the macros whose value is always the same; all stand at place 0.
+    """Return the macros with constant values; all are defined at place 0.
 
     Args:
         standard: a key of `STANDARDS`.
@@ -170,7 +170,7 @@ def _definitions() -> Iterator[str]:
 
 
 def _sized_types() -> Iterator[tuple[str, tuple[str, str]]]:
-    """Gives the rows of `_TYPES` for `int_least8_t`, `int_fast8_t` and the like."""
+    """Return the rows of `_TYPES` for `int_least8_t`, `int_fast8_t` and the like."""
     for prefix in ("INT", "UINT"):
         for bits, fast_bits in _FAST_BITS.items():
             yield f"{prefix}_LEAST{bits}", _TYPES[f"{prefix}{bits}"]

@@ -1,8 +1,8 @@
 r"""The C preprocessor: from a file to C without directives, comments and macros.
 
-A line without macros is passed on as it is. Any other is cut into tokens, its macros are replaced,
-GNU syntax is put into standard words, and it is written again. `Preprocessed.location` leads from
-any place of the result back to the user's file, line and column.
+A line without macros is copied. Any other is split into tokens, its macros are replaced, GNU
+syntax is rewritten, and the tokens are written out. `Preprocessed.location` maps positions of the
+result to the user's file, line and column.
 
 >>> messages = Diagnostics()
 >>> program = preprocess_text("#define FAST 200\nvm(FAST, 0);\n", "a.c", Options(), messages)
@@ -23,7 +23,7 @@ from typing import Final
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess import conditionals
 from crs_cc.frontend.preprocess.budget import ExhaustedError
-from crs_cc.frontend.preprocess.directives import obey_pragma, run_directive
+from crs_cc.frontend.preprocess.directives import execute_pragma, run_directive
 from crs_cc.frontend.preprocess.dynamic import dynamic_macros
 from crs_cc.frontend.preprocess.gnu import GnuSyntax
 from crs_cc.frontend.preprocess.includes import Headers, Refusal, read_regular_file
@@ -43,20 +43,22 @@ _COMMAND_LINE: Final = "<command line>"
 
 
 def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Preprocessed:
-    """Preprocesses a C file (C17 5.1.1.2, phases 1 to 4).
+    """Preprocess a C file (C17 5.1.1.2, phases 1 to 4).
 
     Args:
         path: the file.
-        options: where headers are, and what is defined.
-        diagnostics: gets every message, and the lines of each file that is read. When there is an
-            error among them, the result is as good as it can be, and not to be used.
+        options: header directories and macro definitions.
+        diagnostics: receives all messages, and the lines of each file that is read. If there are
+            errors, the result must not be compiled.
     """
     content = read_regular_file(path)
     if isinstance(content, Refusal):
         diagnostics.error(Location(str(path)), content.text, content.hint)
         return _preprocess("", path, options, diagnostics)
     if is_binary(content):
-        diagnostics.error(Location(str(path)), "is not a text file", "name a C source file")
+        diagnostics.error(
+            Location(str(path)), "is not a text file", "give the name of a C source file"
+        )
         return _preprocess("", path, options, diagnostics)
     return _preprocess(decode(content), path, options, diagnostics)
 
@@ -64,17 +66,17 @@ def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Prepro
 def preprocess_text(
     text: str, name: str, options: Options, diagnostics: Diagnostics
 ) -> Preprocessed:
-    """Preprocesses a program that is at hand as text.
+    """Preprocess a program that is given as text.
 
     Args:
         text: the program.
-        name: what messages call it; a header in quotes is looked for beside a file of that name.
-        options: where headers are, and what is defined.
-        diagnostics: gets every message, and the lines of each file that is read.
+        name: its file name, for messages and as the directory of headers in quotes.
+        options: header directories and macro definitions.
+        diagnostics: receives all messages, and the lines of each file that is read.
     """
     try:
         content = decode(text.encode("utf-8", "surrogateescape"))
-    except UnicodeEncodeError:  # lone surrogates, which stand for no byte
+    except UnicodeEncodeError:  # lone surrogates, which represent no byte
         content = decode(text.encode("utf-8", "replace"))
     return _preprocess(content, Path(name), options, diagnostics)
 
@@ -88,7 +90,7 @@ def _preprocess(
 
 
 class _Run:
-    """One run over a main file and what it includes."""
+    """One run over a main file and its headers."""
 
     def __init__(self, folder: Path, options: Options, diagnostics: Diagnostics) -> None:
         self.folder = folder
@@ -98,10 +100,10 @@ class _Run:
         self.state.strict = options.is_strict
         self.options = options
         self.writer = Writer()
-        self.gnu = GnuSyntax(report, lambda tokens: obey_pragma(self.state, tokens))
+        self.gnu = GnuSyntax(report, lambda tokens: execute_pragma(self.state, tokens))
 
     def read(self, content: str, path: Path) -> None:
-        """Reads everything."""
+        """Read all files."""
         state = self.state
         for macro in (*predefined_macros(self.options.standard), *dynamic_macros(state)):
             state.define(macro)
@@ -112,7 +114,7 @@ class _Run:
         self._read_all()
 
     def read_more(self, name: str, content: str) -> Preprocessed:
-        """Reads another text, with the macros as they are at the end of the main file."""
+        """Preprocess another text with the macros at the end of the main file."""
         self.writer = Writer()
 
         def read() -> None:
@@ -123,16 +125,16 @@ class _Run:
         return self.finish(read)
 
     def finish(self, read: Callable[[], None]) -> Preprocessed:
-        """Gives what was written when `read` is done, or could not go on."""
+        """Return the output after `read`, which may have stopped early."""
         report = self.state.report
         try:
             read()
         except ExhaustedError as error:
-            hint = "a macro that uses another one twice doubles with every step"
+            hint = "macros that use each other twice double the text at every step"
             place = report.places.location(error.place)
-            report.diagnostics.error(place, "macros expand to far more than was written", hint)
+            report.diagnostics.error(place, "macro expansion is too large", hint)
         except StopError:
-            pass  # the reason is among the diagnostics
+            pass  # the reason is in the diagnostics
         return self.writer.finish(report.places)
 
     def _read_all(self) -> None:
@@ -145,7 +147,7 @@ class _Run:
         self.gnu.finish()
 
     def _define_options(self, folder: Path) -> None:
-        """Opens a text that does what `-D` and `-U` say, to be read before the main file."""
+        """Open a text with the directives for `-D` and `-U`, to be read before the main file."""
         lines: list[str] = []
         for definition in self.options.defines:
             name, equals, value = definition.partition("=")
@@ -159,7 +161,7 @@ class _Run:
         self.state.open(text, folder, None, text.start)
 
     def _include_dialect(self, folder: Path) -> None:
-        """Opens the header of a dialect, to be read before the main file."""
+        """Open the header of a dialect, to be read before the main file."""
         name = DIALECT_HEADERS.get(self.options.dialect)
         if name is not None:
             found = self.state.headers.find(name, quoted=False, folder=folder)
@@ -167,7 +169,7 @@ class _Run:
             self.state.include(found, self.state.reader.text.start)
 
     def _next_line(self) -> tuple[str, Place] | None:
-        """Gives the next line of the innermost file that is no directive, none at its end."""
+        """Return the next line of the innermost file that is not a directive, None at its end."""
         state = self.state
         while (line := state.reader.next_line()) is not None:
             text, place = line
@@ -183,7 +185,7 @@ class _Run:
         conditionals.close_all(self.state.readers.pop(), self.state.report)
 
     def _write(self, text: str, place: Place) -> None:
-        """Writes what a line becomes, and what it needs of the lines that follow."""
+        """Preprocess a line, with the following ones that it needs, and write the result."""
         untouched = self.state.watched.isdisjoint(_WORD.findall(text))
         if untouched and is_plain(text) and not self.gnu.is_open:
             self.writer.line(text, place)
@@ -196,10 +198,10 @@ class _Run:
         self.writer.tokens(respell(tokens, self.state.report))
 
     def _more(self, depth: int) -> list[Token] | None:
-        """Gives the tokens of the next line for a call that goes on, none at the file's end.
+        """Return the tokens of the next line for a call that continues, None at the file's end.
 
         Args:
-            depth: how many files were open where the call began.
+            depth: how many files were open at the start of the call.
         """
         while (line := self._next_line()) is None:
             if len(self.state.readers) <= depth:

@@ -1,4 +1,4 @@
-r"""An open file: where reading stands in it, and which of its conditional groups are open.
+r"""An open source file: the current line, and the open conditional groups.
 
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> text = Places().add("a.c", "int a;\nint b;")
@@ -21,11 +21,11 @@ class Conditional:
     """A group of lines between `#if` and `#endif` (C17 6.10.1).
 
     Attributes:
-        directive: what began it, as `#ifdef`.
-        place: where.
-        active: whether the lines of its present part are used.
-        done: whether no later part can be used: one was, or the whole is skipped.
-        else_place: where its `#else` is.
+        directive: the directive at its start, such as `#ifdef`.
+        place: the place of that directive.
+        active: whether the lines of its current part are used.
+        done: whether no later part can be used: one was, or the whole group is skipped.
+        else_place: the place of its `#else`.
     """
 
     directive: str
@@ -41,12 +41,12 @@ class Reader:
 
     Attributes:
         text: its text.
-        folder: where `#include "..."` looks first.
-        header: how the file was found; none for the main file.
-        presumed_name: what `__FILE__` gives, which `#line` can change.
-        line_offset: what `__LINE__` adds to the line's number, which `#line` can change.
+        folder: the directory that `#include "..."` searches first.
+        header: the header that it is; None for the main file.
+        presumed_name: the value of `__FILE__`, which `#line` can change.
+        line_offset: the difference of `__LINE__` from the line number, which `#line` can change.
         conditionals: the open groups, the innermost last.
-        place: where the next line begins.
+        place: the place of the next line.
     """
 
     text: SourceText
@@ -64,11 +64,11 @@ class Reader:
 
     @property
     def skipping(self) -> bool:
-        """Tells whether the lines here are left out."""
+        """Whether the current lines are skipped."""
         return bool(self.conditionals) and not self.conditionals[-1].active
 
     def next_line(self) -> tuple[str, Place] | None:
-        """Gives the next logical line and its place, none at the end of the file."""
+        """Return the next logical line and its place, None at the end of the file."""
         lines = self.text.lines
         if self._index >= len(lines):
             return None

@@ -1,4 +1,4 @@
-"""Messages about places, up to a limit.
+"""Messages of the preprocessor, up to a limit.
 
 >>> places = Places()
 >>> text = places.add("a.c", "int a;")
@@ -21,16 +21,16 @@ MAX_WARNINGS: Final = 100
 
 
 class StopError(Exception):
-    """Preprocessing cannot go on; the reason is among the diagnostics. It never gets out."""
+    """Preprocessing cannot continue; the reason is in the diagnostics. It is caught internally."""
 
 
 @dataclass(slots=True)
 class Report:
-    """Collects the messages of one run.
+    """Records the messages of one run.
 
     Attributes:
-        diagnostics: where they go.
-        places: what turns a place into a location.
+        diagnostics: receives the messages.
+        places: maps a place to a location.
     """
 
     diagnostics: Diagnostics
@@ -39,7 +39,7 @@ class Report:
     _warnings: int = 0
 
     def error(self, place: Place, text: str, hint: str = "") -> None:
-        """Records an error.
+        """Record an error.
 
         Raises:
             StopError: there are too many.
@@ -47,21 +47,21 @@ class Report:
         self.diagnostics.error(self.places.location(place), text, hint)
         self._errors += 1
         if self._errors >= MAX_ERRORS:
-            self.fatal(place, f"too many errors ({MAX_ERRORS}), the rest is not read")
+            self.fatal(place, f"too many errors ({MAX_ERRORS}), stopping now")
 
     def warning(self, place: Place, text: str, hint: str = "") -> None:
-        """Records a warning, unless there were very many."""
+        """Record a warning, unless there are too many."""
         self._warnings += 1
         if self._warnings <= MAX_WARNINGS:
             self.diagnostics.warning(self.places.location(place), text, hint)
 
     def note(self, place: Place, text: str) -> None:
-        """Adds to the warning before it, if that was recorded."""
+        """Record a note to the preceding warning, if that was recorded."""
         if self._warnings <= MAX_WARNINGS:
             self.diagnostics.add("note", self.places.location(place), text)
 
     def fatal(self, place: Place, text: str, hint: str = "") -> NoReturn:
-        """Records an error after which nothing more can be read.
+        """Record an error after which preprocessing cannot continue.
 
         Raises:
             StopError: always.

@@ -1,9 +1,9 @@
-r"""The text of a file after translation phases 1 to 3, with a map back to what the user wrote.
+r"""The text of a file after translation phases 1 to 3, with a map back to the original.
 
-Lines that a backslash continues are joined, and comments become white space of the same length
-(C17 5.1.1.2). What is left is cut into logical lines. A *place* is one number: the offset of a
-character in all texts of a run laid end to end. It costs nothing to carry, and `Places` turns it
-into a file, line and column when somebody asks.
+Lines with a continuation are joined, and comments become white space of the same length (C17
+5.1.1.2). The result is split into logical lines. A *place* is a single number: the offset of a
+character in the concatenated texts of a run. It is cheap to store, and `Places` maps it to a file,
+line and column on demand.
 
 >>> places = Places()
 >>> text = places.add("a.c", "int a; /* two\nlines */ int \\\n  b;\n")
@@ -38,7 +38,7 @@ _UNDECODABLE: Final = re.compile("[\udc80-\udcff]")
 
 
 def decode(content: bytes) -> str:
-    """Gives the text of a file, in UTF-8 with or without a mark, with lines ending in newlines.
+    """Return the text of a UTF-8 file, with or without a byte order mark; lines end in newlines.
 
     Bytes that are not UTF-8 (old sources have Latin-1 in their comments) become surrogates, as
     Python's `surrogateescape` makes them.
@@ -49,7 +49,7 @@ def decode(content: bytes) -> str:
 
 
 def without_trigraphs(text: str) -> str:
-    r"""Replaces the nine trigraphs (C17 5.2.1.1); what follows in a line moves by two columns.
+    r"""Replace the nine trigraphs (C17 5.2.1.1); what follows in a line moves by two columns.
 
     >>> without_trigraphs("??=define A(x) x??(0??) ?????/")
     '#define A(x) x[0] ???\\'
@@ -58,27 +58,27 @@ def without_trigraphs(text: str) -> str:
 
 
 def is_binary(content: bytes) -> bool:
-    """Tells whether bytes are no text in any encoding, but a program, a picture or an archive."""
+    """Return whether bytes are not text in any encoding, but a program, a picture or an archive."""
     odd = len(content) - len(content.translate(None, _CONTROLS))
     return odd > 4 + len(content) // 100
 
 
 def printable(text: str) -> str:
-    """Gives a text that can be shown: bytes that are not UTF-8 are replaced."""
+    """Return a printable text, with bytes that are not UTF-8 replaced."""
     return text if text.isascii() else _UNDECODABLE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
 @dataclass(frozen=True, slots=True)
 class SourceText:
-    """One file's text.
+    """The text of a file.
 
     Attributes:
-        name: the file, as messages name it.
+        name: the file name, for messages.
         start: the place of its first character.
-        size: how many places it takes.
+        size: the number of its places.
         lines: its logical lines, without comments. A newline inside a comment is a vertical tab.
-        line_starts: where each line of the file begins, as an offset in the logical text.
-        unclosed_comment: the place of a comment without an end.
+        line_starts: the offset of each line of the file in the logical text.
+        unclosed_comment: the place of a comment without end.
     """
 
     name: str
@@ -89,7 +89,7 @@ class SourceText:
     unclosed_comment: Place | None
 
     def location(self, place: Place) -> Location:
-        """Gives line and column of a place in this file."""
+        """Return the line and column of a place in this file."""
         offset = min(place - self.start, self.size)
         line = bisect_right(self.line_starts, offset)
         return Location(self.name, line, offset - self.line_starts[line - 1] + 1)
@@ -97,13 +97,13 @@ class SourceText:
 
 @dataclass(slots=True)
 class Places:
-    """All texts of a run, laid end to end."""
+    """All texts of a run, concatenated."""
 
     texts: list[SourceText] = field(default_factory=list)
     _starts: list[Place] = field(default_factory=list)
 
     def add(self, name: str, content: str) -> SourceText:
-        """Appends the content of a file, with newlines as line ends."""
+        """Append the content of a file with newlines as line ends."""
         start = self.texts[-1].start + self.texts[-1].size + 1 if self.texts else 0
         joined, line_starts = _join_lines(content)
         blanked, unclosed = _blank_comments(joined)
@@ -120,17 +120,17 @@ class Places:
         return text
 
     def location(self, place: Place) -> Location:
-        """Gives the file, line and column of a place."""
+        """Return the file, line and column of a place."""
         return self.texts[bisect_right(self._starts, place) - 1].location(place)
 
 
 def _join_lines(content: str) -> tuple[str, list[int]]:
-    """Removes each backslash that ends a line, and the newline (C17 5.1.1.2, phase 2).
+    """Remove each backslash that ends a line, and the newline (C17 5.1.1.2, phase 2).
 
-    White space after the backslash is removed too, as gcc does: nobody can see it.
+    White space after the backslash, which is invisible, is removed, too, as in gcc.
 
     Returns:
-        the text, and where in it each line of `content` begins.
+        The text, and the offset in it of each line of `content`.
     """
     parts: list[str] = []
     starts: list[int] = []
@@ -147,10 +147,10 @@ def _join_lines(content: str) -> tuple[str, list[int]]:
 
 
 def _blank_comments(text: str) -> tuple[str, int | None]:
-    """Replaces comments by white space of the same length (C17 5.1.1.2, phase 3).
+    """Replace comments by white space of the same length (C17 5.1.1.2, phase 3).
 
     Returns:
-        the text, and the offset of a comment that is not closed.
+        The text, and the offset of an unclosed comment.
     """
     unclosed = None
 

@@ -1,8 +1,8 @@
-r"""Tokens as the parser can read them (C17 5.1.1.2, phase 7), and errors for those it cannot.
+r"""Conversion of preprocessing tokens to tokens of C (C17 5.1.1.2, phase 7).
 
-Preprocessing tokens may be anything; what is left after preprocessing must be C. Some spellings
+Preprocessing tokens may be anything; after preprocessing there must only be tokens of C. Spellings
 that the parser does not know are replaced: digraphs, unknown escape sequences as in `"100\%"`,
-bytes that are not UTF-8, letters outside ASCII in names.
+bytes that are not UTF-8, letters outside ASCII in names. Others are errors.
 
 >>> is_plain('printf("%d\\n", a[i] >> 2); /'), is_plain('"100\\%"'), is_plain("a <: 0x1G")
 (True, False, False)
@@ -38,7 +38,7 @@ _FLOATING_NUMBER: Final = re.compile(_FLOATING)
 _INTEGER: Final = rf"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*){SUFFIX}"
 
 _ESCAPED: Final = r"[0-7abefnrtvxuUE\\?'\"]"
-"""What has a meaning after a backslash (C17 6.4.4.4), and gcc's `\\e`."""
+"""The characters with a meaning after a backslash (C17 6.4.4.4), and gcc's `\\e`."""
 _IN_STRING: Final = rf"[^\"\\\udc80-\udcff]|\\{_ESCAPED}"
 _NUMBERED: Final = r"[0-7]{1,3}|x[0-9a-fA-F]+|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}"
 _IN_CHARACTER: Final = rf"[^'\\\udc80-\udcff]|\\(?:{_NUMBERED}|{_ESCAPED})"
@@ -60,7 +60,7 @@ _TYPOGRAPHY: Final = (
     | {"\u2026": "...", "\u2264": "<=", "\u2265": ">=", "\u2260": "!=", "\xd7": "*"}
     | {"\xa0": "a space"}
 )
-"""What word processors write for the signs of C."""
+"""The characters that word processors substitute for those of C."""
 
 _ODD_PUNCTUATORS: Final = frozenset(_DIGRAPHS) | HASH | PASTE
 _UNKNOWN_ESCAPE: Final = re.compile(rf"\\(?:({_ESCAPED})|(.))|([\udc80-\udcff])")
@@ -69,12 +69,12 @@ _UNIVERSAL: Final = re.compile(r"\\(?:u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8}))|([^\x
 
 
 def is_plain(line: str) -> bool:
-    """Tells whether all tokens of a line are C as the parser reads it."""
+    """Return whether the parser accepts all tokens of a line."""
     return _PLAIN.fullmatch(line) is not None
 
 
 def respell(tokens: Sequence[Token], report: Report) -> list[Token]:
-    """Gives tokens as the parser can read them; reports those that are not C, and drops them."""
+    """Return tokens for the parser; report and drop those that are not C."""
     result = []
     for token in tokens:
         kind = token.kind
@@ -95,32 +95,32 @@ def respell(tokens: Sequence[Token], report: Report) -> list[Token]:
 
 
 def _odd(token: Token, report: Report) -> str | None:
-    """Gives the usual spelling of a digraph; reports any other odd token."""
+    """Return the usual spelling of a digraph; report any other unusual token."""
     if token.text in _DIGRAPHS:
         return _DIGRAPHS[token.text]
     if token.kind == PUNCTUATOR:
         report.error(token.place, f"stray '{token.text}' in the program")
     elif token.kind == UNCLOSED:
         quote = token.text[0]
-        hint = "a string that goes on in the next line is closed and opened again"
+        hint = "close the string at the end of the line and open it again on the next"
         wrong = next((each for each in token.text if _TYPOGRAPHY.get(each) == quote), "")
         if wrong:
             hint = f"write {quote} instead of {wrong}"
         report.error(
             token.place,
-            f"the closing {quote} is missing on this line",
+            f"missing terminating {quote} on this line",
             hint if quote == '"' or wrong else "",
         )
     else:
         character = token.text[0]
         wanted = _TYPOGRAPHY.get(character)
         hint = f"write {wanted}" if wanted is not None else ""
-        report.error(token.place, f"'{shown(character)}' is no part of C", hint)
+        report.error(token.place, f"unexpected character '{shown(character)}'", hint)
     return None
 
 
 def _ascii_name(name: str) -> str:
-    """Gives a name with each letter outside ASCII as `$u` and its number: the parser wants it."""
+    """Return a name with each letter outside ASCII replaced by `$u` and its number."""
     if name.isascii() and "\\" not in name:
         return name
 
@@ -137,7 +137,7 @@ def _number(token: Token, report: Report) -> str:
         return text
     hint = ""
     if text.isdigit():
-        problem = "a number that begins with 0 is octal and has no digits 8 and 9"
+        problem = "a number that starts with 0 is octal and cannot have the digits 8 and 9"
     elif text[-2:-1] in tuple("eEpP") or "+" in text or "-" in text:
         problem = f"'{shown(text)}' is not a number"
         hint = "put spaces around '+' and '-'"
@@ -150,15 +150,13 @@ def _number(token: Token, report: Report) -> str:
 
 
 def _quoted(token: Token, report: Report) -> str:
-    """Gives a string literal or character constant with escape sequences that the parser knows."""
+    """Return a string literal or character constant with standard escape sequences."""
     text = token.text
     if token.kind == CHARACTER:
         size = len(_ONE_CHARACTER.findall(text.partition("'")[2][:-1]))
         if size == 0 or size > 4:
-            problem = (
-                "an empty character constant" if size == 0 else "a too long character constant"
-            )
-            hint = "" if size == 0 else 'a string stands in double quotes: "..."'
+            problem = "empty character constant" if size == 0 else "character constant is too long"
+            hint = "" if size == 0 else 'use double quotes for a string: "..."'
             report.error(token.place, problem, hint)
             return "'0'"
 

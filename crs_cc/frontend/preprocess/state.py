@@ -1,4 +1,4 @@
-"""What one run of the preprocessor knows: its macros, its open files, and what it may still do.
+"""The state of a preprocessor run: macros, open files, and remaining limits.
 
 >>> from crs_cc.frontend.preprocess.macros import read_definition
 >>> from crs_cc.frontend.preprocess.source_text import Places
@@ -22,7 +22,7 @@ from typing import Final
 from crs_cc.frontend.preprocess import gnu
 from crs_cc.frontend.preprocess.budget import Budget
 from crs_cc.frontend.preprocess.expand import MacroUses, MoreTokens, expand
-from crs_cc.frontend.preprocess.includes import Header, Headers, Refusal, read_regular_file
+from crs_cc.frontend.preprocess.includes import Header, Headers, Refusal
 from crs_cc.frontend.preprocess.macros import DEFINED, Macro
 from crs_cc.frontend.preprocess.reader import Reader
 from crs_cc.frontend.preprocess.report import Report
@@ -37,11 +37,11 @@ from crs_cc.frontend.preprocess.source_text import (
 from crs_cc.frontend.preprocess.tokens import Token
 
 MAX_DEPTH: Final = 200
-"""How deep headers may include each other, as in gcc."""
+"""The maximum nesting depth of headers, as in gcc."""
 MAX_CHARACTERS: Final = 32 << 20
-"""How much source is read in a run, each header as often as it is included [characters]."""
-OPENING: Final = 2048
-"""What opening a file counts for, however small it is [characters]."""
+"""The maximum size of all source in a run, counting each inclusion [characters]."""
+FILE_COST: Final = 2048
+"""The minimum size that an opened file counts for [characters]."""
 
 
 @dataclass(slots=True)
@@ -49,18 +49,18 @@ class State:
     """The state of a run.
 
     Attributes:
-        report: hears of errors.
+        report: receives messages about errors.
         headers: finds header files.
         macros: the macros, by name.
-        watched: words that a line must not have, to be passed on as it is.
+        watched: the words that a line must not contain in order to be copied unchanged.
         readers: the open files, the innermost last.
-        once: files that said `#pragma once`.
-        budget: what macros may still expand to.
-        characters_left: how much more source is read.
-        strict: whether the program is written in ISO C, with trigraphs.
-        kept_macros: what `#pragma push_macro` keeps of each name.
-        pending: tokens that a directive puts into the program.
-        uses: the macros that the program uses, by the place.
+        once: the files with `#pragma once`.
+        budget: the limit for macro expansion.
+        characters_left: the remaining size of source.
+        strict: whether the program is in ISO C, with trigraphs.
+        kept_macros: the stack of `#pragma push_macro` for each name.
+        pending: tokens from a directive, to be added to the program.
+        uses: the macros that the program uses, by place.
     """
 
     report: Report
@@ -79,39 +79,39 @@ class State:
 
     @property
     def reader(self) -> Reader:
-        """Gives the file that is being read."""
+        """The file that is being read."""
         return self.readers[-1]
 
     def define(self, macro: Macro) -> None:
-        """Adds a macro; the same name may be defined again with the same meaning only."""
+        """Define a macro; report a redefinition that differs."""
         known = self.macros.get(macro.name)
         if known is not None and not known.same_as(macro):
-            self.report.warning(macro.place, f"'{macro.name}' is defined again, otherwise")
+            self.report.warning(macro.place, f"'{macro.name}' macro redefined")
             if known.place:
-                self.report.note(known.place, "it was defined here before")
+                self.report.note(known.place, "previous definition is here")
         self.macros[macro.name] = macro
         self.watched.add(macro.name)
 
     def undefine(self, name: str) -> None:
-        """Forgets a macro, if there is one of that name."""
+        """Undefine a macro if there is one with this name."""
         if self.macros.pop(name, None) is not None and name not in gnu.WORDS:
             self.watched.discard(name)
 
     def expand(self, tokens: Sequence[Token], more: MoreTokens | None = None) -> list[Token]:
-        """Replaces all macros in tokens; `more` gives the next lines for a call that goes on."""
+        """Replace all macros in tokens; `more` returns the next lines for a call that continues."""
         return expand(tokens, self.macros, self.budget, self.report, more, uses=self.uses)
 
     def expand_condition(self, tokens: Sequence[Token]) -> list[Token]:
-        """Replaces all macros in the expression of `#if`, but no operands of `defined`."""
+        """Replace all macros in the expression of `#if`, except the operands of `defined`."""
         macros = ChainMap({DEFINED.name: DEFINED}, self.macros)
         return expand(tokens, macros, self.budget, self.report)
 
     def include(self, header: Header, place: Place) -> None:
-        """Opens a header, to be read next.
+        """Open a header, to be read next.
 
         Args:
             header: the file.
-            place: where it is included.
+            place: the place of the `#include`.
 
         Raises:
             StopError: headers are nested too deeply, or there is too much source.
@@ -119,10 +119,10 @@ class State:
         if header.file in self.once:
             return
         if len(self.readers) > MAX_DEPTH:
-            self.report.fatal(place, f"headers include each other more than {MAX_DEPTH} deep")
+            self.report.fatal(place, f"#include nested more than {MAX_DEPTH} deep")
         text = self._texts.get(header.file)
         if text is None:
-            content = read_regular_file(header.file)
+            content = header.read()
             if isinstance(content, Refusal):
                 self.report.error(place, f"'{header.path}' {content.text}", content.hint)
                 return
@@ -133,22 +133,22 @@ class State:
         self.open(text, header.path.parent, header, place)
 
     def add_text(self, name: str, content: str) -> SourceText:
-        """Takes in the text of a file, so that messages can show its lines."""
+        """Record the text of a file, so that messages can show its lines."""
         self.report.diagnostics.lines[name] = printable(content).split("\n")
         if self.strict:
             content = without_trigraphs(content)
         text = self.report.places.add(name, content)
         if text.unclosed_comment is not None:
-            self.report.error(text.unclosed_comment, "this comment has no '*/' at its end")
+            self.report.error(text.unclosed_comment, "unterminated comment: missing '*/'")
         return text
 
     def open(self, text: SourceText, folder: Path, header: Header | None, place: Place) -> None:
-        """Begins to read a text.
+        """Start to read a text.
 
         Raises:
             StopError: there is too much source.
         """
-        self.characters_left -= text.size + OPENING
+        self.characters_left -= text.size + FILE_COST
         self.budget.grow(text.size)
         if self.characters_left < 0:
             self.report.fatal(

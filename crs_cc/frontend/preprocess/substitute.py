@@ -1,4 +1,4 @@
-r"""What a macro's call is replaced by: its body with the arguments in it (C17 6.10.3.1 to 3).
+r"""The replacement of a macro call: the body with the arguments (C17 6.10.3.1 to 3).
 
 >>> from crs_cc.frontend.preprocess.macros import read_definition
 >>> from crs_cc.frontend.preprocess.source_text import Places
@@ -42,15 +42,15 @@ def substitute(
     budget: Budget,
     report: Report,
 ) -> list[Token]:
-    """Gives the tokens of a macro's body, with the arguments in the place of the parameters.
+    """Return the tokens of a macro's body with the parameters replaced by the arguments.
 
     Args:
         macro: the macro.
-        name: its name in the call, which gives its place to the tokens of the body.
+        name: its name in the call, whose place becomes that of the body's tokens.
         arguments: the arguments as written.
-        expanded: those that the macro needs with their macros replaced, by number.
-        budget: pays for the tokens.
-        report: hears of tokens that cannot be pasted.
+        expanded: the expanded arguments, by index.
+        budget: the limit for expansion.
+        report: receives messages about tokens that cannot be pasted.
 
     Raises:
         ExhaustedError: the budget is used up.
@@ -65,7 +65,7 @@ def substitute(
 
 
 def stringise(tokens: Sequence[Token]) -> str:
-    """Gives tokens as a string literal (C17 6.10.3.2)."""
+    """Return tokens as a string literal (C17 6.10.3.2)."""
     quoted = [
         Token(token.kind, _escaped(token.text), token.place, token.spaced)
         if token.kind in (STRING, CHARACTER)
@@ -81,7 +81,7 @@ def _escaped(text: str) -> str:
 
 @dataclass(slots=True)
 class _Substitution:
-    """One call."""
+    """The substitution for one call."""
 
     place: Place
     arguments: Sequence[list[Token]]
@@ -95,7 +95,7 @@ class _Substitution:
             if part.kind == "token":
                 tokens = [part.token.moved(self.place, part.token.spaced)]
             elif part.kind == "rest" and not self.arguments[part.argument]:
-                result.pop()  # GNU: without further arguments the comma goes, too
+                result.pop()  # GNU: without variadic arguments the comma is removed
                 continue
             else:
                 tokens = self._tokens(part)
@@ -108,7 +108,7 @@ class _Substitution:
         return result
 
     def _tokens(self, part: Part) -> list[Token]:
-        """Gives what a part puts in its place, never nothing."""
+        """Return the replacement of a part, which has at least one token."""
         spaced = part.token.spaced
         if part.kind == "string":
             argument = self.arguments[part.argument]
@@ -128,7 +128,7 @@ class _Substitution:
         return _spaced(tokens, spaced) or [Token(PLACEMARKER, "", self.place, spaced)]
 
     def _paste(self, result: list[Token], right: Token) -> None:
-        """Joins the last token with another (C17 6.10.3.3)."""
+        """Paste a token to the last one (C17 6.10.3.3)."""
         left = result[-1]
         if right.kind == PLACEMARKER:
             return
@@ -148,7 +148,7 @@ class _Substitution:
 
 
 def _without_placemarkers(tokens: list[Token]) -> list[Token]:
-    """Takes placemarkers away, but not the white space before them."""
+    """Remove placemarkers, but not the white space before them."""
     result = []
     owes_space = False
     for token in tokens:
@@ -161,7 +161,7 @@ def _without_placemarkers(tokens: list[Token]) -> list[Token]:
 
 
 def _spaced(tokens: list[Token], spaced: bool) -> list[Token]:
-    """Gives tokens of which the first has white space before it, or has not."""
+    """Return tokens with or without white space before the first one."""
     if not tokens or tokens[0].spaced == spaced:
         return tokens
     return [tokens[0].moved(tokens[0].place, spaced), *tokens[1:]]

@@ -1,4 +1,4 @@
-r"""Preprocessing tokens (C17 6.4), cut from a line by one regular expression.
+r"""Preprocessing tokens (C17 6.4), split by one regular expression.
 
 >>> [token.text for token in tokenise(r'x+++=L"a\"b"[0x1e+2]', 0)]
 ['x', '++', '+=', 'L"a\\"b"', '[', '0x1e+2', ']']
@@ -21,11 +21,11 @@ STRING: Final = "string"
 CHARACTER: Final = "character"
 PUNCTUATOR: Final = "punctuator"
 UNCLOSED: Final = "unclosed"
-"""A quote without its partner, and the rest of the line."""
+"""An unmatched quote and the rest of the line."""
 OTHER: Final = "other"
-"""A character that is no part of C; or a string between the quotes of a word processor."""
+"""A character that is not part of C, or a string in typographic quotes."""
 PLACEMARKER: Final = "placemarker"
-"""What `##` makes of an empty argument (C17 6.10.3.3); never leaves an expansion."""
+"""The result of `##` with an empty argument (C17 6.10.3.3); removed from expansions."""
 
 HASH: Final = frozenset({"#", "%:"})
 PASTE: Final = frozenset({"##", "%:%:"})
@@ -54,15 +54,15 @@ _TOKEN: Final = re.compile(
 
 @dataclass(slots=True)
 class Token:
-    """A preprocessing token. It is shared by whoever holds it: never change one, make another.
+    """A preprocessing token, immutable, since tokens are shared.
 
     Attributes:
         kind: one of the constants above.
         text: its spelling.
-        place: where the user wrote it, or the macro call that it comes from.
-        spaced: whether white space stands before it.
-        painted: whether it is the name of a macro that was found inside its own expansion, and
-            is not replaced any more (C17 6.10.3.4).
+        place: its place in the source, or that of the macro call that it comes from.
+        spaced: whether it follows white space.
+        painted: whether it is the name of a macro inside its own expansion, which is not
+            replaced again (C17 6.10.3.4).
     """
 
     kind: str
@@ -72,16 +72,16 @@ class Token:
     painted: bool = False
 
     def moved(self, place: Place, spaced: bool) -> Token:
-        """Gives the same token at another place."""
+        """Return the same token at another place."""
         return Token(self.kind, self.text, place, spaced, self.painted)
 
     def respelled(self, text: str) -> Token:
-        """Gives the same token in another spelling."""
+        """Return the same token in another spelling."""
         return Token(self.kind, text, self.place, self.spaced, self.painted)
 
 
 def tokenise(line: str, place: Place) -> list[Token]:
-    """Cuts a logical line, of which the first character is at a place, into tokens."""
+    """Split a logical line, whose first character is at a place, into tokens."""
     tokens = []
     end = 0
     for match in _TOKEN.finditer(line):
@@ -94,12 +94,12 @@ def tokenise(line: str, place: Place) -> list[Token]:
 
 
 def spell(tokens: Sequence[Token]) -> str:
-    """Gives the text of tokens, with one space where there was white space between them."""
+    """Return the text of tokens, with one space where there was white space between them."""
     parts = [(" " if token.spaced else "") + token.text for token in tokens]
     return "".join(parts).lstrip()
 
 
 def shown(text: str, limit: int = 60) -> str:
-    """Gives a text as a message quotes it: printable and not too long."""
+    """Return a text as quoted in messages: printable and not too long."""
     text = printable(text)
     return text if len(text) <= limit else text[: limit - 3] + "..."

@@ -1,9 +1,9 @@
-"""Follows the paths through a function: is a variable read before it has a value, is one returned?
+"""Control-flow warnings: reads of uninitialised variables, and missing returns.
 
-Said is only what is certain on every path that the source shows: a variable counts as unassigned
-only where no path from its declaration assigns it. A loop may have assigned it in an earlier round,
-so in a loop that assigns it somewhere nothing is said behind a condition. Behind a label nothing is
-known.
+There is a warning only if it holds on every path: a variable counts as unassigned where no path
+from its declaration assigns it. An earlier iteration of a loop may have assigned it, so inside a
+loop that assigns it somewhere there are no warnings after a condition. Nothing is known after a
+label.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ Unassigned = set[ObjectSymbol]
 
 
 def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
-    """Warns of variables that are read before they have a value, and of a missing `return`."""
+    """Warn about reads of uninitialised variables and a missing `return`."""
     paths = _Paths(unit, _assigned_in_loops(function.body))
     ends = paths.block(function.body)
     symbol = function.symbol
     is_entry = symbol.name in ENTRIES and symbol.is_external
     returns = not isinstance(symbol.type.result, VoidType) and not function.returns_implicit_int
     if ends and returns and not is_entry and not symbol.is_noreturn:
-        text = f"the end of '{symbol.name}' can be reached without returning a value"
+        text = f"control can reach the end of non-void function '{symbol.name}'"
         unit.warning(function.end, text)
 
 
@@ -41,8 +41,8 @@ class _Breakable:
     Attributes:
         is_loop: whether it is a loop.
         assigned: the variables that a loop assigns somewhere.
-        is_left: whether a `break` leaves it.
-        is_continued: whether its next round may begin before the end of its body.
+        is_left: whether it contains a `break`.
+        is_continued: whether it contains a `continue`.
     """
 
     is_loop: bool
@@ -69,14 +69,14 @@ class _Paths:
     log: list[ObjectSymbol] = field(default_factory=list)
 
     def block(self, statements: list[tree.Statement]) -> bool:
-        """Walks through statements; tells whether their end can be reached."""
+        """Walk through statements; return whether their end can be reached."""
         reached = True
         for each in statements:
             reached = self.statement(each, reached)
         return reached
 
     def statement(self, node: tree.Statement, reached: bool) -> bool:
-        """Walks through a statement; tells whether its end can be reached."""
+        """Walk through a statement; return whether its end can be reached."""
         match node:
             case tree.ExpressionStatement():
                 self.value(node.expression)
@@ -103,7 +103,7 @@ class _Paths:
     def _declare(self, node: tree.Declare) -> None:
         symbol = node.symbol
         if node.initialiser is not None:
-            self.unassigned.discard(symbol)  # `int x = x;` says that it is meant so
+            self.unassigned.discard(symbol)  # `int x = x;` silences the warning
             for each in parts(node):
                 self.value(each)
         elif not symbol.in_memory and symbol.link_name is None and symbol.name:
@@ -113,32 +113,32 @@ class _Paths:
         self.value(node.condition)
         constant = _constant(node.condition)
         mark, before = len(self.log), set(self.unassigned)
-        forgotten = self._hesitate()
-        hesitant = set(self.unassigned)
+        removed = self._forget_assigned_in_loops()
+        uncertain = set(self.unassigned)
         then_ends = self.block(node.then)
-        after_then, self.unassigned = self.unassigned, hesitant
+        after_then, self.unassigned = self.unassigned, uncertain
         otherwise_ends = self.block(node.otherwise)
         if then_ends and otherwise_ends:
             self.unassigned &= after_then
-            self.unassigned |= forgotten.difference(self.log[mark:])
+            self.unassigned |= removed.difference(self.log[mark:])
         elif then_ends:
-            self.unassigned = after_then  # which way it went tells which round it is
+            self.unassigned = after_then  # the condition may depend on the iteration
         self.unassigned &= before
         if constant is not None:
             return reached and (then_ends if constant else otherwise_ends)
         return reached and (then_ends or otherwise_ends)
 
-    def _hesitate(self) -> Unassigned:
-        """Forgets what an earlier round of a loop around this point may have assigned.
+    def _forget_assigned_in_loops(self) -> Unassigned:
+        """Remove the variables that an earlier iteration of an enclosing loop may have assigned.
 
         Returns:
-            the variables that are forgotten.
+            The removed variables.
         """
-        forgotten: Unassigned = set()
+        removed: Unassigned = set()
         for each in self.open:
-            forgotten |= self.unassigned & each.assigned
-        self.unassigned -= forgotten
-        return forgotten
+            removed |= self.unassigned & each.assigned
+        self.unassigned -= removed
+        return removed
 
     def _loop(self, node: tree.Loop, reached: bool) -> bool:
         self.block(node.start)
@@ -172,7 +172,7 @@ class _Paths:
         for each in node.body:
             if isinstance(each, tree.CaseLabel):
                 self.unassigned = before & self.unassigned if reached else set(before)
-                self._hesitate()
+                self._forget_assigned_in_loops()
             reached = self.statement(each, reached)
         self.open.pop()
         self.unassigned &= before
@@ -192,7 +192,7 @@ class _Paths:
     # Expressions
 
     def value(self, node: Any) -> None:
-        """Walks through an expression in the order in which it is evaluated."""
+        """Walk through an expression in its order of evaluation."""
         match node:
             case tree.ObjectName():
                 self._read(node)
@@ -220,22 +220,22 @@ class _Paths:
                     self.log.append(target)
 
     def _maybe(self, node: Any) -> None:
-        """Walks through an expression that is not always evaluated."""
-        mark, forgotten = len(self.log), self._hesitate()
+        """Walk through an expression that is not always evaluated."""
+        mark, removed = len(self.log), self._forget_assigned_in_loops()
         self.value(node)
-        if forgotten:
-            self.unassigned |= forgotten.difference(self.log[mark:])
+        if removed:
+            self.unassigned |= removed.difference(self.log[mark:])
 
     def _read(self, node: tree.ObjectName) -> None:
         if node.symbol in self.unassigned:
-            self.unassigned.discard(node.symbol)  # to say it once is enough
-            text = f"'{node.symbol.name}' is read here, but has no value yet"
+            self.unassigned.discard(node.symbol)  # warn once
+            text = f"variable '{node.symbol.name}' is uninitialized when used here"
             hint = f"declared at {node.symbol.location}"
             self.unit.warning(node.location, text, hint)
 
 
 def _assigned_in_loops(body: list[tree.Statement]) -> dict[Any, Unassigned]:
-    """Gives for each loop and switch the variables that are assigned somewhere in it."""
+    """Return for each loop and switch the variables that are assigned somewhere in it."""
     found: dict[Any, Unassigned] = {}
     open_: list[Unassigned] = [set()]
     stack: list[Any] = list(reversed(body))
@@ -257,11 +257,11 @@ def _assigned_in_loops(body: list[tree.Statement]) -> dict[Any, Unassigned]:
 
 
 _CLOSE: Final = object()
-"""Stands behind the parts of a loop or switch."""
+"""A marker on the stack, after the parts of a loop or switch."""
 
 
 def _target(node: Any) -> ObjectSymbol | None:
-    """Gives the variable that an expression assigns, if it assigns one."""
+    """Return the variable that an expression assigns, if it assigns one."""
     if isinstance(node, tree.Assign | tree.CompoundAssign | tree.Increment):
         target = node.target
         return target.symbol if isinstance(target, tree.ObjectName) else None
@@ -269,12 +269,12 @@ def _target(node: Any) -> ObjectSymbol | None:
 
 
 def _constant(condition: tree.Expression) -> bool | None:
-    """Gives the value of a constant condition, None for any other."""
+    """Return the value of a constant condition, None for any other."""
     return bool(condition.value) if isinstance(condition, tree.Literal) else None
 
 
 def _ends(value: tree.Expression) -> bool:
-    """Tells whether an expression never comes to its end."""
+    """Return whether an expression never comes to its end."""
     match value:
         case tree.Call(callee=tree.FunctionName(symbol=symbol)):
             return symbol.is_noreturn or (symbol.is_external and symbol.name in _NEVER_RETURN)
@@ -292,5 +292,5 @@ def _ends(value: tree.Expression) -> bool:
 
 
 def _is_tangled(node: tree.Switch) -> bool:
-    """Tells whether labels of a switch lie deeper in its body, as in Duff's device."""
+    """Return whether labels of a switch lie deeper in its body, as in Duff's device."""
     return sum(isinstance(each, tree.CaseLabel) for each in node.body) != len(node.labels)

@@ -1,7 +1,7 @@
-"""Warns of what is C, but hardly what was meant, in functions that were checked without errors.
+"""Warnings about valid code that is probably a mistake, in functions without errors.
 
-Values that nobody uses, and constant indices outside their array; what needs the paths through a
-function is in `warn_flow`.
+These are unused values and constant indices outside their array; those that need control flow are
+in `flow`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.fold import COMPARISONS
-from crs_cc.frontend.check.tree_parts import everything
+from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.warn.flow import warn_paths
 from crs_cc.ir.types import ArrayType, VoidType
 
@@ -25,7 +25,7 @@ _PURE: Final = frozenset({
     "strcspn", "strlen", "strncasecmp", "strncmp", "strpbrk", "strrchr", "strspn", "strstr", "tan",
     "tolower", "toupper", "trunc",
 })  # fmt: skip
-"""Library functions that only give a value."""
+"""Library functions without side effects."""
 
 _EFFECTS: Final = (
     tree.Assign, tree.CompoundAssign, tree.Increment, tree.Call, tree.Intrinsic, tree.VarArg,
@@ -38,9 +38,9 @@ _VALUES: Final = (
 
 
 def warn_unit(unit: Unit) -> None:
-    """Looks at every function of a file."""
+    """Check every function of a file."""
     for function in unit.functions:
-        for node in everything(function.body):
+        for node in walk(function.body):
             match node:
                 case tree.ExpressionStatement():
                     _warn_unused(unit, node.expression)
@@ -54,7 +54,7 @@ def warn_unit(unit: Unit) -> None:
 
 
 def _warn_unused(unit: Unit, value: tree.Expression) -> None:
-    """Warns of a value that is dropped, if there was no reason to compute it but the value."""
+    """Warn about a value that is dropped, if there was no reason to compute it but the value."""
     if isinstance(value, tree.Call):
         _warn_call(unit, value)
         return
@@ -65,9 +65,9 @@ def _warn_unused(unit: Unit, value: tree.Expression) -> None:
         unit.warning(value.location, f"'{name}' is not called here", f"write '{name}()'")
     elif isinstance(value, tree.Binary) and value.op in COMPARISONS:
         hint = "write '=' to assign" if value.op == "==" else ""
-        unit.warning(value.location, f"the result of '{value.op}' is not used", hint)
-    elif not any(map(_has_effect, everything([value]))) and not _is_macro(unit, value.location):
-        unit.warning(value.location, "this value is not used")
+        unit.warning(value.location, f"result of '{value.op}' unused", hint)
+    elif not any(map(_has_effect, walk([value]))) and not _is_macro(unit, value.location):
+        unit.warning(value.location, "expression result unused")
 
 
 def _has_effect(value: tree.Expression) -> bool:
@@ -75,26 +75,26 @@ def _has_effect(value: tree.Expression) -> bool:
 
 
 def _is_macro(unit: Unit, place: Location) -> bool:
-    """Tells whether a name in capitals stands at a place: it may well be a macro for nothing."""
+    """Return whether there is a name in capitals at a location: probably a macro without effect."""
     line = unit.diagnostics.lines.get(place.file, [])[place.line - 1 : place.line]
     return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
 
 
 def _warn_call(unit: Unit, call: tree.Call) -> None:
-    """Warns of a dropped value of a function that only gives one."""
+    """Warn about the unused result of a function without side effects."""
     if isinstance(call.callee, tree.FunctionName) and not isinstance(call.type, VoidType):
         symbol = call.callee.symbol
         if symbol.is_external and symbol.name in _PURE:
-            text = f"the value of '{symbol.name}' is not used, and it does nothing else"
+            text = f"ignoring return value of '{symbol.name}', which has no side effects"
             unit.warning(call.location, text)
 
 
 def _is_volatile(value: tree.Expression) -> bool:
-    """Tells whether to read an expression is an effect; reading drops its type's qualifiers."""
+    """Return whether to read an expression is an effect; reading drops its type's qualifiers."""
     return any(
         (isinstance(each, tree.ObjectName) and each.symbol.type.volatile)
         or (isinstance(each, tree.Dereference | tree.MemberAccess) and _points_to_volatile(each))
-        for each in everything([value])
+        for each in walk([value])
     )  # fmt: skip
 
 
@@ -106,7 +106,7 @@ def _points_to_volatile(value: Any) -> bool:
 
 
 def _warn_index(unit: Unit, access: tree.Dereference) -> None:
-    """Warns of a constant index that the array does not have."""
+    """Warn about a constant index that the array does not have."""
     match access.pointer:
         case tree.PointerAdd(
             pointer=tree.AddressOf(operand=array), index=tree.Literal(value=index), minus=minus
@@ -117,7 +117,7 @@ def _warn_index(unit: Unit, access: tree.Dereference) -> None:
             if length is None or is_tail or 0 <= number < length:
                 return
             if number == length and isinstance(access.type, ArrayType):
-                return  # its address may be the end of the whole
-            text = f"index {number} is outside the array '{array.type}'"
-            hint = f"its indices are 0 to {length - 1}" if length else ""
+                return  # the address of the end is valid
+            text = f"array index {number} is outside the bounds of '{array.type}'"
+            hint = f"valid indices are 0 to {length - 1}" if length else ""
             unit.warning(access.location, text, hint)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.instruction import ValueType
+from crs_cc.ir.value_type import ValueType
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.codegen.indices import FAULT, FUEL, LABEL, MEMORY, SP, STATUS
 from crs_cc.runtime.wasm import Instr

@@ -57,7 +57,7 @@ class Air:
         self._scene: Scene | None = None
 
     def carry(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
-        """Lets messages go to their receivers, at the end of the cycle in which they were sent.
+        """Transmit messages to their receivers, at the end of the cycle in which they were sent.
 
         Args:
             state: changed in place.
@@ -113,7 +113,7 @@ class Air:
         packets: Records,
         hears: BoolArray,
     ) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of message and receiver, by message and then by receiver.
+        """Return pairs of message and receiver, by message and then by receiver.
 
         Messages to all and to groups go to robots that hear, (robots,).
         """
@@ -141,7 +141,7 @@ class Air:
         packets: Records,
         which: BoolArray,
     ) -> BoolArray:
-        """Tells which messages to all or to a group have any of some robots in their range."""
+        """Return which broadcasts and multicasts have any of some robots in their range."""
         robots = np.flatnonzero(which & state.presence.present)
         range_m = self._channels.range_m[packets["channel"]]
         away = place[robots] - place[packets["sender"]][:, None]
@@ -188,7 +188,7 @@ class Air:
         receiver: IndexArray,
         end_s: float,
     ) -> None:
-        """Puts what will arrive on its way."""
+        """Enqueue what will arrive."""
         channels = self._channels
         channel = packets["channel"][packet]
         sent_s = packets["begins_s"] + channels.duration_s(packets)
@@ -203,7 +203,7 @@ class Air:
         inbox.expect(state.messages, packets, coming)
 
     def _corrupted(self, packets: Records, coming: Records) -> Records:
-        """Gives the messages, behind them what arrives of those that lose bytes."""
+        """Return the messages, followed by what arrives of those that are corrupted."""
         packet = coming["packet"]
         share = self._channels.corruption[packets["channel"][packet]]
         noisy = np.flatnonzero(share)
@@ -226,7 +226,7 @@ class Air:
 
 
 def _is_meant(state: EnvState, packets: Records, receiver: IndexArray) -> BoolArray:
-    """Tells whether messages to all are meant for robots: not one's own, and of one's groups."""
+    """Return whether broadcasts are meant for robots: not one's own, and of one's groups."""
     group = packets["group"]
     bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
     meant = (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)

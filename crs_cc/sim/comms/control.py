@@ -74,7 +74,7 @@ class CommunicationControl:
             raise ValueError("nothing is shut that was shut in these words")
 
     def counts(self, channel: str) -> dict[Fate, int]:
-        """Gives what came of the messages on a channel so far.
+        """Return the counts of each fate of the messages on a channel so far.
 
         A `messages.traffic.Monitor` counts pairs of robots, too.
 
@@ -94,7 +94,7 @@ class CommunicationControl:
 
 
 def _number(name: str, names: tuple[str, ...], kind: str) -> int:
-    """Gives the number of something with a name, `ANY` for no name.
+    """Return the number of something with a name, `ANY` for no name.
 
     Raises:
         ValueError: there is no such thing.

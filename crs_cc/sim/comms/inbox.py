@@ -45,18 +45,18 @@ def expect(messages: MessageState, packets: Records, coming: Records) -> None:
 
 
 def in_order(messages: MessageState) -> None:
-    """Puts what is on its way in the order of receivers and arrivals."""
+    """Sort what is on its way by receiver and arrival."""
     table = messages.receptions
     messages.receptions = table[np.lexsort([table["arrives_s"], table["receiver"]])]
 
 
 def full(messages: MessageState) -> BoolArray:
-    """Tells which robots have as many messages on their way and in their inbox as can be."""
+    """Return which robots have the most messages that can be on their way and in their inbox."""
     return np.asarray(_held(messages) >= COMING_MOST)
 
 
 def let_in(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
-    """Lets what has arrived by an instant into inboxes.
+    """Put what has arrived by an instant into inboxes.
 
     Args:
         messages: changed in place.
@@ -80,14 +80,14 @@ def let_in(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
 
 
 def count(messages: MessageState, rows: IndexArray) -> Int64Array:
-    """Gives how many messages lie in the inboxes of robots, shape (k,)."""
+    """Return the number of messages in the inboxes of robots, shape (k,)."""
     owner, place = _of(messages.receptions, rows)
     inside = messages.receptions["status"][place] == ARRIVED
     return np.bincount(owner[inside], minlength=len(rows))
 
 
 def take(messages: MessageState, rows: IndexArray) -> tuple[IndexArray, Records, FloatArray]:
-    """Takes the first message out of each inbox that is not empty.
+    """Take the first message out of each inbox that is not empty.
 
     Returns:
         which of the robots have one, the messages, and when they arrived.
@@ -103,7 +103,7 @@ def take(messages: MessageState, rows: IndexArray) -> tuple[IndexArray, Records,
 
 
 def first_s(messages: MessageState, rows: IndexArray) -> FloatArray:
-    """Gives when the first message of each robot has arrived or will, infinite for none."""
+    """Return when the first message of each robot has arrived or will, infinite for none."""
     table = messages.receptions
     owner, place = _of(table, rows)
     first_s = np.full(len(rows), np.inf)
@@ -113,7 +113,7 @@ def first_s(messages: MessageState, rows: IndexArray) -> FloatArray:
 
 
 def clear(messages: MessageState, present: BoolArray) -> None:
-    """Takes everything from robots that are not in the world: present tells who is."""
+    """Drop all messages to robots that are not in the world; `present` says which are."""
     table = messages.receptions
     absent = ~present[table["receiver"]]
     late = table[absent & (table["status"] == COMING)]
@@ -123,7 +123,7 @@ def clear(messages: MessageState, present: BoolArray) -> None:
 
 
 def tidy(messages: MessageState) -> None:
-    """Forgets what nobody can receive any more."""
+    """Delete what nobody can receive any more."""
     left = messages.receptions["status"] != GONE
     table = messages.receptions[left]
     kept, number = np.unique(table["packet"], return_inverse=True)
@@ -134,20 +134,20 @@ def tidy(messages: MessageState) -> None:
 
 
 def _held(messages: MessageState) -> IndexArray:
-    """Gives how many messages are on their way to each robot, or in its inbox, (robots,)."""
+    """Return how many messages are on their way to each robot, or in its inbox, (robots,)."""
     table = messages.receptions
     return np.bincount(table["receiver"][table["status"] != GONE], minlength=len(messages.sent))
 
 
 def _of(table: Records, rows: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Gives the receptions of robots: number of the robot among `rows`, and row of the table."""
+    """Return the receptions of robots: number of the robot among `rows`, and row of the table."""
     first = np.searchsorted(table["receiver"], rows, side="left")
     last = np.searchsorted(table["receiver"], rows, side="right")
     return expand(first, last - first)
 
 
 def _rank(owner: npt.NDArray[np.integer]) -> IndexArray:
-    """Gives how many of the same number stand before each.
+    """Return how many equal numbers come before each.
 
     >>> _rank(np.array([3, 1, 3, 3, 1])).tolist()
     [0, 0, 1, 2, 1]

@@ -21,7 +21,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 def burst_states(
     bad: BoolArray, chain: IndexArray, chance: FloatArray, begin: FloatArray, end: FloatArray
 ) -> BoolArray:
-    """Gives the state in which each message finds its receiver; chains take one step with each.
+    """Return the state in which each message finds its receiver; chains take one step with each.
 
     One random number decides a step from either state: below p it leads from good to bad, from
     1 - r on it leads from bad to good. So a step sets the state to something, or keeps it, or (with

@@ -58,7 +58,7 @@ MEANINGS: Final = {
 def record(
     happened: Sequence[tuple[float, Fate]], *, sender: int, receiver: int, channel: int = 0
 ) -> Records:
-    """Makes a record by hand, for tests and examples."""
+    """Return a record made by hand, for tests and examples."""
     table = np.zeros(len(happened), TRAFFIC)
     table["time_s"], table["fate"] = zip(*happened, strict=True)
     table["channel"], table["sender"], table["receiver"] = channel, sender, receiver
@@ -73,7 +73,7 @@ def note(
     time_s: FloatArray,
     receivers: npt.NDArray[np.integer] | None = None,
 ) -> None:
-    """Takes down what happened to messages.
+    """Record what happened to messages.
 
     Args:
         messages: changed in place.
@@ -94,7 +94,7 @@ def note(
 
 
 def take(messages: MessageState) -> Records:
-    """Gives what happened in a cycle, by time, and forgets it."""
+    """Return what happened in a cycle, by time, and clear it."""
     traffic = messages.traffic
     if not len(traffic):
         return traffic
@@ -103,7 +103,7 @@ def take(messages: MessageState) -> Records:
 
 
 def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> Iterator[Event]:
-    """Gives what happened as events.
+    """Return what happened as events.
 
     Args:
         traffic: what happened, of dtype `TRAFFIC`.
@@ -138,7 +138,7 @@ class Monitor:
     """
 
     def __init__(self, channels: Sequence[str], robots: Sequence[str]) -> None:
-        """Begins to count.
+        """Start counting.
 
         Args:
             channels: the channels' names, in the order of their numbers.
@@ -150,16 +150,16 @@ class Monitor:
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
-        """Begins to count in a world."""
+        """Start counting in a world."""
         channels = [channel.name for channel in world.communication.channels]
         return cls(channels, [robot.id for robot in world.robots])
 
     def step(self, step: HasTraffic) -> None:
-        """Takes what happened in a timestep that has ended."""
+        """Count what happened in a timestep that has ended."""
         self.count(step.traffic)
 
     def count(self, traffic: Records) -> None:
-        """Counts records, of dtype `TRAFFIC`."""
+        """Count records, of dtype `TRAFFIC`."""
         keys = np.column_stack(
             [traffic[name].astype(np.int64) for name in ("channel", "sender", "receiver", "fate")]
         )
@@ -175,7 +175,7 @@ class Monitor:
         sender: int | None = None,
         receiver: int | None = None,
     ) -> int:
-        """Gives how often something happened: on a channel, from a sender, to a receiver.
+        """Return how often something happened: on a channel, from a sender, to a receiver.
 
         A message to all is sent to the receiver -1.
         """
@@ -187,7 +187,7 @@ class Monitor:
         )
 
     def pairs(self) -> dict[tuple[int, int, int], dict[Fate, int]]:
-        """Gives the counts of each channel, sender and receiver, in rising order."""
+        """Return the counts of each channel, sender and receiver, in rising order."""
         found: dict[tuple[int, int, int], dict[Fate, int]] = {}
         for (channel, sender, receiver, fate), count in sorted(self._counts.items()):
             found.setdefault((channel, sender, receiver), {})[Fate(fate)] = count

@@ -34,7 +34,7 @@ def reopen(messages: MessageState, now_s: float, channel: int, sender: int, rece
 def is_shut(
     messages: MessageState, packets: Records, packet: IndexArray, receiver: IndexArray
 ) -> BoolArray:
-    """Tells which messages cannot pass.
+    """Return which messages cannot pass.
 
     Args:
         messages: tells what is shut.
@@ -79,7 +79,7 @@ def tell(
 
 
 def _name(row: tuple[int, int, int], channels: Channels, robots: tuple[str, ...]) -> str:
-    """Gives what is shut, in words.
+    """Return what is shut, in words.
 
     >>> from crs_cc.sim.model.communication import Communication
     >>> _name((0, 1, ANY), Channels.of(Communication()), ("a", "b"))

@@ -25,7 +25,7 @@ MOST: Final = 64
 
 
 def post(messages: MessageState, channels: Channels, packets: Records) -> BoolArray:
-    """Takes messages, at most one of each robot, at the instants `sent_s`.
+    """Enqueue messages, at most one of each robot, at the times `sent_s`.
 
     Args:
         messages: changed in place.
@@ -50,7 +50,7 @@ def post(messages: MessageState, channels: Channels, packets: Records) -> BoolAr
 
 
 def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
-    """Gives what begins to be sent before the end of a cycle, in that order, and lets go of it."""
+    """Dequeue and return what begins to be sent before the end of a cycle, in that order."""
     if not len(messages.outbox):
         return np.zeros(0, PACKET)
     keys = messages.outbox["sender"].astype(np.int64) * len(channels) + messages.outbox["channel"]
@@ -64,7 +64,7 @@ def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
 
 
 def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
-    """Takes from robots that are not in the world what they had not sent: present tells who is."""
+    """Drop what robots that are not in the world had not sent; `present` says which are."""
     absent = ~present[messages.outbox["sender"]]
     left = messages.outbox[absent]
     note(messages, Fate.ABSENT, left, np.full(len(left), now_s))
@@ -74,7 +74,7 @@ def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
 def _make_room(
     messages: MessageState, channels: Channels, packets: Records, which: BoolArray
 ) -> BoolArray:
-    """Drops what waits too long where the oldest is dropped; tells where there is still no room."""
+    """Drop the oldest where the channel says so; return where there is still no room."""
     box, count = messages.outbox, len(channels)
     keys = box["sender"].astype(np.int64) * count + box["channel"]
     mine = packets["sender"].astype(np.int64) * count + packets["channel"]
@@ -98,7 +98,7 @@ def _make_room(
 
 
 def _begin(messages: MessageState, channels: Channels, keys: Int64Array, by_s: FloatArray) -> None:
-    """Lets messages begin to be sent whose turn comes.
+    """Start to send the messages whose turn comes.
 
     Args:
         messages: changed in place.

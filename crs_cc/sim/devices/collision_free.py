@@ -9,19 +9,19 @@ import numpy as np
 from crs_cc.sim.physics.shapes import overlap
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.bodies import Bodies
 
 
-def has_room(equipment: Equipment, bodies: Bodies, thing: int) -> bool:
+def has_room(constants: RobotConstants, bodies: Bodies, thing: int) -> bool:
     """Tells whether a thing that is lifted could stand where it is.
 
     Args:
-        equipment: the constants of all things.
+        constants: the constants of all things.
         bodies: where they are.
         thing: its number among those that can be pushed.
     """
-    things, scene = equipment.things, equipment.scene
+    things, scene = constants.shapes, constants.scene
     poses, own = things.poses(bodies), scene.robots + thing
     lifted = bodies.holds.in_hands()[1] + scene.robots
     away_m = np.hypot(poses[:, 0] - poses[own, 0], poses[:, 1] - poses[own, 1])

@@ -17,8 +17,8 @@ from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.rays import Fan
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -83,8 +83,8 @@ def line_of_sight(range_m: float) -> list[Fan]:
 
 def sense(
     state: EnvState,
-    equipment: Equipment,
-    around: Surroundings,
+    constants: RobotConstants,
+    rays: RayCaster,
     rows: IndexArray,
     *,
     sources: Sources,
@@ -95,14 +95,14 @@ def sense(
 
     Args:
         state: where all robots are.
-        equipment: their constants.
-        around: what there is to see.
+        constants: their constants.
+        rays: what there is to see.
         rows: the robots, k of them.
         sources: the sources.
         range_m: how far each robot senses, (k,).
         fan: of `line_of_sight`.
     """
-    mounts = mount_poses(state, equipment, rows)
+    mounts = mount_poses(state, constants, rows)
     places = sources.place_m
     cells = CellList(places[:, 0].copy(), places[:, 1].copy(), float(range_m.max(initial=0.0)))
     robot, source = cells.near(mounts[:, 0], mounts[:, 1])
@@ -112,7 +112,7 @@ def sense(
     robot, source, way_m, distance_m = robot[keep], source[keep], way_m[keep], distance_m[keep]
     direction_rad = np.arctan2(way_m[:, 1], way_m[:, 0])
     poses = np.column_stack([mounts[robot, :2], direction_rad])
-    hit_m, thing = around.seen(state, fan, poses, rows[robot])
+    hit_m, thing = rays.seen(state, fan, poses, rows[robot])
     in_sight = hit_m[:, 0] >= distance_m - _SLACK_M
     in_sight |= (sources.owner[source] >= 0) & (thing[:, 0] == sources.owner[source])
     return Sensed(

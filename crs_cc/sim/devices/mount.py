@@ -5,10 +5,10 @@ have taken the robot since the cycle's start; a robot that something holds back 
 it was then.
 
 >>> from crs_cc.sim.state.env_state import EnvState
->>> from crs_cc.sim.devices.robot_constants import Equipment
+>>> from crs_cc.sim.devices.robot_constants import RobotConstants
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> world = empty_world()
->>> mount_poses(EnvState.at_start(world), Equipment.of(world), np.array([0]))
+>>> mount_poses(EnvState.at_start(world), RobotConstants.of(world), np.array([0]))
 array([[0., 0., 0.]])
 """
 
@@ -22,21 +22,21 @@ from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
-def mount_poses(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+def mount_poses(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
     moved_m = np.where(state.bodies.slipping[rows, None], 0.0, take(state.drive.moved_m, rows))
     place_m = take(state.bodies.position_m, rows) + moved_m
     facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
-    return np.column_stack([place_m, mount_rad(state, equipment, rows, facing_rad, turret_rad)])
+    return np.column_stack([place_m, mount_rad(state, constants, rows, facing_rad, turret_rad)])
 
 
 def mount_rad(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     facing_rad: FloatArray,
     turret_rad: FloatArray,
@@ -45,11 +45,11 @@ def mount_rad(
 
     Args:
         state: tells where the bases of synchro drives point, which never turn.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: which robots, k of them.
         facing_rad: where the wheels of each point, shape (k,).
         turret_rad: where its turret does; of use where there is one, shape (k,).
     """
-    drives = equipment.drives
+    drives = constants.drives
     base_rad = np.where(drives.synchro[rows], state.base_rad[rows], facing_rad)
     return np.where(drives.turret[rows], turret_rad, base_rad)

@@ -8,8 +8,8 @@ and gets distances.
 >>> world = parse_world(b'''<world version="1"><area length="4m" width="4m"/>
 ...   <robot x="1m" y="2m"/></world>''', "room")
 >>> ahead = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0)])
->>> around = Surroundings(Scene(world), [ahead])
->>> around.distances_m(EnvState.at_start(world), ahead, np.array([[1.0, 2.0, 0.0]]), np.array([0]))
+>>> rays = RayCaster(Scene(world), [ahead])
+>>> rays.distances_m(EnvState.at_start(world), ahead, np.array([[1.0, 2.0, 0.0]]), np.array([0]))
 array([[2.8]])
 """
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 _SHORTEST_REACH_M: Final = 1.0
 
 
-class Surroundings:
+class RayCaster:
     """Everything that beams can hit, where it is in the cycle that was asked for last.
 
     Attributes:

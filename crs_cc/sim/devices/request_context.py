@@ -1,39 +1,129 @@
-"""Requests that robots posted, with all that is needed to answer them."""
+"""Requests that robots posted, with all that is needed to answer them.
+
+A handler reads arguments and writes results by the names that they have in `requests.REQUESTS`:
+
+>>> from crs_cc.requests import CODES, MESSAGE, REQUESTS
+>>> messages = np.zeros(2, MESSAGE)
+>>> messages["i"][:, :3] = [[10, 20, 0], [30, 40, 0]]
+>>> parts = dict(state=None, constants=None, rays=None, rows=np.arange(2), at_s=np.zeros(2))
+>>> context = RequestContext(request=REQUESTS[CODES["VM"]], messages=messages, **parts)
+>>> context["axis2"].tolist(), context.columns("axis1", "axis2").tolist()
+([20, 40], [[10, 20], [30, 40]])
+>>> context.put("laser_count", 7, where=np.array([False, True]))
+>>> messages["i"][:, 0].tolist()
+[10, 7]
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from functools import cache
+from typing import TYPE_CHECKING, Final, TypeAlias
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.requests import Request
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
-@dataclass(frozen=True, slots=True)
-class Asked:
+_ALL: Final = slice(None)
+
+
+@dataclass(slots=True)
+class RequestContext:
     """Requests of one kind; arrays have a row for each, k of them.
 
     Attributes:
+        request: the kind of request.
         state: the state, to be changed in place; axes were turned to `at_s`.
-        equipment: the robots' constants.
-        around: what there is to see.
+        constants: the robots' constants.
+        rays: what casts rays at what there is to see.
         rows: the robots, rising.
-        messages: what they ask, of dtype `MESSAGE`, to be changed in place into the replies.
+        messages: what they ask, of dtype `MESSAGE`, to be changed in place into the replies;
+            handlers read and write it by the names of fields.
         at_s: when each is answered, within the current cycle.
     """
 
+    request: Request
     state: EnvState
-    equipment: Equipment
-    around: Surroundings
+    constants: RobotConstants
+    rays: RayCaster
     rows: IndexArray
     messages: Records
     at_s: FloatArray
 
+    def __len__(self) -> int:
+        return len(self.rows)
 
-Answer: TypeAlias = Callable[[Asked], BoolArray | None]
-"""Writes what robots are told over their messages; gives which requests were good, None for all."""
+    def __getitem__(self, name: str) -> Int32Array:
+        """Return an argument of each request, shape (k,); of `data` all bytes, (k, 248)."""
+        array, number = self.request.argument_positions[name]
+        column: Int32Array = self.messages[array]
+        return column if number < 0 else column[:, number]
+
+    def columns(self, *names: str) -> Int32Array:
+        """Return arguments that lie evenly spaced in the message, shape (k, names)."""
+        columns: Int32Array = self.messages["i"][:, _columns(self.request, names)]
+        return columns
+
+    def __setitem__(self, name: str, values: npt.ArrayLike) -> None:
+        """Write a result into each reply."""
+        self.put(name, values)
+
+    def put(self, name: str, values: npt.ArrayLike, where: BoolArray | slice | int = _ALL) -> None:
+        """Write a result into some of the replies.
+
+        Args:
+            name: the result's name.
+            values: what to write, one for all or one for each of these replies.
+            where: which of the replies.
+        """
+        array, number = self.request.result_positions[name]
+        if number < 0:
+            self.messages[array][where] = values
+        else:
+            self.messages[array][where, number] = values
+
+    def put_data(
+        self, numbers: npt.NDArray[np.number], where: BoolArray | slice | int = _ALL
+    ) -> None:
+        """Write numbers as int32 into the data of some of the replies, and how many bytes it is.
+
+        Args:
+            numbers: the numbers, shape (replies, n); of a single reply (n,).
+            where: which of the replies.
+        """
+        content = np.ascontiguousarray(numbers, dtype="<i4").view(np.uint8)
+        size = content.shape[-1]
+        self.messages["data"][where, :size] = content
+        self.messages["size"][where] = size
+
+    def put_bytes(self, content: bytes, place: int) -> None:
+        """Write bytes into the data of one reply, and how many they are."""
+        self.messages["data"][place, : len(content)] = list(content)
+        self.messages["size"][place] = len(content)
+
+    def clear_data(self) -> None:
+        """Let the replies hold no data."""
+        self.messages["size"] = 0
+
+
+Handler: TypeAlias = Callable[[RequestContext], BoolArray | None]
+"""Does what robots ask and writes the replies; returns which requests were good, None for all."""
+
+
+@cache
+def _columns(request: Request, names: tuple[str, ...]) -> slice:
+    """Return which of the integers of a message some arguments are."""
+    first, second, *rest = (request.argument_positions[name][1] for name in names)
+    step = second - first
+    block = slice(first, first + len(names) * step, step)
+    assert [first, second, *rest] == [*range(block.start, block.stop, step)], names
+    return block

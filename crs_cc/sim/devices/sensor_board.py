@@ -1,8 +1,8 @@
-"""What the sensor board reads when a reply tells it, and tells with each state.
+"""The sensor board: what it measures for a reply with `State`, and what it adds to it.
 
-Infrared ring, compass and laser measure on demand: where a reply carries their readings, and the
-mask that the program set (`ct`) has one of their bits; or by their timers. Batteries and clock are
-told with every state.
+Infrared ring, compass and laser measure on request: where a reply carries their readings, and the
+mask that the program set (`ct`) has one of their bits; or by their timers. Every such reply has
+the batteries' voltages and the time of the board.
 """
 
 from __future__ import annotations
@@ -11,51 +11,48 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.requests import CODES, STATE_REPLIES
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.requests import CODES
+from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import laser, pos_data
 from crs_cc.sim.devices.battery import Batteries
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import Compasses
 from crs_cc.sim.devices.infrared import InfraredRing
 from crs_cc.sim.devices.laser import Lasers
-from crs_cc.sim.devices.timers import Timed
-from crs_cc.sim.devices.vendor_state import MOTOR_STATUS
+from crs_cc.sim.devices.timers import Timed, read_on_request
+from crs_cc.sim.devices.vendor_state import MOTOR_STATUS, state_vector
 from crs_cc.sim.model.sensors import MAX_INFRARED
-from crs_cc.sim.state import timers
-from crs_cc.sim.state.mask import COMPASS, INFRARED, LASER
+from crs_cc.sim.state import mask, timers
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
 
-_OF_A_GROUP: Final = frozenset(
-    CODES[name]
-    for name in (
-        "GET_SN", "GET_BP", "GET_RC", "GET_RV", "GET_RA", "GET_IR", "GET_CP", "GET_LS", "GET_SG",
-    )
-)  # fmt: skip
-_LASER_CODES: Final = frozenset({CODES["GET_LS"], CODES["GET_SG"]})
-_TELLS_ALL: Final = STATE_REPLIES - _OF_A_GROUP
+_LASER_WIDTHS: Final = {CODES["GET_LS"]: laser.POINTS, CODES["GET_SG"]: laser.SEGMENTS}
+"""Numbers of a reading in the replies that carry the laser's, whatever its mode."""
 
 
-class Instruments:
-    """The instruments of all robots of a world.
+class SensorBoard:
+    """The sensor boards of all robots of a world.
 
     Attributes:
         batteries: the robots' batteries.
+        infrared: their infrared rings.
+        compasses: their compasses.
         lasers: their lasers.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         self.batteries = Batteries(world)
         self._clock = BoardClock(world)
-        self._infrared = InfraredRing(world, seed)
-        self._compasses = Compasses(world, seed)
+        self.infrared = InfraredRing(world, seed)
+        self.compasses = Compasses(world, seed)
         self.lasers = Lasers(world, seed)
         models = [robot.model for robot in world.robots]
         self._has_infrared = any(model.infrared is not None for model in models)
@@ -64,113 +61,86 @@ class Instruments:
 
     @property
     def fans(self) -> list[Fan]:
-        """Gives the beams of those that measure distances."""
-        return [*self._infrared.fans, *self.lasers.fans]
+        """The beams of those that measure distances."""
+        return [*self.infrared.fans, *self.lasers.fans]
 
     @property
     def timed(self) -> dict[int, Timed]:
-        """Gives those that can have a timer, by their numbers in `crs.h`."""
+        """The sensors that can have a timer, by their numbers in `crs.h`."""
         return {
             timers.LASER: Timed(
                 self.lasers.read,
-                lambda equipment: equipment.laser,
+                lambda constants: constants.laser,
                 lambda state: state.laser.measured.at_s,
                 self.lasers.interval_s,
             ),
             timers.INFRARED: Timed(
-                self._infrared.read,
-                lambda equipment: equipment.infrared,
+                self.infrared.read,
+                lambda constants: constants.infrared,
                 lambda state: state.infrared.measured.at_s,
-                self._infrared.interval_s,
+                self.infrared.interval_s,
             ),
             timers.COMPASS: Timed(
-                self._compasses.read,
-                lambda equipment: equipment.compass,
+                self.compasses.read,
+                lambda constants: constants.compass,
                 lambda state: state.compass.measured.at_s,
-                self._compasses.interval_s,
+                self.compasses.interval_s,
             ),
         }
 
-    def read(
-        self,
-        state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
-        *,
-        code: int,
-        rows: IndexArray,
-        at_s: FloatArray,
-    ) -> None:
-        """Lets the instruments measure whose readings a reply carries.
+    def reply(self, context: RequestContext, good: BoolArray) -> Int32Array:
+        """Write `State` into replies, with batteries, clock, laser readings and positions.
 
         Args:
-            state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
-            code: the request's code.
-            rows: which robots, k of them, whose axes were turned to `at_s`.
-            at_s: when each reply is given, shape (k,).
-        """
-        if self._has_infrared and (code in _TELLS_ALL or code == CODES["GET_IR"]):
-            asked = _asked(state, rows, INFRARED) | (code == CODES["GET_IR"])
-            asked &= state.timers.on_request(rows, timers.INFRARED)
-            self._infrared.read(state, equipment, around, rows[asked], at_s[asked])
-        if self._has_compasses and (code in _TELLS_ALL or code == CODES["GET_CP"]):
-            asked = _asked(state, rows, COMPASS) | (code == CODES["GET_CP"])
-            asked &= state.timers.on_request(rows, timers.COMPASS)
-            self._compasses.read(state, equipment, around, rows[asked], at_s[asked])
-        if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
-            asked = _asked(state, rows, LASER) | (code in _LASER_CODES)
-            asked &= state.timers.on_request(rows, timers.LASER)
-            self.lasers.read(state, equipment, around, rows[asked], at_s[asked])
+            context: the requests, changed in place into the replies.
+            good: which of them were good; for these, sensors measure whose readings replies carry.
 
-    def tell(
-        self,
-        state: EnvState,
-        equipment: Equipment,
-        *,
-        code: int,
-        rows: IndexArray,
-        messages: Records,
-        at_s: FloatArray,
-        states: Int32Array,
-    ) -> None:
-        """Tells batteries, clock, how many laser readings lie ready, and positions, with a state.
-
-        Args:
-            state: what is told of.
-            equipment: the robots' constants.
-            code: the request's code.
-            rows: which robots, k of them.
-            messages: the replies, changed in place.
-            at_s: when each is given, shape (k,).
-            states: `State` of each, changed in place, shape (k, 45).
+        Returns:
+            `State` of each, shape (k, 45).
         """
+        request, state, constants = context.request, context.state, context.constants
+        rows, at_s = context.rows, context.at_s
+        if request.sensors == ALL_SENSORS:
+            self._measure(context, good)
+        states = state_vector(state, constants, rows)
         status = self.batteries.status(state, rows, at_s)
         if status is not None:
             states[:, MOTOR_STATUS] |= status
-        messages["i"][:, 0] = 0
-        if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
-            messages["i"][:, 0] = _tell_laser(state, equipment, code, rows)
-        kinds = pos_data.ALL_KINDS if code in _TELLS_ALL else pos_data.ONE_KIND.get(code, 0)
-        pos_data.tell(state, equipment, self._clock, rows, kinds)
-        messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, equipment, rows, at_s)
-        messages["f"][:, 0] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
+        context["laser_count"] = 0
+        if self._has_lasers and request.sensors & LASER:
+            context["laser_count"] = _keep_laser(context)
+        pos_data.keep(state, constants, self._clock, rows, request.sensors)
+        computers, motors = self.batteries.told(state, constants, rows, at_s)
+        context["computer_battery"], context["motor_battery"] = computers, motors
+        context["board_ms"] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
+        context.put_data(states)
+        return states
+
+    def _measure(self, context: RequestContext, good: BoolArray) -> None:
+        """Measure with those instruments that the programs' masks ask for."""
+        for has, read, sensor, group in (
+            (self._has_infrared, self.infrared.read, timers.INFRARED, mask.INFRARED),
+            (self._has_compasses, self.compasses.read, timers.COMPASS, mask.COMPASS),
+            (self._has_lasers, self.lasers.read, timers.LASER, mask.LASER),
+        ):
+            if has:
+                asked = good & _is_asked(context, group)
+                read_on_request(context, read, sensor, asked)
 
     def look(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[Int32Array, Int32Array]:
-        """Lets the instruments measure without any error from somewhere else.
+        """Return what the instruments would measure without any error from somewhere else.
 
         Args:
             state: tells where all things are; keeps what lasers see for the pages.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: which robots, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
@@ -178,15 +148,15 @@ class Instruments:
             what infrared sensors tell, shape (k, 16), and how many laser readings there are, (k,).
         """
         infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
-        has = equipment.infrared[rows] >= 0
+        has = constants.infrared[rows] >= 0
         if has.any():
-            look = self._infrared.look
-            infrared[has] = look(state, equipment, around, rows[has], poses[has])
+            look = self.infrared.look
+            infrared[has] = look(state, constants, rays, rows[has], poses[has])
         counts = np.zeros(len(rows), dtype=np.int32)
-        has = equipment.laser[rows] >= 0
+        has = constants.laser[rows] >= 0
         if has.any():
-            mine, kept = equipment.laser[rows[has]], state.laser
-            points, seen, _ = self.lasers.look(state, equipment, around, rows[has], poses[has])
+            mine, kept = constants.laser[rows[has]], state.laser
+            points, seen, _ = self.lasers.look(state, constants, rays, rows[has], poses[has])
             points = np.where(laser.is_on(kept.mode[mine]), points, 0)
             width = laser.widths(kept.mode[mine])
             laser.keep(state, kept.predicted, mine, width, (points, seen))
@@ -194,20 +164,24 @@ class Instruments:
         return infrared, counts
 
 
-def _tell_laser(state: EnvState, equipment: Equipment, code: int, rows: IndexArray) -> Int32Array:
-    """Keeps what lasers saw for the pages; gives how many readings each robot has, (k,)."""
-    mine = equipment.laser[rows]
-    asked = (mine >= 0) & (_asked(state, rows, LASER) | (code in _LASER_CODES))
-    mine, kept = mine[asked], state.laser
-    width = laser.widths(kept.mode[mine])
-    if code in _LASER_CODES:
-        width[:] = laser.POINTS if code == CODES["GET_LS"] else laser.SEGMENTS
-    points = np.where(laser.is_on(kept.mode[mine]), kept.points[mine], 0)
-    laser.keep(state, kept.told, mine, width, (points, kept.seen[mine]))
-    counts = np.zeros(len(rows), dtype=np.int32)
-    counts[asked] = kept.told.count[mine]
+def _keep_laser(context: RequestContext) -> Int32Array:
+    """Keep what lasers saw for the pages; return how many readings each robot has, (k,)."""
+    laser_state, mine = context.state.laser, context.constants.laser[context.rows]
+    width = _LASER_WIDTHS.get(context.request.code)
+    asked = mine >= 0
+    if width is None:
+        asked &= _is_asked(context, mask.LASER)
+    mine = mine[asked]
+    mode = laser_state.mode[mine]
+    widths = laser.widths(mode) if width is None else np.full(len(mine), width, np.int32)
+    points = np.where(laser.is_on(mode), laser_state.points[mine], 0)
+    laser.keep(context.state, laser_state.told, mine, widths, (points, laser_state.seen[mine]))
+    counts = np.zeros(len(context), dtype=np.int32)
+    counts[asked] = laser_state.told.count[mine]
     return counts
 
 
-def _asked(state: EnvState, rows: IndexArray, group: slice) -> BoolArray:
-    return np.asarray((state.mask[rows, group].view(np.int8) > 0).any(axis=1))
+def _is_asked(context: RequestContext, group: slice) -> BoolArray:
+    """Return which programs' masks have one of the bits of a group, (k,)."""
+    bits = context.state.mask[context.rows, group].view(np.int8)
+    return np.asarray((bits > 0).any(axis=1))

@@ -2,11 +2,9 @@
 
 It ends with its last element, or before the first 255 (vendor header `Nclient.h` 1.29).
 
->>> from crs_cc.requests import MESSAGE
->>> messages = np.zeros(2, MESSAGE)
->>> messages["size"] = 3
->>> messages["data"][:, :3] = [[0, 8, 255], [4, 99, 5]]
->>> order, given, good = orders(messages, 16)
+>>> content = np.zeros((2, 16), np.uint8)
+>>> content[:, :3] = [[0, 8, 255], [4, 99, 5]]
+>>> order, given, good = orders(np.array([3, 3]), content, 16)
 >>> order[0, :3].tolist(), given.sum(axis=1).tolist(), good.tolist()
 ([0, 8, 255], [2, 3], [True, False])
 """
@@ -16,24 +14,28 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, IndexArray
 
 _END: Final = 255
 
 
-def orders(messages: Records, most: int) -> tuple[IndexArray, BoolArray, BoolArray]:
-    """Gives the orders in some messages.
+def orders(
+    count: npt.NDArray[np.integer], content: npt.NDArray[np.integer], most: int
+) -> tuple[IndexArray, BoolArray, BoolArray]:
+    """Return the orders of some requests.
 
     Args:
-        messages: the messages, of dtype `MESSAGE`, shape (k,).
+        count: the length of each, (k,).
+        content: the bytes of each, (k, bytes).
         most: how many sensors a robot can have; they are numbered from 0.
 
     Returns:
         sensor numbers, shape (k, most); which of them belong to the order, the first ones, shape
         (k, most); and whether each order names none but sensors that there can be, shape (k,).
     """
-    order = messages["data"][:, :most].astype(np.intp)
-    given = np.arange(most) < np.clip(messages["size"], 0, most)[:, None]
+    order = content[:, :most].astype(np.intp)
+    given = np.arange(most) < np.clip(count, 0, most)[:, None]
     given &= np.cumsum(order == _END, axis=1) == 0
     return order, given, np.asarray(((order < most) | ~given).all(axis=1))

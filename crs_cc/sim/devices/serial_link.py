@@ -13,38 +13,21 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
-from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.requests import CODES, DATA_SIZE, REGISTERED, REQUESTS
+from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.link import LinkState
 
 _BITS_PER_BYTE: Final = 10
 _SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
-_CODES: Final = max(REQUESTS) + 1
-_CARRIED: Final = frozenset({CODES["TK"], CODES["SPECIAL"]})  # their data goes over the line
-_TO_SIMULATOR: Final = frozenset(
-    CODES[name]
-    for name in (
-        "PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX",
-        "PREDICT", "MOTION_CHECK", "GET_CONF", "REAL_ROBOT", "SIMULATED_ROBOT", "DRAW", "REFRESH",
-        "QUIT_SERVER",
-    )
-)  # fmt: skip
-_OVER_NETWORK: Final = _TO_SIMULATOR | {
-    code for code, request in REQUESTS.items() if request.server == "device"
-} - {CODES["READINGS"]}  # they came with the reply
-_WITHOUT_TIME: Final = frozenset(
-    CODES[name]
-    for name in ("CONNECT", "DISCONNECT", "CREATE", "LASER_PAGE", "POS_DATA")  # chosen by us
-)
-_COMMANDS: Final = {
-    code for code, request in REQUESTS.items() if request.server == "robot"
-} - _WITHOUT_TIME
-_IS_CARRIED: Final = np.isin(np.arange(_CODES + 1), list(_CARRIED))
-_IS_OVER_NETWORK: Final = np.isin(np.arange(_CODES + 1), list(_OVER_NETWORK))
-_IS_COMMAND: Final = np.isin(np.arange(_CODES + 1), list(_COMMANDS))
+_CODES: Final = REGISTERED.stop
+_TABLE: Final = [REQUESTS.get(code) for code in range(_CODES + 1)]
+_SENDS_DATA: Final = np.array([request is not None and request.sends_data for request in _TABLE])
+_ON_NETWORK: Final = np.array([request and request.link == "network" for request in _TABLE], bool)
+_ON_NETWORK[REGISTERED.start : REGISTERED.stop] = True
+_ON_LINE: Final = np.array([request and request.link == "serial" for request in _TABLE], bool)
 
 
 class SerialLine:
@@ -70,7 +53,7 @@ class SerialLine:
     def time_s(
         self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
     ) -> FloatArray:
-        """Gives how long requests and their replies are on the line, or on the network [s].
+        """Return how long requests and their replies are on the line, or on the network [s].
 
         Args:
             state: the speeds.
@@ -84,24 +67,22 @@ class SerialLine:
         code, robot = np.asarray(codes), np.asarray(robots)
         code = np.where((code >= 0) & (code < _CODES), code, _CODES)
         count = self._byte_count[self._kind[robot], code]
-        carried = _IS_CARRIED[code] & (count > 0)
+        carried = _SENDS_DATA[code] & (count > 0)
         if carried.any():
             count = count + np.where(carried, np.clip(sizes, 0, DATA_SIZE), 0)
         line_s = count * _BITS_PER_BYTE / state.baud[robot]
-        networked = _IS_OVER_NETWORK[code] | (_IS_COMMAND[code] & ~self._has_line[robot])
+        networked = _ON_NETWORK[code] | (_ON_LINE[code] & ~self._has_line[robot])
         return np.asarray(np.where(networked, self._network_s[robot], line_s))
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:
-    """Sets the speed of lines; a speed that no line has changes nothing."""
+    """Set the speed of lines; a speed that no line has changes nothing."""
     known = np.isin(baud, _SPEEDS_BAUD)
     state.link.baud[rows[known]] = baud[known]
 
 
-def conf_ser(
-    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets the speed of the line, whatever the port: which one is the host's, nothing tells."""
-    baud = messages["i"][:, 1].copy()
-    set_speed(state, rows, baud)
+def conf_ser(context: RequestContext) -> BoolArray:
+    """Set the speed of the line, whatever the port: which one is the host's, nothing tells."""
+    baud = context["baud"]
+    set_speed(context.state, context.rows, baud)
     return np.isin(baud, _SPEEDS_BAUD)

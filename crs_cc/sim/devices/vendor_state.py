@@ -6,7 +6,7 @@ Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout 
 >>> from crs_cc.sim.state.env_state import EnvState
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> world = empty_world()
->>> vector = state_vector(EnvState.at_start(world), Equipment.of(world), np.array([0]))
+>>> vector = state_vector(EnvState.at_start(world), RobotConstants.of(world), np.array([0]))
 >>> vector.shape, vector[0, SIM_SPEED], vector[0, SONAR_0]
 ((1, 45), np.int32(10), np.int32(255))
 """
@@ -21,7 +21,7 @@ from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import LARGEST, NUM_STATE
 from crs_cc.sim.devices.drive import traction
-from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.rows import take
@@ -48,34 +48,34 @@ _REAL_TIME: Final = 10
 _FULL_TURN: Final = 3600
 
 
-def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> Int32Array:
+def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
     """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
     if len(state.infrared.level):
-        has = equipment.infrared[rows] >= 0
-        level = state.infrared.level[equipment.infrared[rows[has]]]
+        has = constants.infrared[rows] >= 0
+        level = state.infrared.level[constants.infrared[rows[has]]]
         vector[has, IR_0:SONAR_0] = np.rint(level)
     if len(state.laser.mode):
-        has = equipment.laser[rows] >= 0
-        vector[has, LASER] = state.laser.mode[equipment.laser[rows[has]]]
+        has = constants.laser[rows] >= 0
+        vector[has, LASER] = state.laser.mode[constants.laser[rows[has]]]
     if len(state.compass.reading):
-        has = equipment.compass[rows] >= 0
-        vector[has, COMPASS] = state.compass.reading[equipment.compass[rows[has]]]
+        has = constants.compass[rows] >= 0
+        vector[has, COMPASS] = state.compass.reading[constants.compass[rows[has]]]
     vector[:, BUMPER] = state.bumpers.pressed[rows]
-    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, equipment, rows)
+    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, constants, rows)
     works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
     vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
     return vector
 
 
-def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> Int32Array:
+def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
     odometry = state.odometry
-    speed, unit = traction.speed(state, equipment, rows), take(equipment.drives.unit, rows)
+    speed, unit = traction.speed(state, constants, rows), take(constants.drives.unit, rows)
     now_s = state.drive.clock_s[rows]
-    speed = equipment.degradations.speeds(state, "odometry", rows, speed, now_s)
+    speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
     told = np.zeros((len(rows), CONFIGURATION))
     told[:, 0] = m_to_tenths_inch(odometry.x_m[rows])
     told[:, 1] = m_to_tenths_inch(odometry.y_m[rows])

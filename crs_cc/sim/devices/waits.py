@@ -7,17 +7,18 @@ turned on to the end of its wait as soon as that lies in the current cycle.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.devices import drive
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import Handler
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -26,24 +27,28 @@ class Wait:
     """How robots wait for one kind of request.
 
     Attributes:
-        ends_s: gives when the waits of robots end as far as is known now, infinite for never; not
-            before the instants to which the robots have come, shape (k,).
-        finish: does what is done when they have ended, with the messages that become replies.
+        ends_s: returns when the waits of robots end as far as is known now, infinite for never;
+            not before the instants to which the robots have come, shape (k,).
+        finish: answers the requests when the waits have ended.
     """
 
     ends_s: Callable[[EnvState, IndexArray], FloatArray]
-    finish: Callable[[EnvState, Equipment, IndexArray, Records], object]
+    finish: Handler
 
 
 def settle(
-    waits: dict[int, Wait], state: EnvState, equipment: Equipment, rows: IndexArray, limit_s: float
+    waits: Mapping[int, Wait],
+    state: EnvState,
+    constants: RobotConstants,
+    rows: IndexArray,
+    limit_s: float,
 ) -> FloatArray:
-    """Ends the waits of robots that end before a limit.
+    """End the waits of robots that end before a limit.
 
     Args:
         waits: how robots wait for each kind of request.
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: robots that wait, k of them.
         limit_s: the end of the current cycle.
 
@@ -55,16 +60,16 @@ def settle(
     deadline_s = state.drive.deadline_s[rows]
     cut = (deadline_s < ends_s) & (deadline_s < limit_s)
     if cut.any():
-        drive.advance(state, equipment, rows[cut], np.nextafter(deadline_s[cut], np.inf))
+        drive.advance(state, constants, rows[cut], np.nextafter(deadline_s[cut], np.inf))
         ends_s = when(waits, state, rows)
     ended = ends_s < limit_s
-    drive.advance(state, equipment, rows[ended], ends_s[ended])
+    drive.advance(state, constants, rows[ended], ends_s[ended])
     state.waits.end(rows[ended])
     return np.where(ended, ends_s, np.inf)
 
 
-def when(waits: dict[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
-    """Gives when the waits of robots will end, as far as is known now, shape (k,)."""
+def when(waits: Mapping[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
+    """Return when the waits of robots will end, as far as is known now, shape (k,)."""
     ends_s, codes = np.full(len(rows), np.inf), state.waits.code[rows]
     for code in np.unique(codes).tolist():
         mine = codes == code

@@ -71,14 +71,14 @@ class Drawing:
 
     @classmethod
     def of(cls, robot: int, mark: Sequence[int]) -> Self:
-        """Takes the arguments of a good request DRAW: kind, six numbers, mode."""
+        """Return the mark of a good DRAW request: shape, six numbers, mode."""
         kind, *numbers, mode = mark
         last = _LAST_BLACK[kind]
         colour = BLACK if mode <= last else COLOURS[mode - last - 1]
         return cls(robot, kind, tuple(numbers), colour, mode != _COPY[kind])
 
     def strokes_m(self, radius_m: float) -> list[FloatArray]:
-        """Gives the lines that make the mark, in the world frame [m], shape (points, 2) each.
+        """Return the lines that make up the mark, in the world frame [m], shape (points, 2) each.
 
         Args:
             radius_m: the radius of the robot whose program drew it.
@@ -103,17 +103,17 @@ class Drawing:
 
 
 def is_mode(kind: int, mode: int) -> bool:
-    """Tells whether a shape can be drawn in a mode."""
+    """Return whether a shape can be drawn in a mode."""
     return kind in (ROBOT, LINE, ARC) and 1 <= mode <= _LAST_BLACK[kind] + len(COLOURS)
 
 
 def is_xor(kind: int, mode: int) -> bool:
-    """Tells whether a mark goes away when it is drawn a second time."""
+    """Return whether a mark disappears when it is drawn a second time."""
     return mode != _COPY[kind]
 
 
 def drawings_in(state: DrawingState) -> list[Drawing]:
-    """Gives all that is drawn, the later above the earlier."""
+    """Return all that is drawn, the later above the earlier."""
     pairs = zip(state.robots.tolist(), state.marks.tolist(), strict=True)
     return [Drawing.of(robot, mark) for robot, mark in pairs]
 
@@ -121,7 +121,7 @@ def drawings_in(state: DrawingState) -> list[Drawing]:
 def _bow(
     middle: tuple[float, float], half: tuple[float, float], begin: int, end: int
 ) -> FloatArray:
-    """Gives a part of an ellipse from one angle to another [0.1 deg], at most once around."""
+    """Return a part of an ellipse from one angle to another [0.1 deg], at most once around."""
     sweep = max(-_TURN, min(end - begin, _TURN))
     count = max(2, math.ceil(abs(sweep) / _TURN * _POINTS) + 1)
     angle = tenths_deg_to_rad(np.linspace(begin, begin + sweep, count))

@@ -23,35 +23,47 @@ array([0.02])
 
 from __future__ import annotations
 
-from typing import Final
-
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
+from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.sim.comms.control import CommunicationControl
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
-from crs_cc.sim.devices.request_context import Asked
-from crs_cc.sim.devices.vendor_state import state_vector
-from crs_cc.sim.devices.waits import settle, when
+from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import tell_falls
-from crs_cc.sim.engine.handlers import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
-from crs_cc.sim.engine.step import TELLS, Served, Step, slices_of
-from crs_cc.sim.engine.world_data import Setting
+from crs_cc.sim.engine.step import Slices, Step, slices_of
+from crs_cc.sim.engine.world_data import Snapshot, WorldData
+from crs_cc.sim.geometry.scene import Outlines
+from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
+from crs_cc.sim.state.bodies import Contacts
+from crs_cc.sim.state.env_state import EnvState
 
-_ALL: Final = slice(None)
-_STATE_BYTES: Final = 4 * NUM_STATE
 
-
-class Environment(Setting):
+class Environment:
     """A world while it runs."""
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        """Set up a world before its first cycle.
+
+        Args:
+            world: the world.
+            seed: decides all that is random; not negative.
+
+        Raises:
+            ValueError: the seed is negative.
+        """
+        self._data = WorldData(world, seed)
+        self._dispatcher = Dispatcher(self._data)
+
+    # -- requests and time ---------------------------------------------------------------------
 
     def link_s(
         self, codes: npt.ArrayLike, robots: npt.ArrayLike = 0, sizes: npt.ArrayLike = 0
     ) -> FloatArray:
-        """Gives the time that requests take on the line between host and robot [s].
+        """Return the time that requests take on the line between host and robot [s].
 
         Args:
             codes: the requests' codes.
@@ -61,12 +73,12 @@ class Environment(Setting):
         Returns:
             the times, in the shape that the three give when they are broadcast.
         """
-        return self._line.time_s(self.state.link, codes, robots, sizes)
+        return self._data.line.time_s(self.state.link, codes, robots, sizes)
 
     def serve(
         self, code: int, robots: IndexArray, messages: Records, clock_s: FloatArray
     ) -> FloatArray:
-        """Answers one kind of request of all robots that posted it.
+        """Answer one kind of request of all robots that posted it.
 
         What is asked may be nonsense: it is refused (result 0) or brought within limits.
 
@@ -78,167 +90,70 @@ class Environment(Setting):
 
         Returns:
             when each program goes on, shape (k,): at once, or at the end of a wait that ends in
-            this cycle, or infinite for a wait that goes on (`step` tells when it ends).
+            this cycle, or infinite for a wait that goes on (`step` says when it ends).
         """
-        state, rows = self.state, np.asarray(robots, dtype=np.intp)
-        if code not in HANDLERS or not len(rows):
-            messages["result"] = 0
-            return np.array(clock_s, dtype=np.float64)
-        now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), self.end_s)
-        self._advance(rows, now_s)
-        drive.advance(state, self._equipment, rows, now_s)
-        arguments = messages["i"].copy()
-        state.commands[rows] += 1
-        drive.renew_deadline(state, rows)
-        good = self._handle(code, rows, messages)
-        if code in MOVES:
-            self._let_go_if_empty(rows, now_s)
-        goes_on_s = now_s.copy()
-        if code in CHANGES_WORLD:
-            goes_on_s[:] = self.end_s
-            self._refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
-        if code in WAITS:
-            waiting = messages[good]
-            goes_on_s[good] = self._wait(code, rows[good], waiting)
-            messages[good] = waiting
-        answered = np.isfinite(goes_on_s)
-        if answered.all():
-            self._reply(code, rows, messages, goes_on_s, good, arguments=arguments)
-        else:
-            replies = messages[answered]
-            at_s, good, arguments = goes_on_s[answered], good[answered], arguments[answered]
-            self._reply(code, rows[answered], replies, at_s, good, arguments=arguments)
-            messages[answered] = replies
-        return goes_on_s.copy()
+        return self._dispatcher.serve(code, robots, messages, clock_s)
 
     def step(self) -> Step:
-        """Ends the cycle, and gives what happened in it and which waits end in the next."""
-        state = self.state
-        robots, present = len(state.drive.clock_s), np.flatnonzero(state.presence.present)
-        rows: IndexArray | slice = _ALL if len(present) == robots else present
-        # Sensors measure on the way that wheels turn, so before they are turned on.
-        self._advance(present, np.full(len(present), self.end_s))
-        drive.advance(state, self._equipment, rows, np.full(len(present), self.end_s))
-        self._rolling.add(state, self._equipment)
-        # The slices of the cycle are complete: what they pull at moves, or is held up.
-        before_m = state.bodies.position_m[:robots].copy()
-        handling, pull = self._devices.handling, traction.pull(state, self._equipment)
-        contacts = self._physics.step(
-            state.bodies, handling.pull(state, self._equipment, pull, self.end_s)
-        )
-        # Wheels that were held up have not turned; only then is known what the robots did.
-        went_m = state.bodies.position_m[:robots] - before_m
-        traction.feel(state, self._equipment, went_m)
-        slices = slices_of(state, self._axes, self.timestep_s)
-        tell_falls(self._equipment, self._log, self.end_s, before_m, went_m)
-        state.distance_m += traction.ways_m(self._equipment, before_m, went_m)
-        drive.face(state, self._equipment)
-        # Hands close on what is there now; what is held makes other bodies.
-        if handling.end_cycle(state, self._equipment, contacts, self.end_s):
-            self._physics.start_from(state.bodies)
+        """End the cycle; return what happened in it and which waits end in the next."""
+        data, state, end_s = self._data, self.state, self.end_s
+        present = np.flatnonzero(state.presence.present)
+        data.advance_to(present, np.full(len(present), end_s))
+        data.rolling.add(state, data.constants)
+        slices, contacts = self._move()
         # Motors that lack force are limp from the next cycle on.
-        worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
-        self._let_go_if_empty(worked, self.end_s)
+        worked = data.devices.sensor_board.batteries.drain(state, self.timestep_s)
+        data.let_go_if_empty(worked, end_s)
         # Contacts number things as they still are: whoever comes or goes below changes that.
         before = state.bumpers.pressed
-        began = self._bumpers.touch(state, self._equipment, contacts, self.end_s)
-        pressed = state.bumpers.pressed
-        touches = (began, pressed & ~before, before & ~pressed, self._names)
+        began = data.bumpers.touch(state, data.constants, contacts, end_s)
+        now, names = state.bumpers.pressed, data.names
+        pressed, released = now & ~before, before & ~now
         # Degradations that begin are told before the devices that work at the end.
-        cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
-        if state.degradation.next_s < self.end_s:
-            self.degradations.tell(self.end_s)
-        self._devices.end_cycle(state, self._equipment, self.time_s, self.end_s)
+        cycle, time_s, served = state.cycle, self.time_s, tuple(self._dispatcher.served)
+        if state.degradation.next_s < end_s:
+            self.degradations.tell(end_s)
+        data.devices.end_cycle(state, data.constants, time_s, end_s)
         traffic = take(state.messages)
         self._begin_cycle()
         # In the next cycle already: waits that end in it, and who comes or goes at its start.
-        ended, at_s, messages = self._end_waits()
-        if self._is_anybody_due():
-            self._come_and_go()
-        heard = (slices, served, self._log.take(self.time_s), traffic)
-        return Step(cycle, time_s, ended, at_s, messages, *touches, *heard)
-
-    def _handle(self, code: int, rows: IndexArray, messages: Records) -> BoolArray:
-        """Lets connected robots do what is asked; gives which requests were good."""
-        messages["result"] = 1
-        if code in UNCONNECTED:
-            good = self.state.presence.present[rows]
-        else:
-            good = self.state.connected[rows]
-        handler = HANDLERS[code]
-        if good.all():
-            verdict = handler(self.state, self._equipment, rows, messages)
-        else:
-            connected = messages[good]
-            verdict = handler(self.state, self._equipment, rows[good], connected)
-            messages[good] = connected
-        if verdict is not None:
-            good[good] = verdict
-        return good
-
-    def _let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
-        """Takes the motors' force from robots whose batteries are empty."""
-        if not len(rows):
-            return
-        batteries = self._devices.instruments.batteries
-        empty = rows[batteries.empty(self.state, rows, at_s)]
-        if len(empty):
-            drive.lp(self.state, self._equipment, empty, np.zeros(len(empty), MESSAGE))
-
-    def _reply(
-        self,
-        code: int,
-        rows: IndexArray,
-        messages: Records,
-        at_s: FloatArray,
-        good: BoolArray,
-        *,
-        arguments: Int32Array,
-    ) -> None:
-        """Writes replies over messages."""
-        self._advance(rows, at_s)
-        instruments = self._devices.instruments
-        instruments.read(
-            self.state, self._equipment, self._around, code=code, rows=rows[good], at_s=at_s[good]
+        ended, at_s, messages = self._dispatcher.end_waits()
+        if data.is_anybody_due():
+            data.come_and_go()
+        return Step(
+            cycle=cycle,
+            time_s=time_s,
+            robots=ended,
+            at_s=at_s,
+            messages=messages,
+            contacts=began,
+            pressed=pressed,
+            released=released,
+            names=names,
+            slices=slices,
+            served=served,
+            events=data.log.take(self.time_s),
+            traffic=traffic,
         )
-        states = state_vector(self.state, self._equipment, rows)
-        messages["result"][~good] = 0
-        if code in STATE_REPLIES:
-            instruments.tell(
-                self.state,
-                self._equipment,
-                code=code,
-                rows=rows,
-                messages=messages,
-                at_s=at_s,
-                states=states,
-            )
-            messages["size"] = _STATE_BYTES
-            messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
-        elif code in self._devices.answers:
-            self._answer(code, rows, messages, at_s, good)
-        results = messages["result"].copy()
-        told = messages.copy() if code in TELLS else None
-        self._served.append(Served(code, rows, at_s, arguments, results, states, told))
 
-    def _answer(
-        self, code: int, rows: IndexArray, messages: Records, at_s: FloatArray, good: BoolArray
-    ) -> None:
-        """Lets devices write their answers over the messages of good requests."""
-        replies = messages[good]
-        asked = Asked(
-            self.state, self._equipment, self._around, rows[good], replies, at_s=at_s[good]
-        )
-        verdict = self._devices.answers[code](asked)
-        if verdict is not None:
-            replies["result"][~verdict] = 0
-        messages[good] = replies
-
-    def _advance(self, rows: IndexArray, to_s: FloatArray) -> None:
-        """Lets devices with timers work until an instant of this cycle."""
-        # What falls on the end belongs to the next cycle, when the bodies are where they got to.
-        to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
-        self._devices.advance(self.state, self._equipment, self._around, rows, to_s)
+    def _move(self) -> tuple[Slices, Contacts]:
+        """Move the bodies along the slices of the cycle, which are complete now."""
+        data, state, constants = self._data, self.state, self._data.constants
+        before_m = state.bodies.position_m[: len(self.world.robots)].copy()
+        handling, pull = data.devices.handling, traction.pull(state, constants)
+        pull = handling.pull(state, constants, pull, self.end_s)
+        contacts = data.physics.step(state.bodies, pull)
+        # Wheels that were held up have not turned; only then is known what the robots did.
+        went_m = state.bodies.position_m[: len(before_m)] - before_m
+        traction.feel(state, constants, went_m)
+        slices = slices_of(state, data.axes, self.timestep_s)
+        tell_falls(constants, data.log, self.end_s, before_m, went_m)
+        state.distance_m += traction.ways_m(constants, before_m, went_m)
+        drive.face(state, constants)
+        # Hands close on what is there now; what is held makes other bodies.
+        if handling.end_cycle(state, constants, contacts, self.end_s):
+            data.physics.start_from(state.bodies)
+        return slices, contacts
 
     def _begin_cycle(self) -> None:
         state = self.state
@@ -246,46 +161,123 @@ class Environment(Setting):
         state.drive.moved_m = np.zeros_like(state.drive.moved_m)  # the physics keeps the old array
         state.drive.slice[:] = 0.0
         state.drive.facing_rad[:] = state.heading_rad
-        self._served = []
+        self._dispatcher.served = []
 
-    def _end_waits(self) -> tuple[IndexArray, FloatArray, Records]:
-        """Answers the waits that end in the cycle that begins."""
-        waits = self.state.waits
-        waiting = np.flatnonzero(waits.code)
-        if not len(waiting):
-            return waiting, np.zeros(0), np.zeros(0, MESSAGE)
-        codes, asked = waits.code[waiting], waits.asked[waiting]
-        ends_s = self._settle_waits(waiting)
-        ended = np.isfinite(ends_s)
-        rows, at_s, messages, codes = waiting[ended], ends_s[ended], asked[ended], codes[ended]
-        for code in np.unique(codes).tolist():
-            mine = codes == code
-            replies, arguments = messages[mine], messages["i"][mine].copy()
-            WAITS[code].finish(self.state, self._equipment, rows[mine], replies)
-            good = np.ones(len(replies), dtype=np.bool_)
-            self._reply(code, rows[mine], replies, at_s[mine], good, arguments=arguments)
-            messages[mine] = replies
-        return rows, at_s, messages
+    # -- what there is -------------------------------------------------------------------------
 
-    def _wait(self, code: int, rows: IndexArray, messages: Records) -> FloatArray:
-        """Lets robots wait; gives when those go on that do so in this cycle, else infinity.
+    @property
+    def state(self) -> EnvState:
+        """All that changes; to be read by others, changed only here."""
+        return self._data.state
 
-        Answers these, in place.
+    @property
+    def world(self) -> WorldModel:
+        """The world; it changes only when a robot is added or dismissed."""
+        return self._data.world
+
+    @property
+    def world_now(self) -> WorldModel:
+        """The world with what programs have put into it and taken out of it."""
+        return self._data.world_now
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of all things: contacts number things by them."""
+        return self._data.names
+
+    @property
+    def pushables(self) -> tuple[str, ...]:
+        """The names of what can be pushed, in the order of the bodies behind the robots."""
+        return self._data.pushables
+
+    @property
+    def things(self) -> tuple[Robot | Solid, ...]:
+        """All things in the order of their names; the ground has a name only."""
+        return self._data.constants.scene.things
+
+    def outlines(self) -> tuple[Outlines, Outlines]:
+        """Return the outlines of what never moves, and of the bodies where they are now."""
+        scene, bodies = self._data.constants.scene, self.state.bodies
+        return scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad)
+
+    @property
+    def degradations(self) -> DegradationControl:
+        """What is wrong with devices, to be read and changed between two steps."""
+        return DegradationControl(self._data, self._data.log)
+
+    @property
+    def communication(self) -> CommunicationControl:
+        """The links of messages, to be shut and opened between two steps, and counts."""
+        return CommunicationControl(self._data)
+
+    @property
+    def timestep_s(self) -> float:
+        """The length of a cycle [s]."""
+        return self.world.timestep_s
+
+    @property
+    def time_s(self) -> float:
+        """The start of the current cycle [s]."""
+        return self._data.time_s
+
+    @property
+    def end_s(self) -> float:
+        """The end of the current cycle [s], the start of the next."""
+        return self._data.end_s
+
+    @property
+    def awaits(self) -> bool:
+        """Whether robots are still to join, at a time that has not come yet."""
+        return self._data.awaits
+
+    def charges(self, number: int) -> tuple[float, float]:
+        """Return what is left in the batteries of a robot's computers and motors, 0 to 1."""
+        return self._data.charges(number)
+
+    # -- changes between two steps: see `WorldData` --------------------------------------------
+
+    def add_robot(self, robot: Robot) -> int:
+        """Add a robot, which joins now or at its time; return its number."""
+        return self._data.add_robot(robot)
+
+    def remove_robot(self, number: int) -> None:
+        """Remove a robot, or make sure that it never joins."""
+        self._data.remove_robot(number)
+
+    def dismiss_robot(self, number: int) -> None:
+        """Make a robot leave at the end of the current cycle."""
+        self._data.dismiss_robot(number)
+
+    def carry(self, name: str, place: Pose) -> None:
+        """Move a robot, or something that can be pushed, to another pose."""
+        self._data.carry(name, place)
+
+    def take_away(self, name: str) -> None:
+        """Remove a thing that a robot can run into."""
+        self._data.take_away(name)
+
+    def charge(self, number: int, share: float) -> None:
+        """Set the state of charge of the battery of a robot's motors, 0 to 1."""
+        self._data.charge(number, share)
+
+    def warm(self, name: str, heat: float) -> None:
+        """Set the heat of a robot or a thing, 0 or more."""
+        self._data.warm(name, heat)
+
+    # -- snapshots -----------------------------------------------------------------------------
+
+    def snapshot(self) -> Snapshot:
+        """Return all that is needed to come back to this instant."""
+        return self._data.snapshot(self._dispatcher.served)
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back to a snapshot of an environment with the same world and seed.
+
+        Robots that had been added when it was made are there again, others are not.
         """
-        self.state.waits.begin(code, rows, messages)
-        goes_on_s = self._settle_waits(rows)
-        ended = np.isfinite(goes_on_s)
-        replies = messages[ended]
-        WAITS[code].finish(self.state, self._equipment, rows[ended], replies)
-        messages[ended] = replies
-        return goes_on_s
+        self._data.restore(snapshot)
+        self._dispatcher.served = list(snapshot.served)
 
-    def _settle_waits(self, rows: IndexArray) -> FloatArray:
-        """Ends the waits that end in this cycle, and lets devices work on the way to their ends."""
-        if not len(rows):
-            return np.zeros(0)
-        ends_s = when(WAITS, self.state, rows)
-        soon = ends_s < self.end_s
-        until_s = np.minimum(ends_s, self.state.drive.deadline_s[rows])
-        self._advance(rows[soon], until_s[soon])
-        return settle(WAITS, self.state, self._equipment, rows, self.end_s)
+    def hash(self) -> str:
+        """Return the SHA-256 of the whole state."""
+        return self.state.sha256()

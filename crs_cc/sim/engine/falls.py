@@ -13,27 +13,31 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.events import EventLog
 
 
 def tell_falls(
-    equipment: Equipment, log: EventLog, time_s: float, before_m: FloatArray, went_m: FloatArray
+    constants: RobotConstants,
+    log: EventLog,
+    time_s: float,
+    before_m: FloatArray,
+    went_m: FloatArray,
 ) -> None:
-    """Tells which robots fell in a cycle, and how far.
+    """Log which robots fell in a cycle, and how far.
 
     Args:
-        equipment: the robots' constants.
+        constants: the robots' constants.
         log: takes it.
         time_s: the end of the cycle.
         before_m: where the robots were at its start, (robots, 2).
         went_m: where they went from there, (robots, 2).
     """
-    if equipment.inclines is None:
+    if constants.inclines is None:
         return
-    terrain, after_m = equipment.inclines.terrain, before_m + went_m
+    terrain, after_m = constants.inclines.terrain, before_m + went_m
     drop_m = terrain.height_m(*before_m.T) - terrain.height_m(*after_m.T)
     slope = np.hypot(*terrain.gradient(*before_m.T).T)
-    fell = drop_m > equipment.drives.step_m + slope * np.hypot(*went_m.T) * 1.001
+    fell = drop_m > constants.drives.step_m + slope * np.hypot(*went_m.T) * 1.001
     for robot in np.flatnonzero(fell).tolist():
         log.say(time_s, "fall", f"fell {drop_m[robot]:.2f} m", robot)

@@ -27,7 +27,7 @@ from crs_cc.sim.geometry.placement import TOLERANCE_M
 from crs_cc.sim.physics.carrying import release
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import Pose, Robot, WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
@@ -47,50 +47,52 @@ class Timetable:
         self._leave_s = np.array([robot.leave_s for robot in world.robots])
 
     def due_s(self, presence: PresenceState) -> float:
-        """Gives when anybody joins or leaves next, infinite for never."""
+        """Return when the next robot joins or leaves, infinite for never."""
         join_s = self._join_s[_expected(presence)].min(initial=np.inf)
         return float(self._leave_s[np.isinf(presence.left_s)].min(initial=join_s))
 
     def is_anybody_due(self, presence: PresenceState, after_s: float) -> bool:
-        """Tells whether anybody's time to join comes after an instant."""
+        """Return whether any robot is to join after an instant."""
         return bool((self._join_s[_expected(presence)] > after_s + ROUNDING_S).any())
 
     def leave(self, state: EnvState, now_s: float, log: EventLog) -> IndexArray:
-        """Lets those leave whose time it is; gives which."""
+        """Remove the robots whose time it is to leave; return which."""
         over = (self._leave_s <= now_s + ROUNDING_S) & np.isinf(state.presence.left_s)
         rows = np.flatnonzero(over)
         leave(state, rows, now_s, log)
         return rows
 
     def join(
-        self, state: EnvState, equipment: Equipment, now_s: float, log: EventLog
+        self, state: EnvState, constants: RobotConstants, now_s: float, log: EventLog
     ) -> IndexArray:
-        """Lets those join whose time it is and whose place is free; gives which."""
+        """Add the robots whose time it is to join and whose place is free; return which."""
         due = (self._join_s <= now_s + ROUNDING_S) & _expected(state.presence)
         joined = []
         for robot in np.flatnonzero(due).tolist():
             wanted = self._robots[robot]
-            thing = in_the_way(state, equipment, wanted.start, wanted.model.radius_m)
+            thing = in_the_way(state, constants, wanted.start, wanted.model.radius_m)
             if not thing:
-                join(state, equipment, robot, now_s, log)
+                join(state, constants, robot, now_s, log)
                 joined.append(robot)
             elif now_s - self._join_s[robot] < self._timestep_s - ROUNDING_S:
                 log.say(now_s, "join", f"had to wait: {thing} was in its place", robot)
         return np.array(joined, dtype=np.intp)
 
 
-def join(state: EnvState, equipment: Equipment, robot: int, now_s: float, log: EventLog) -> None:
-    """Puts a robot into the world; its devices begin when the world has been furnished with it."""
+def join(
+    state: EnvState, constants: RobotConstants, robot: int, now_s: float, log: EventLog
+) -> None:
+    """Add a robot to the world; its devices start when the world has been furnished with it."""
     presence, here = state.presence, np.arange(len(state.presence.present)) == robot
     presence.present = presence.present | here
     presence.joined_s = np.where(here, now_s, presence.joined_s)
     state.drive.clock_s[robot] = now_s
-    state.heat.left[robot] = equipment.world.robots[robot].heat
+    state.heat.left[robot] = constants.world.robots[robot].heat
     log.say(now_s, "join", "joined", robot)
 
 
 def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> None:
-    """Takes robots out of the world: what was in motion stops, what was awaited never comes."""
+    """Remove robots from the world: what was in motion stops, what was awaited never comes."""
     presence, gone = state.presence, np.zeros(len(state.presence.present), dtype=np.bool_)
     gone[rows] = True
     presence.present = presence.present & ~gone
@@ -109,24 +111,24 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
 
 
 def in_the_way(
-    state: EnvState, equipment: Equipment, place: Pose, radius_m: float, robot: int = -1
+    state: EnvState, constants: RobotConstants, place: Pose, radius_m: float, robot: int = -1
 ) -> str:
-    """Gives what keeps a robot from standing somewhere, in words; empty for nothing.
+    """Return what occupies a robot's place, in words; empty for nothing.
 
     Args:
         state: tells where everything is.
-        equipment: the shapes of all things.
+        constants: the shapes of all things.
         place: where it would stand.
         radius_m: how large it is.
         robot: its number, if it is somewhere else in this world already.
     """
-    area, reach_m = equipment.world.area, radius_m - TOLERANCE_M
+    area, reach_m = constants.world.area, radius_m - TOLERANCE_M
     if not (
         area.x_min_m + reach_m <= place.x_m <= area.x_max_m - reach_m
         and area.y_min_m + reach_m <= place.y_m <= area.y_max_m - reach_m
     ):
         return EDGE
-    things, robots = equipment.things, len(state.presence.present)
+    things, robots = constants.shapes, len(state.presence.present)
     there = np.ones(len(things.margin_m), dtype=np.bool_)
     there[:robots] = state.presence.present
     there[robot if robot >= 0 else slice(0)] = False
@@ -134,11 +136,11 @@ def in_the_way(
     x_m, y_m = np.full((2, len(others)), [[place.x_m], [place.y_m]])
     distance_m = things.distance_m(things.poses(state.bodies), others, x_m, y_m)
     near = others[distance_m < reach_m]
-    return f"'{equipment.scene.names[near[0]]}'" if len(near) else ""
+    return f"'{constants.scene.names[near[0]]}'" if len(near) else ""
 
 
 def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
-    """Gives why a robot cannot be added to a world, wherever things stand; empty if it can.
+    """Return why a robot cannot be added to a world, wherever things are; empty if it can.
 
     Args:
         robot: the robot.
@@ -162,5 +164,5 @@ def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
 
 
 def _expected(presence: PresenceState) -> BoolArray:
-    """Tells who has not joined yet and still may."""
+    """Return which robots have not joined yet and still may."""
     return np.asarray(np.isinf(presence.joined_s) & np.isinf(presence.left_s))

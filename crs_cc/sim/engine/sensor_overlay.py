@@ -41,7 +41,7 @@ class Beam:
 def sights(
     state: EnvState, world: WorldModel, time_s: float, only: int | None = None
 ) -> list[Beam]:
-    """Gives what sensors told last.
+    """Return the last readings of the sensors.
 
     Args:
         state: the world's state.
@@ -76,7 +76,7 @@ def sights(
 
 
 def _cone(sonar: Sonar, echo_m: float) -> FloatArray:
-    """Gives a beam up to its echo, as seen from the robot."""
+    """Return a beam up to its echo, as seen from the robot."""
     half_rad = sonar.half_angle_rad
     angles = sonar.direction_rad + np.linspace(-half_rad, half_rad, _ARC)
     start = np.array([[sonar.x_m, sonar.y_m]])
@@ -86,7 +86,7 @@ def _cone(sonar: Sonar, echo_m: float) -> FloatArray:
 
 
 def _line(camera: Camera, column: int, range_m: float) -> FloatArray:
-    """Gives the line from a camera to what a column shows, as seen from the robot."""
+    """Return the line from a camera to what a column shows, as seen from the robot."""
     step_rad = camera.field_of_view_rad / camera.columns
     angle = camera.direction_rad + ((camera.columns - 1) / 2 - column) * step_rad
     start = np.array([camera.x_m, camera.y_m])

@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
-from crs_cc.requests import CODES, REQUESTS
+from crs_cc.requests import CODES, REQUESTS, Field
 from crs_cc.sim.devices.vendor_state import (
     BUMPER,
     COMPASS,
@@ -46,19 +46,10 @@ _ANSWERS: Final = {
     CODES["GET_RV"]: (_SPEEDS,),
 }
 
-TELLS: Final = frozenset(
-    code
-    for code, request in REQUESTS.items()
-    if request.server != "host"
-    and not request.tells_state
-    and any(result.place != "result" for result in request.results)
-)
-"""The codes of the requests whose replies tell something of their own."""
-
 _TEXT: Final = 40  # so much of a text is shown
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Served:
     """Requests of one kind that were answered together; arrays have a row for each robot.
 
@@ -68,8 +59,9 @@ class Served:
         clock_s: when each program went on.
         arguments: the integer arguments, shape (k, 8).
         results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
-        states: `State` as it was told, shape (k, 45).
-        told: the whole replies, of dtype `requests.MESSAGE`, for the codes in `TELLS`; else None.
+        states: `State` as it was told, shape (k, 45), for requests answered with it; else None.
+        told: the whole replies, of dtype `requests.MESSAGE`, for requests that are `traced`; else
+            None.
     """
 
     code: int
@@ -77,11 +69,11 @@ class Served:
     clock_s: FloatArray
     arguments: Int32Array
     results: Int32Array
-    states: Int32Array
+    states: Int32Array | None
     told: Records | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Slices:
     """The slice of its motion command that each robot ran in a cycle.
 
@@ -108,7 +100,7 @@ class Slices:
     present: BoolArray
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
     """One cycle that has ended.
 
@@ -219,7 +211,7 @@ class RobotSlice:
 
 
 def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
-    """Gives the slices of a cycle, whole when the axes have been turned to its end."""
+    """Return the slices of a cycle, whole when the axes have been turned to its end."""
     end_s = state.drive.axes.end_s()
     end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
     endless = end_s > _MOST_CYCLES * timestep_s
@@ -228,25 +220,25 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
     number = state.cycle - state.drive.command_cycle + 1
     runs = (state.drive.command != 0) & (endless | (number <= count))
     return Slices(
-        axes,
-        np.where(runs, state.drive.command, 0),
-        number,
-        np.where(endless, 0, count),
-        state.drive.slice.copy(),
-        state.drive.axes.travelled.copy(),
-        state.drive.axes.total.copy(),
-        state.waits.code != 0,
-        state.presence.present,
+        axes=axes,
+        command=np.where(runs, state.drive.command, 0),
+        number=number,
+        count=np.where(endless, 0, count),
+        way=state.drive.slice.copy(),
+        travelled=state.drive.axes.travelled.copy(),
+        total=state.drive.axes.total.copy(),
+        waiting=state.waits.code != 0,
+        present=state.presence.present,
     )
 
 
 def describe_slice(step: Step, robot: int) -> RobotSlice:
-    """Gives one robot's part of a cycle as plain values."""
+    """Return one robot's part of a cycle as plain values."""
     return slice_of(step.slices, robot, _answers(step, robot))
 
 
 def slice_of(slices: Slices, robot: int, answers: tuple[Answer, ...] = ()) -> RobotSlice:
-    """Gives what one robot's axes did as plain values, with the requests that were answered."""
+    """Return what one robot's axes did as plain values, with the requests that were answered."""
     code, count = int(slices.command[robot]), int(slices.count[robot])
     rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
     ways = zip(*(row.tolist() for row in rows), strict=True)
@@ -284,31 +276,22 @@ def _answers(step: Step, robot: int) -> tuple[Answer, ...]:
 
 
 def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]]:
-    """Gives what a request told one robot."""
-    if served.told is None:
+    """Return what a request told one robot."""
+    if served.states is not None:
         state = served.states[row].tolist()
         return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
-    if not served.results[row]:
+    if served.told is None or not served.results[row]:
         return {}
-    message = served.told[row]
-    places = [each.place for each in REQUESTS[served.code].results]
-    numbers = (_number(message, place) for place in places if place[:2] in {"i[", "f["})
-    return {"told": (*numbers, *_data(message, served.code))}
+    message, results = served.told[row], REQUESTS[served.code].results
+    positions = [result.position for result in results]
+    numbers = (message[array][place].item() for array, place in positions if place >= 0)
+    content = (field for field in results if field.place == "data")
+    return {"told": (*numbers, *(value for field in content for value in _data(message, field)))}
 
 
-def _number(message: np.void, place: str) -> int | float:
-    """Gives the number at a place in a message: `i[0]`, `f[1]`."""
-    field, number = place.rstrip("]").split("[")
-    value: int | float = message[field][int(number)].item()
-    return value
-
-
-def _data(message: np.void, code: int) -> tuple[int | float | str, ...]:
-    """Gives a reply's data: numbers where the table says so, or else text."""
-    form = next((each.name for each in REQUESTS[code].results if each.place == "data"), None)
-    if form is None:
-        return ()
+def _data(message: np.void, field: Field) -> tuple[int | str, ...]:
+    """Return a reply's data: numbers where the table says so, or else text."""
     data = message["data"][: max(int(message["size"]), 0)]
-    if "int32" in form:
+    if field.data_type == "int32":
         return tuple(data[: len(data) // 4 * 4].view("<i4").tolist())
     return (repr(data[:_TEXT].tobytes())[1:],)

@@ -20,25 +20,25 @@ from crs_cc.sim.model.world import Cylinder, Pose, Robot, Wall
 from crs_cc.sim.physics.carrying import release
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import Solid, Thing
     from crs_cc.sim.state.env_state import EnvState
 
 
 def put_robot(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     robot: int,
     place: Pose,
     *,
     base_rad: float,
     turret_rad: float,
 ) -> None:
-    """Puts a robot down at a place that is free; its odometry does not hear of it.
+    """Move a robot to a place that is free, without its odometry.
 
     Args:
         state: changed in place.
-        equipment: the constants of all things.
+        constants: the constants of all things.
         robot: its number.
         place: where, and where its wheels point.
         base_rad: where its base points.
@@ -53,59 +53,59 @@ def put_robot(
     drive.facing_rad[robot] = state.heading_rad[robot] = place.heading_rad
     drive.turret_rad[robot] = turret_rad
     state.base_rad[robot] = base_rad
-    state.mount_rad[robot] = turret_rad if equipment.drives.turret[robot] else base_rad
-    _part(state, equipment, robot)
+    state.mount_rad[robot] = turret_rad if constants.drives.turret[robot] else base_rad
+    _part(state, constants, robot)
 
 
-def carry_robot(state: EnvState, equipment: Equipment, robot: int, place: Pose) -> str:
-    """Carries a robot somewhere, turned as a whole, if the place is free.
+def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: Pose) -> str:
+    """Move a robot to a pose, turned as a whole, if the place is free.
 
     Returns:
         what stands in the way, in words; empty when the robot is there now.
     """
-    radius_m = float(equipment.radius_m[robot])
-    if thing := in_the_way(state, equipment, place, radius_m, robot):
+    radius_m = float(constants.radius_m[robot])
+    if thing := in_the_way(state, constants, place, radius_m, robot):
         return thing
     turn_rad = place.heading_rad - float(state.heading_rad[robot])
     base_rad = float(state.base_rad[robot]) + turn_rad
     turret_rad = float(state.drive.turret_rad[robot]) + turn_rad
-    put_robot(state, equipment, robot, place, base_rad=base_rad, turret_rad=turret_rad)
+    put_robot(state, constants, robot, place, base_rad=base_rad, turret_rad=turret_rad)
     return ""
 
 
-def carry_thing(state: EnvState, equipment: Equipment, body: int, place: Pose) -> str:
-    """Carries something that can be pushed somewhere, if the place is free.
+def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
+    """Move something that can be pushed to a pose, if the place is free.
 
     Args:
         state: changed in place.
-        equipment: the constants of all things.
+        constants: the constants of all things.
         body: its number among the bodies.
         place: where.
 
     Returns:
         what stands in the way, in words; empty when the thing is there now.
     """
-    thing = equipment.scene.pushables[body - equipment.scene.robots]
-    if wrong := _obstacle(state, equipment, body, replace(thing, pose=place)):
+    thing = constants.scene.pushables[body - constants.scene.robots]
+    if wrong := _obstacle(state, constants, body, replace(thing, pose=place)):
         return wrong
     bodies = state.bodies
     bodies.position_m[body] = place.x_m, place.y_m
     bodies.angle_rad[body] = place.heading_rad
     bodies.velocity_mps[body] = bodies.spin_radps[body] = 0.0
     bodies.settled[0] = False
-    _part(state, equipment, body)
+    _part(state, constants, body)
     return ""
 
 
-def _part(state: EnvState, equipment: Equipment, body: int) -> None:
-    """Forgets what touched a body where it was."""
-    robot, thing = np.divmod(state.contacts_before, len(equipment.scene.names))
+def _part(state: EnvState, constants: RobotConstants, body: int) -> None:
+    """Forget what touched a body where it was."""
+    robot, thing = np.divmod(state.contacts_before, len(constants.scene.names))
     state.contacts_before = state.contacts_before[(robot != body) & (thing != body)]
 
 
-def _obstacle(state: EnvState, equipment: Equipment, body: int, wanted: Thing) -> str:
-    """Gives what a thing would stand in, in words; empty for nothing."""
-    things, area, scene = equipment.things, equipment.world.area, equipment.scene
+def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thing) -> str:
+    """Return what occupies a thing's place, in words; empty for nothing."""
+    things, area, scene = constants.shapes, constants.world.area, constants.scene
     low, high = _extent_m(wanted)
     if (low < np.array([area.x_min_m, area.y_min_m]) - TOLERANCE_M).any():
         return EDGE
@@ -125,7 +125,7 @@ def _obstacle(state: EnvState, equipment: Equipment, body: int, wanted: Thing) -
 
 
 def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
-    """Gives a thing where it is; a robot as the cylinder that it is."""
+    """Return a thing where it is; a robot as the cylinder that it is."""
     if isinstance(thing, Wall):
         return thing
     place = Pose(*pose.tolist())
@@ -135,7 +135,7 @@ def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
 
 
 def _extent_m(thing: Thing) -> FloatArray:
-    """Gives the lower left and the upper right corner of what a thing covers, (2, 2)."""
+    """Return the lower left and the upper right corner of what a thing covers, (2, 2)."""
     if isinstance(thing, Cylinder):
         middle = np.array([thing.pose.x_m, thing.pose.y_m])
         return np.array([middle - thing.radius_m, middle + thing.radius_m])

@@ -1,4 +1,4 @@
-"""A world as it stands: its state, and all that follows from it, made anew when that changes.
+"""A world's state with all that follows from it, made anew when that changes.
 
 The state is all that there is to save. What follows from which robots there are (their constants
 and devices), and from which things stand where (outlines, physics), is made again when a robot
@@ -6,41 +6,42 @@ joins or leaves, a program puts up an obstacle, or a snapshot is restored.
 
 >>> from crs_cc.sim.model.world import Pose, Robot
 >>> from crs_cc.sim.files.world_xml import empty_world
->>> setting = Setting(empty_world(), seed=1)
->>> scout = setting.world.robots[0].model
->>> setting.add_robot(Robot("late", scout, Pose(2.0, 0.0)))
+>>> data = WorldData(empty_world(), seed=1)
+>>> scout = data.world.robots[0].model
+>>> data.add_robot(Robot("late", scout, Pose(2.0, 0.0)))
 1
->>> setting.remove_robot(0)
->>> setting.state.presence.present.tolist()
+>>> data.remove_robot(0)
+>>> data.state.presence.present.tolist()
 [False, True]
->>> setting.add_robot(Robot("later", scout, Pose(2.1, 0.0)))
+>>> data.add_robot(Robot("later", scout, Pose(2.1, 0.0)))
 Traceback (most recent call last):
 ValueError: robot 'later' cannot join: 'late' is in its place
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.suggest import unknown
 from crs_cc.core.time_grid import ROUNDING_S
-from crs_cc.sim.comms.control import CommunicationControl
+from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper import Bumpers
-from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive.rolling import RollingNoise
-from crs_cc.sim.devices.ray_caster import Surroundings
-from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.devices.ray_caster import RayCaster
+from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.serial_link import SerialLine
-from crs_cc.sim.engine.device_board import Devices
+from crs_cc.sim.engine.device_board import DeviceBoard
+from crs_cc.sim.engine.handlers import handlers_of, waits_of
 from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.teleport import carry_robot, carry_thing
-from crs_cc.sim.geometry.scene import Outlines, Scene
-from crs_cc.sim.geometry.shape_table import Things
-from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.shape_table import ShapeTable
+from crs_cc.sim.model.world import Pose, Robot, WorldModel
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.state.add_row import grown
 from crs_cc.sim.state.bodies import PhysicsSnapshot
@@ -61,16 +62,28 @@ class Snapshot:
     events: tuple[Event, ...]
 
 
-class Setting:
+class WorldData:
     """A world with its state.
 
     Attributes:
         world: the world; it changes only when a robot is added.
-        state: what changes; to be read by others, changed only by the environment.
+        state: all that changes.
+        log: takes what happens besides requests.
+        constants: the constants of all robots and things.
+        devices: the robots' devices.
+        handlers: what answers each request, by code.
+        waits: how robots wait for requests, by code.
+        bumpers: the switches of the robots' bumpers.
+        rolling: how wheels differ from what is believed of them.
+        line: the serial lines between hosts and robots.
+        axes: the names of each robot's axes.
+        names: the names of all things: contacts number things by them.
+        physics: moves the bodies.
+        rays: casts the rays of all sensors.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
-        """Makes the setting before the first cycle.
+        """Set up a world before its first cycle.
 
         Args:
             world: the world.
@@ -82,8 +95,7 @@ class Setting:
         if seed < 0:
             raise ValueError(f"the seed must not be negative: {seed}")
         self._seed = seed
-        self._log = EventLog()
-        self._served: list[Served] = []
+        self.log = EventLog()
         self._packed: Packed | None = None
         self.state = EnvState.at_start(world)
         self._equip(world)
@@ -91,66 +103,41 @@ class Setting:
 
     @property
     def world_now(self) -> WorldModel:
-        """Gives the world with what programs have put into it and taken out of it."""
+        """The world with what programs have put into it and taken out of it."""
         return self.state.obstacles.world_now(self.world)
 
     @property
-    def names(self) -> tuple[str, ...]:
-        """Gives the names of all things: what contacts are told by."""
-        return self._names
-
-    @property
     def pushables(self) -> tuple[str, ...]:
-        """Gives the names of what can be pushed, in the order of the bodies behind the robots."""
+        """The names of what can be pushed, in the order of the bodies behind the robots."""
         first = len(self.world.robots)
-        return self._names[first : len(self.state.bodies.angle_rad)]
-
-    @property
-    def things(self) -> tuple[Robot | Solid, ...]:
-        """Gives all things in the order of their names; the ground has a name only."""
-        return self._equipment.scene.things
-
-    def outlines(self) -> tuple[Outlines, Outlines]:
-        """Gives the outlines of what never moves, and of the bodies where they are now."""
-        scene, bodies = self._equipment.scene, self.state.bodies
-        return scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad)
-
-    @property
-    def degradations(self) -> DegradationControl:
-        """Gives what is wrong with devices, to be asked and changed between two steps."""
-        return DegradationControl(self, self._log)
-
-    @property
-    def communication(self) -> CommunicationControl:
-        """Gives the ways of messages, to be shut and opened between two steps, and counts."""
-        return CommunicationControl(self)
+        return self.names[first : len(self.state.bodies.angle_rad)]
 
     @property
     def _robot_ids(self) -> tuple[str, ...]:
-        return self._names[: len(self.world.robots)]
+        return self.names[: len(self.world.robots)]
 
     @property
     def timestep_s(self) -> float:
-        """Gives the length of a cycle [s]."""
+        """The length of a cycle [s]."""
         return self.world.timestep_s
 
     @property
     def time_s(self) -> float:
-        """Gives the start of the current cycle [s]."""
+        """The start of the current cycle [s]."""
         return self.state.cycle * self.timestep_s
 
     @property
     def end_s(self) -> float:
-        """Gives the end of the current cycle [s], the start of the next."""
+        """The end of the current cycle [s], the start of the next."""
         return (self.state.cycle + 1) * self.timestep_s
 
     @property
     def awaits(self) -> bool:
-        """Tells whether robots are still to join, at a time that has not come yet."""
+        """Whether robots are still to join, at a time that has not come yet."""
         return self._timetable.is_anybody_due(self.state.presence, self.time_s)
 
     def add_robot(self, robot: Robot) -> int:
-        """Puts another robot into the world, between two cycles; gives its number.
+        """Add a robot to the world, between two cycles; return its number.
 
         Args:
             robot: the robot; it joins now, or at its time if that comes later.
@@ -158,20 +145,20 @@ class Setting:
         Raises:
             ValueError: it cannot be there, or something stands in its place.
         """
-        wrong = complaint(robot, self._names, self.time_s)
+        wrong = complaint(robot, self.names, self.time_s)
         if not wrong and robot.join_s <= self.time_s:
-            thing = in_the_way(self.state, self._equipment, robot.start, robot.model.radius_m)
+            thing = in_the_way(self.state, self.constants, robot.start, robot.model.radius_m)
             wrong = f"{thing} is in its place" if thing else ""
         if wrong:
             raise ValueError(f"robot {robot.id!r} cannot join: {wrong}")
         world = replace(self.world, robots=(*self.world.robots, robot))
         self.state = grown(self.state, world)
         self._equip(world)
-        self._come_and_go()
+        self.come_and_go()
         return len(world.robots) - 1
 
     def remove_robot(self, number: int) -> None:
-        """Takes a robot out of the world, or lets it never join, between two cycles.
+        """Remove a robot from the world, or make sure that it never joins, between two cycles.
 
         Raises:
             ValueError: there is no such robot, or it has left before.
@@ -180,11 +167,11 @@ class Setting:
             raise ValueError(f"there is no robot number {number}")
         if np.isfinite(self.state.presence.left_s[number]):
             raise ValueError(f"robot {self.world.robots[number].id!r} has left before")
-        leave(self.state, np.array([number]), self.time_s, self._log)
-        self._come_and_go()
+        leave(self.state, np.array([number]), self.time_s, self.log)
+        self.come_and_go()
 
     def dismiss_robot(self, number: int) -> None:
-        """Lets a robot leave at the end of the current cycle, wherever in the cycle this is said.
+        """Make a robot leave at the end of the current cycle; may be called at any point of it.
 
         Raises:
             ValueError: it has left before.
@@ -196,63 +183,67 @@ class Setting:
         self._equip(replace(self.world, robots=tuple(robots)))
 
     def carry(self, name: str, place: Pose) -> None:
-        """Puts a robot, or something that can be pushed, down somewhere else.
+        """Move a robot, or something that can be pushed, to another pose.
 
-        A robot is turned as a whole, and its odometry does not hear of it; see `relocation`.
+        A robot is turned as a whole, and its odometry does not notice; see `teleport`.
 
         Raises:
             ValueError: it cannot be there, or is nothing that can be carried.
         """
-        number = self._names.index(name) if name in self._names else -1
+        number = self.names.index(name) if name in self.names else -1
         if number in range(len(self.world.robots)):
             self._demand_presence(number)
-            thing = carry_robot(self.state, self._equipment, number, place)
+            thing = carry_robot(self.state, self.constants, number, place)
         else:
             if wrong := self._immovable(name):
                 raise ValueError(wrong)
-            thing = carry_thing(self.state, self._equipment, number, place)
+            thing = carry_thing(self.state, self.constants, number, place)
         if thing:
             raise ValueError(f"{name!r} cannot be there: {thing} is in its place")
-        self._refurnish(moved=True)
+        self.refurnish(moved=True)
 
     def take_away(self, name: str) -> None:
-        """Takes a thing that a robot can run into out of the world.
+        """Remove a thing that a robot can run into.
 
         Raises:
             ValueError: there is no such thing, or it is the edge of the world or a robot.
         """
         self.state.obstacles = without(self.state.obstacles, self.world, name)
-        self._refurnish(moved=False)
+        self.refurnish(moved=False)
 
     def charges(self, number: int) -> tuple[float, float]:
-        """Gives what is left in the batteries of a robot's computers and motors, 0 to 1."""
+        """Return the states of charge of a robot's computer and motor batteries, 0 to 1."""
         rows = np.array([number], dtype=np.intp)
-        batteries = self._devices.instruments.batteries
+        batteries = self.devices.sensor_board.batteries
         computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
         return computers, motors
 
     def charge(self, number: int, share: float) -> None:
-        """Lets so much be left in the battery of a robot's motors, 0 to 1.
+        """Set the state of charge of a robot's motor battery, 0 to 1.
 
         Raises:
             ValueError: it lasts for ever, or the robot is not in the world.
         """
         self._demand_presence(number)
-        batteries = self._devices.instruments.batteries
+        batteries = self.devices.sensor_board.batteries
         batteries.charge(self.state, number, self.time_s, share)
 
     def warm(self, name: str, heat: float) -> None:
-        """Lets a robot or a thing be so hot from now on, 0 or more."""
-        self.state.heat.left[self._names.index(name)] = heat
+        """Set the heat of a robot or a thing, 0 or more."""
+        self.state.heat.left[self.names.index(name)] = heat
 
-    def snapshot(self) -> Snapshot:
-        """Gives all that is needed to come back to this instant."""
-        physics, events = self._physics.snapshot(), self._log.snapshot()
+    def snapshot(self, served: Sequence[Served]) -> Snapshot:
+        """Return all that is needed to come back to this instant.
+
+        Args:
+            served: the requests that were answered in this cycle.
+        """
+        physics, events = self.physics.snapshot(), self.log.snapshot()
         self._packed = packed(self.state, like=self._packed)
-        return Snapshot(self.world, self._packed, physics, tuple(self._served), events)
+        return Snapshot(self.world, self._packed, physics, tuple(served), events)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Goes back to a snapshot of an environment with the same world and seed.
+        """Restore a snapshot of the same world and seed.
 
         Robots that had been added when it was made are there again, others are not.
         """
@@ -262,82 +253,99 @@ class Setting:
         elif not self._is_furnished():
             self._furnish(Scene(self.world_now, self.state.presence.present))
         self._due_s = self._timetable.due_s(self.state.presence)
-        self._physics.restore(snapshot.physics)
-        self._served = list(snapshot.served)
-        self._log.restore(snapshot.events)
-        self._around.forget()
+        self.physics.restore(snapshot.physics)
+        self.log.restore(snapshot.events)
+        self.rays.forget()
 
-    def hash(self) -> str:
-        """Gives the SHA-256 of the whole state."""
-        return self.state.sha256()
+    def advance_to(self, rows: IndexArray, to_s: FloatArray) -> None:
+        """Let timers fire and turn the wheels of robots, up to instants of this cycle.
+
+        Args:
+            rows: which robots, rising, k of them.
+            to_s: up to when, not before the last time, (k,).
+        """
+        # Sensors measure on the way that wheels turn, so before they are turned on.
+        self.devices.advance(self.state, self.constants, self.rays, rows, to_s)
+        everybody = len(rows) == len(self.state.drive.clock_s)
+        drive.advance(self.state, self.constants, slice(None) if everybody else rows, to_s)
+
+    def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
+        """Take the motors' force from robots whose batteries are empty."""
+        if not len(rows):
+            return
+        empty = rows[self.devices.sensor_board.batteries.empty(self.state, rows, at_s)]
+        if len(empty):
+            drive.go_limp(self.state, self.constants, empty)
 
     def _demand_presence(self, number: int) -> None:
         if not self.state.presence.present[number]:
             raise ValueError(f"robot {self._robot_ids[number]!r} is not in the world")
 
     def _immovable(self, name: str) -> str:
-        """Gives why a thing cannot be carried away; empty if it can."""
+        """Return why a thing cannot be carried away; empty if it can."""
         if name not in self.pushables:
             return unknown("robot or movable thing", name, (*self._robot_ids, *self.pushables))
         number = self.pushables.index(name)
-        if self._equipment.scene.pushables[number].part_of:
-            return f"{name!r} is a part of {self._equipment.scene.pushables[number].part_of!r}"
+        if self.constants.scene.pushables[number].part_of:
+            return f"{name!r} is a part of {self.constants.scene.pushables[number].part_of!r}"
         holders = np.flatnonzero((self.state.bodies.holds.thing == number).any(axis=1)).tolist()
         return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
     def _equip(self, world: WorldModel) -> None:
-        """Makes all that follows from which robots there are."""
+        """Rebuild all that follows from which robots there are."""
         self.world = world
-        self._equipment = Equipment.of(world, self._seed)
-        self._bumpers = Bumpers(world)
-        self._rolling = RollingNoise(world, self._seed)
-        self._devices = Devices(world, self._seed, self._log)
-        self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
-        self._line = SerialLine(world)
+        self.constants = RobotConstants.of(world, self._seed)
+        self.bumpers = Bumpers(world)
+        self.rolling = RollingNoise(world, self._seed)
+        self.devices = DeviceBoard(world, self._seed, self.log)
+        self.handlers = handlers_of(self.devices)
+        self.waits = waits_of(self.devices)
+        self.axes = tuple(robot.model.drive.axis_names for robot in world.robots)
+        self.line = SerialLine(world)
         self._timetable = Timetable(world)
         self._due_s = self._timetable.due_s(self.state.presence)
         self._furnish(Scene(self.world_now, self.state.presence.present))
 
     def _furnish(self, scene: Scene) -> None:
-        """Makes all that follows from which things stand where."""
+        """Rebuild all that follows from which things are where."""
         self._furnished = self.state.obstacles, self.state.presence.present
-        self._names = scene.names
-        self._equipment = replace(self._equipment, scene=scene, things=Things.of(scene))
-        self._physics = Physics(scene.world, scene, self.state.bodies)
-        self._around = Surroundings(scene, self._devices.fans)
+        self.names = scene.names
+        self.constants = replace(self.constants, scene=scene, shapes=ShapeTable.of(scene))
+        self.physics = Physics(scene.world, scene, self.state.bodies)
+        self.rays = RayCaster(scene, self.devices.fans)
 
-    def _refurnish(self, moved: bool) -> None:
-        """Does so where things have come or gone, or a program has moved its robot."""
+    def refurnish(self, moved: bool) -> None:
+        """Rebuild what is outdated: things have come or gone, or a robot has been moved."""
         if self._is_furnished():
             if moved:
-                self._physics.start_from(self.state.bodies)
-                self._around.forget()
+                self.physics.start_from(self.state.bodies)
+                self.rays.forget()
             return
         scene = Scene(self.world_now, self.state.presence.present)
-        if scene.names != self._names:
-            self.state.renumber(self._names, scene.names)
+        if scene.names != self.names:
+            self.state.renumber(self.names, scene.names)
         self._furnish(scene)
 
     def _is_furnished(self) -> bool:
-        """Tells whether the same things stand where they stood last."""
+        """Return whether the same things are where they were last."""
         obstacles, present = self._furnished
         same = np.array_equal(self.state.presence.present, present)
         return same and self.state.obstacles.same_as(obstacles)
 
-    def _is_anybody_due(self) -> bool:
-        """Tells whether it is time for a robot to join or to leave."""
+    def is_anybody_due(self) -> bool:
+        """Return whether it is time for a robot to join or to leave."""
         return self.time_s >= self._due_s - ROUNDING_S
 
-    def _come_and_go(self) -> None:
-        """Lets robots leave and join whose time it is."""
+    def come_and_go(self) -> None:
+        """Remove and add the robots whose time it is to leave or to join."""
         now_s = self.time_s
-        self._timetable.leave(self.state, now_s, self._log)
-        joined = self._timetable.join(self.state, self._equipment, now_s, self._log)
-        self._refurnish(moved=False)
+        self._timetable.leave(self.state, now_s, self.log)
+        joined = self._timetable.join(self.state, self.constants, now_s, self.log)
+        self.refurnish(moved=False)
         self._begin(joined)
         self._due_s = self._timetable.due_s(self.state.presence)
 
     def _begin(self, rows: IndexArray) -> None:
-        """Lets the devices of robots begin that are in the world from now on."""
+        """Start the devices of robots that are in the world from now on."""
         if len(rows):
-            self._devices.begin(self.state, self._equipment, self._around, rows, self.time_s)
+            self.devices.begin(self.state, self.constants, self.rays, rows, self.time_s)

@@ -1,1 +1,1 @@
-"""World files and robot definitions: from XML and pictures to the models."""
+"""Readers of world files and robot definitions: from XML and images to models."""

@@ -1,4 +1,4 @@
-"""From the elements of world and robot files to lights, sounds, and what senses them."""
+"""Elements of lights and sounds, and of the sensors for them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from crs_cc.sim.model.beacons import (
 
 
 def lights(root: Element, reader: Reader) -> tuple[Light, ...]:
-    """Gives the lights of a world; mistakes go to the reader."""
+    """Return the lights of a world; errors go to the reader."""
     return tuple(
         Light(
             element.attributes["id"],
@@ -29,7 +29,7 @@ def lights(root: Element, reader: Reader) -> tuple[Light, ...]:
 
 
 def sounds(root: Element, reader: Reader) -> tuple[Sound, ...]:
-    """Gives the sounds of a world; mistakes go to the reader."""
+    """Return the sounds of a world; errors go to the reader."""
     return tuple(
         Sound(
             element.attributes["id"],
@@ -43,7 +43,7 @@ def sounds(root: Element, reader: Reader) -> tuple[Sound, ...]:
 
 
 def light_sensors(root: Element, reader: Reader) -> LightSensors | None:
-    """Gives the light sensors of a robot, None where there are none."""
+    """Return the light sensors of a robot, None if it has none."""
     element = root.maybe("light-sensors")
     if element is None:
         return None
@@ -57,7 +57,7 @@ def light_sensors(root: Element, reader: Reader) -> LightSensors | None:
 
 
 def microphones(root: Element, reader: Reader) -> Microphones | None:
-    """Gives the microphones of a robot, None where there are none."""
+    """Return the microphones of a robot, None if it has none."""
     element = root.maybe("microphones")
     if element is None:
         return None
@@ -69,12 +69,12 @@ def microphones(root: Element, reader: Reader) -> Microphones | None:
 
 
 def brightest(root: Element, reader: Reader) -> float:
-    """Gives how bright the lamp of a robot can shine, 0 where there is none."""
+    """Return the maximum brightness of a robot's lamp, 0 if it has none."""
     lamp = root.maybe("lamp")
     return 0.0 if lamp is None else reader.positive(lamp, "brightest", BRIGHTNESS, 0.0)
 
 
 def loudest(root: Element, reader: Reader) -> float:
-    """Gives how loud the speaker of a robot can sound, 0 where there is none."""
+    """Return the maximum level of a robot's speaker, 0 if it has none."""
     speaker = root.maybe("speaker")
     return 0.0 if speaker is None else reader.positive(speaker, "loudest", LOUDNESS, 0.0)

@@ -1,4 +1,4 @@
-"""From the element `<communication>` of a world file to a `Communication`."""
+"""The element `<communication>` of a world file."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ LONGEST_DELAY_S: Final = 60.0
 
 
 def communication(root: Element, robots: Sequence[str], reader: Reader) -> Communication:
-    """Gives what a world file says of messages; mistakes go to the reader.
+    """Return the channels and outages of a world file; errors go to the reader.
 
     Args:
-        root: the outermost element.
+        root: the root element.
         robots: the robots' ids.
         reader: reads the values.
     """
@@ -40,21 +40,22 @@ def communication(root: Element, robots: Sequence[str], reader: Reader) -> Commu
             continue
         name = element.attributes["name"]
         if name in said:
-            reader.error(element, f"a second channel {name!r}; the first is in {said[name].place}")
+            first = said[name].place
+            reader.error(element, f"duplicate channel {name!r} (first defined in {first})")
         said.setdefault(name, element)
         channels[name] = _channel(element, channels.get(name, Channel(name)), reader)
     if len(channels) > MAX_CHANNELS:
         reader.error(root.first("communication"), f"more than {MAX_CHANNELS} channels")
     shuts = [element for element in elements if element.tag == "shut"]
     if len(shuts) > MAX_SHUTS:
-        reader.error(root.first("communication"), f"channels shut more than {MAX_SHUTS} times")
+        reader.error(root.first("communication"), f"more than {MAX_SHUTS} outages (<shut>)")
         shuts = []
     found = tuple(_shut(element, list(channels), robots, reader) for element in shuts)
     return Communication(tuple(channels.values()), found)
 
 
 def _channel(element: Element, before: Channel, reader: Reader) -> Channel:
-    """Gives a channel with what an element says of it."""
+    """Return a channel, changed by an element's attributes."""
     drop = element.attributes.get("drop")
     return replace(
         before,

@@ -1,4 +1,4 @@
-"""Objects that are put together from simple ones: `<define>` and `<object>`.
+"""Composite objects: `<define>` and `<object>`.
 
     <define name="table">
       <box id="top" x="0" y="0" length="1m" width="60cm"/>
@@ -6,8 +6,8 @@
     </define>
     <object ref="table" id="t1" x="3m" y="2m" heading="30deg"/>
 
-A definition is in a frame of its own, where `<object>` puts it; its parts are then called `t1.top`
-and so on. A definition may use others, those behind it too, but not itself.
+A definition has its own frame, which `<object>` places; its parts are then called `t1.top` and so
+on. A definition may use other definitions, also later ones, but not itself.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ MAX_DEPTH: Final = 8
 
 
 class CompositeElements:
-    """The definitions of a world; mistakes go to the reader of `solids`."""
+    """The definitions of a world; errors go to the reader of `solids`."""
 
     def __init__(self, definitions: Iterable[Element], solids: SolidElements) -> None:
-        """Reads definitions, also those that nobody uses."""
+        """Read all definitions, including unused ones."""
         self._solids = solids
         self._reader: Reader = solids.reader
         self._elements: dict[str, Element] = {}
@@ -44,7 +44,7 @@ class CompositeElements:
             name = element.attributes["name"]
             first = self._elements.setdefault(name, element)
             if first is not element:
-                text = f"a second definition of {name!r}; the first is in {first.place}"
+                text = f"duplicate definition {name!r} (first defined in {first.place})"
                 self._reader.error(element, text)
             elif len(self._elements) == MAX_DEFINITIONS + 1:
                 self._reader.error(element, f"more than {MAX_DEFINITIONS} definitions")
@@ -52,7 +52,7 @@ class CompositeElements:
             self._read(name)
 
     def parts(self, element: Element) -> tuple[Solid, ...]:
-        """Gives the parts of an `<object>` where it puts them; nothing after a mistake."""
+        """Return the placed parts of an `<object>`; empty after an error."""
         name, place = element.attributes["ref"], pose(element, self._reader)
         if name not in self._elements:
             wrong = unknown("definition", name, tuple(self._elements))
@@ -65,9 +65,7 @@ class CompositeElements:
             return ()
         parts = self._read(name) if len(self._open) < MAX_DEPTH else ()
         if len(self._open) + self._depth.get(name, 1) > MAX_DEPTH:
-            self._reader.error(
-                element, f"definitions within definitions, more than {MAX_DEPTH} deep"
-            )
+            self._reader.error(element, f"definitions are nested more than {MAX_DEPTH} deep")
             element.broken = True
             return ()
         element.broken |= self._elements[name].broken
@@ -75,13 +73,13 @@ class CompositeElements:
         return self._with_mass(element, placed) if "mass" in element.attributes else tuple(placed)
 
     def _with_mass(self, element: Element, parts: Sequence[Solid]) -> tuple[Solid, ...]:
-        """Gives the parts of an object that can be pushed, each with its share of the mass."""
+        """Return the parts of a movable object, each with its share of the mass."""
         mass_kg = self._reader.positive(element, "mass", MASS)
         things = [part for part in parts if not isinstance(part, Wall)]
         if self._open:
-            self._reader.refuse(element, "mass: an object within a definition has none of its own")
+            self._reader.refuse(element, "mass: not allowed on an object inside a definition")
         elif len(things) < len(parts):
-            self._reader.refuse(element, "mass: an object with walls cannot be pushed")
+            self._reader.refuse(element, "mass: an object that contains walls cannot be movable")
         whole_m2 = sum(map(floor_m2, things))
         name = element.attributes["id"]
         return tuple(
@@ -90,7 +88,7 @@ class CompositeElements:
         )
 
     def _read(self, name: str) -> tuple[Solid, ...]:
-        """Gives the parts of a definition in its own frame."""
+        """Return the parts of a definition in its own frame."""
         if name in self._parts:
             return self._parts[name]
         definition = self._elements[name]
@@ -111,12 +109,12 @@ class CompositeElements:
         if element.tag == "object":
             return self.parts(element)
         if "mass" in element.attributes:
-            self._reader.refuse(element, "mass: a part of an object has none of its own")
+            self._reader.refuse(element, "mass: not allowed on a part of an object")
         return (self._solids.solid(element),)
 
 
 def _placed(part: Solid, frame: Pose, name: str) -> Solid:
-    """Gives a part of an object in the frame in which the object stands."""
+    """Return a part of an object, transformed from the object's frame to the frame around it."""
     name = f"{name}.{part.id}"
     if not isinstance(part, Wall):
         return replace(part, id=name, pose=part.pose.within(frame))

@@ -1,6 +1,6 @@
-"""From the `<degradation>` elements of a world file to `Degradation`.
+"""The `<degradation>` elements of a world file.
 
-Values have the unit of the device's element; `stuck="hold"` holds the last one.
+Values are in the unit of the device's element; `stuck="hold"` holds the last one.
 
 >>> from crs_cc.sim.files.world_xml import parse_world
 >>> world = parse_world(b'''<world version="1"><area length="6m" width="5m"/>
@@ -20,12 +20,12 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.quantity import RATIO, TIME
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.degradation import (
-    DEVICES,
     HOLD,
     MAX_MEMORY,
+    Degradable,
     Degradation,
-    Device,
     complaint,
+    degradables,
     element_of,
     memory_size,
     shown,
@@ -42,7 +42,7 @@ _UNKNOWN: Final = -1
 def degradations(
     elements: Iterable[Element], robots: Iterable[tuple[Element, Robot]], reader: Reader
 ) -> tuple[Degradation, ...]:
-    """Gives what a world file's degradations are; mistakes go to the reader.
+    """Return the degradations of a world file; errors go to the reader.
 
     Args:
         elements: the elements, with ids.
@@ -64,18 +64,18 @@ def degradations(
             continue
         room -= memory_size(one)
         if room < 0:
-            reader.error(element, "too many degradations: delays of many elements need much memory")
+            reader.error(element, "too many degradations: their delays need too much memory")
             break
         found.append(one)
     return tuple(found)
 
 
 def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradation | None:
-    """Gives what an element says is wrong with a robot of a kind; None after a mistake."""
-    device = DEVICES.get(element.attributes["device"])
+    """Return the degradation of a robot that an element describes; None after an error."""
+    device = degradables().get(element.attributes["device"])
     if device is None:
         name = element.attributes["device"]
-        reader.refuse(element, f"device: {unknown('device', name, tuple(DEVICES))}")
+        reader.refuse(element, f"device: {unknown('device', name, tuple(degradables()))}")
         return None
     number = _element(element, device, model, reader)
     if number == _UNKNOWN:
@@ -107,16 +107,16 @@ def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradat
     return None if element.broken else found
 
 
-def _element(element: Element, device: Device, model: RobotModel, reader: Reader) -> int | None:
-    """Gives the number of the element that is meant, None for all, `_UNKNOWN` for none there is."""
+def _element(element: Element, device: Degradable, model: RobotModel, reader: Reader) -> int | None:
+    """Return the number of the element, None for all, `_UNKNOWN` for an unknown one."""
     text = element.attributes.get("element")
     names = device.elements(model)
-    if text is None or not names:  # that the device is missing is told later
+    if text is None or not names:  # a missing device is reported later
         return None
     number = element_of(device, model, text)
     if number is None:
         reader.refuse(
-            element, f"element: {device.name} has no {text[:40]!r}; it has {shown(names)}"
+            element, f"element: unknown {text[:40]!r} of {device.name} (known: {shown(names)})"
         )
         return _UNKNOWN
     return number

@@ -1,7 +1,7 @@
-"""The elements of an XML file as plain data, and a reader that turns their attributes into numbers.
+"""XML elements as plain data, and a reader that converts their attributes to numbers.
 
-A `Reader` does not stop at the first mistake: it notes it with its place, and gives a stand-in, so
-that a user hears of all mistakes at once.
+A `Reader` does not stop at the first error: it records it with its location and returns a
+placeholder, so that all errors of a file are reported at once.
 
 >>> from crs_cc.core.source import Diagnostics
 >>> reader = Reader("room.xml", Diagnostics())
@@ -40,11 +40,11 @@ class Element:
     Attributes:
         tag: its name.
         line: its line in the file.
-        attributes: its attributes, those included for which the schema has a default.
-        text: its text, without space around it.
-        children: the elements in it.
-        broken: whether one of its values could not be read.
-        file: the file, where it is not the reader's.
+        attributes: its attributes, including the defaults of the schema.
+        text: its text, without surrounding white space.
+        children: its child elements.
+        broken: whether one of its values is invalid.
+        file: the file, if it is not the reader's.
     """
 
     tag: str
@@ -57,35 +57,35 @@ class Element:
 
     @property
     def place(self) -> str:
-        """Where it stands, for messages."""
+        """Its location, for messages."""
         return f"{self.file}:{self.line}" if self.file else f"line {self.line}"
 
     def all(self, tag: str) -> Iterator[Element]:
-        """Gives the children with a name."""
+        """Yield the children with a tag."""
         return (child for child in self.children if child.tag == tag)
 
     def sensors(self, kind: str) -> Iterator[Element]:
-        """Gives the children `<sensor>` of a type."""
+        """Yield the children `<sensor>` of a type."""
         return (child for child in self.all("sensor") if child.first("type").text == kind)
 
     def first(self, tag: str) -> Element:
-        """Gives the first child with a name; an empty one when there is none."""
+        """Return the first child with a tag, or an empty element."""
         return next(self.all(tag), Element(tag, self.line))
 
     def maybe(self, tag: str) -> Element | None:
-        """Gives the first child with a name, if there is one."""
+        """Return the first child with a tag, or None."""
         return next(self.all(tag), None)
 
 
 @dataclass(slots=True)
 class Reader:
-    """Reads the values of one file, and collects what is wrong with them."""
+    """Reads the values of one file, and collects errors."""
 
     file: str
     diagnostics: Diagnostics
 
     def error(self, element: Element, text: str, hint: str = "") -> None:
-        """Notes that something is wrong with an element."""
+        """Report an error at an element."""
         if len(text) > _LONGEST:
             text = f"{text[: _LONGEST // 2]} ... {text[-_LONGEST // 2 :]}"
         count = len(self.diagnostics.messages)
@@ -93,24 +93,24 @@ class Reader:
             place = Location(element.file or self.file, element.line)
             self.diagnostics.error(place, text, hint)
         elif count == MAX_MESSAGES:
-            self.diagnostics.error(Location(self.file), "more mistakes than are shown here")
+            self.diagnostics.error(Location(self.file), "too many errors; the rest is not shown")
 
     def refuse(self, element: Element, text: str) -> None:
-        """Notes that a value of an element cannot be used."""
+        """Report an invalid value of an element."""
         element.broken = True
         self.error(element, f"{element.tag}, {text}")
 
     def quantity(
         self, element: Element, name: str, kind: Kind, absent: float = 0.0, unit: str = ""
     ) -> float:
-        """Gives the value [SI unit] of an attribute, or of a child element, with that name.
+        """Return the value [SI unit] of an attribute or child element.
 
         Args:
-            element: where to look.
-            name: the attribute's or child's name.
-            kind: what it must be.
-            absent: the value when there is none.
-            unit: the unit of a bare number, where it differs from the kind's own.
+            element: the element.
+            name: the name of the attribute or child.
+            kind: the expected quantity.
+            absent: the default.
+            unit: the unit of a bare number, if it is not the kind's own.
         """
         text = _find(element, name)
         if text is None:
@@ -122,7 +122,7 @@ class Reader:
             return absent
 
     def positive(self, element: Element, name: str, kind: Kind, absent: float = 1.0) -> float:
-        """Gives a value [SI unit] that must be greater than 0."""
+        """Return a value [SI unit] greater than 0."""
         value = self.quantity(element, name, kind, absent)
         if value > 0.0:
             return value
@@ -130,7 +130,7 @@ class Reader:
         return absent
 
     def not_negative(self, element: Element, name: str, kind: Kind, absent: float = 0.0) -> float:
-        """Gives a value [SI unit] that must be 0 or more."""
+        """Return a value [SI unit] of 0 or more."""
         value = self.quantity(element, name, kind, absent)
         if value >= 0.0:
             return value
@@ -138,16 +138,16 @@ class Reader:
         return absent
 
     def share(self, element: Element, name: str, absent: float = 0.0) -> float:
-        """Gives a value from 0 to 1."""
+        """Return a value from 0 to 1."""
         value = self.quantity(element, name, RATIO, absent)
         if 0.0 <= value <= 1.0:
             return value
         shown = _find(element, name)
-        self.refuse(element, f"{name}: {shown!r} must be 0 or more and 1 or less")
+        self.refuse(element, f"{name}: {shown!r} must be from 0 to 1")
         return absent
 
     def whole(self, element: Element, name: str, least: int, most: int, absent: int = 0) -> int:
-        """Gives a whole number within bounds."""
+        """Return an integer from `least` to `most`."""
         text = _find(element, name)
         if text is None:
             return absent
@@ -155,11 +155,11 @@ class Reader:
             value = int(text)
             if least <= value <= most:
                 return value
-        self.refuse(element, f"{name}: {text[:40]!r} is not a whole number, {least} to {most}")
+        self.refuse(element, f"{name}: {text[:40]!r} is not an integer from {least} to {most}")
         return absent
 
 
 def _find(element: Element, name: str) -> str | None:
-    """Gives the text of an attribute, or of a child element, with that name."""
+    """Return the text of the attribute or child element with a name."""
     child = element.maybe(name)
     return element.attributes.get(name, None if child is None else child.text)

@@ -1,4 +1,4 @@
-"""From the element `<surface>` of a world file to a `Ground`."""
+"""The element `<surface>` of a world file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from crs_cc.sim.model.world import Area
 
 HIGHEST_M: Final = 100.0
 MOST_PIXELS: Final = 128
-"""Along each side of a picture of heights."""
+"""On each side of an image of heights."""
 
 _LEAST_PIXELS: Final = 2
 _LEAST_M: Final = 0.01
@@ -22,12 +22,12 @@ _SHOWN: Final = 80
 
 
 def ground(element: Element, area: Area, folder: Path | None, reader: Reader) -> Ground:
-    """Gives the ground that an element describes; mistakes go to the reader.
+    """Return the ground that an element describes; errors go to the reader.
 
     Args:
         element: the element.
-        area: the world's area, at whose lower left corner a picture lies, unless told.
-        folder: where pictures are looked for; None when the world came from no file.
+        area: the world's area; the default of the image's lower left corner is its own.
+        folder: the folder of images; None if the world was not read from a file.
         reader: reads the values.
     """
     patches = [_patch(each, reader) for each in element.children if each.tag != "heightmap"]
@@ -71,7 +71,7 @@ def _grey(image: str, folder: Path | None) -> FloatArray:
     grey = picture(folder, image)
     if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
         size = f"{grey.shape[1]} x {grey.shape[0]}"
-        raise ValueError(f"has {size} pixels; {_LEAST_PIXELS} to {MOST_PIXELS} a side are allowed")
+        raise ValueError(f"must have {_LEAST_PIXELS} to {MOST_PIXELS} pixels a side, not {size}")
     return grey
 
 

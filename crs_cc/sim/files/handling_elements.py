@@ -1,4 +1,4 @@
-"""From the elements of a robot definition file to what the robot handles things with."""
+"""Elements of grippers and arms in a robot definition."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from crs_cc.sim.model.handling import Arm, Gripper, Joint
 
 
 def gripper(root: Element, radius_m: float, reader: Reader) -> Gripper | None:
-    """Gives the gripper, None for a robot without one; mistakes go to the reader.
+    """Return the gripper, None for a robot without one; errors go to the reader.
 
     Args:
-        root: the outermost element.
-        radius_m: the robot's, where the palm is if nothing else is said.
+        root: the root element.
+        radius_m: the robot's radius, the default position of the palm.
         reader: reads the values.
     """
     element = root.maybe("gripper")
@@ -29,7 +29,7 @@ def gripper(root: Element, radius_m: float, reader: Reader) -> Gripper | None:
 
 
 def arm(root: Element, reader: Reader) -> Arm | None:
-    """Gives the arm, None for a robot without one; mistakes go to the reader."""
+    """Return the arm, None for a robot without one; errors go to the reader."""
     element = root.maybe("arm")
     if element is None:
         return None

@@ -1,7 +1,7 @@
-"""Pictures that worlds are made of: PNG files as arrays of grey values.
+"""Images in world files: PNG files as arrays of grey levels.
 
-They may come from anybody. Only PNG is decoded, and only when its head tells of a size that is
-allowed. This file alone knows Pillow, and imports it late: worlds without pictures need none.
+They are untrusted input. Only PNG is decoded, and only if the size in its header is allowed. Only
+this file uses Pillow, and imports it late: worlds without images do not need it.
 """
 
 from __future__ import annotations
@@ -17,58 +17,58 @@ from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.files.nearby import read_below
 
 MAX_BYTES: Final = 16 * 1024 * 1024
-"""How large a file may be."""
+"""Maximum size of a file."""
 
 MAX_PIXELS: Final = 4_000_000
-"""How many pixels a picture may have."""
+"""Maximum number of pixels of an image."""
 
 _SIGNATURE: Final = b"\x89PNG\r\n\x1a\n"
-_HEAD: Final = struct.Struct(">I4sII")  # length and kind of the first chunk, width, height
+_HEAD: Final = struct.Struct(">I4sII")  # length and type of the first chunk, width, height
 
 
 def picture(folder: Path | None, name: str) -> FloatArray:
-    """Gives the grey values of a picture that a world file names, see `grey_values`.
+    """Return the grey levels of an image that a world file names, see `grey_values`.
 
     Args:
-        folder: the folder of the world file; None when the world came from no file.
-        name: the picture, relative to it.
+        folder: the folder of the world file; None if the world was not read from a file.
+        name: the image's path, relative to it.
 
     Raises:
-        ValueError: the picture cannot be read; says why.
+        ValueError: the image cannot be read; the message says why.
     """
     if folder is None:
-        raise ValueError("a world that is no file has no pictures")
+        raise ValueError("images need a world that is read from a file")
     return grey_values(read_below(folder, name, ".png", MAX_BYTES))
 
 
 def grey_values(data: bytes) -> FloatArray:
-    """Gives the grey values of a PNG file.
+    """Return the grey levels of a PNG file.
 
-    Colours count by their luma (ITU-R BT.601); what is transparent shows white behind it. Pictures
-    with one channel of 16 bits keep them all.
+    Colours are converted to luma (ITU-R BT.601); transparent pixels are blended with white. Images
+    with one channel of 16 bits keep their full depth.
 
     Args:
-        data: the file.
+        data: the contents of the file.
 
     Returns:
-        0 (black) to 1 (white), shape (rows, columns), the uppermost row first.
+        0 (black) to 1 (white), shape (rows, columns), from the top row.
 
     Raises:
-        ValueError: the file is no PNG, is broken, or is too large; says which.
+        ValueError: the file is not a PNG file, is invalid, or is too large; the message says which.
     """
     if data[:8] != _SIGNATURE or len(data) < len(_SIGNATURE) + _HEAD.size:
-        raise ValueError("is not a PNG file")
+        raise ValueError("not a PNG file")
     _, kind, width, height = _HEAD.unpack_from(data, len(_SIGNATURE))
     if kind != b"IHDR" or width * height == 0:
-        raise ValueError("is not a PNG file")
+        raise ValueError("not a PNG file")
     if width * height > MAX_PIXELS:
-        raise ValueError(f"has {width} x {height} pixels; {MAX_PIXELS} are allowed")
+        raise ValueError(f"{width} x {height} pixels are too many (maximum: {MAX_PIXELS})")
     try:
         values = _decoded(data)
-    except Exception as error:  # a decoder under attack has many ways to complain
-        raise ValueError(f"is broken: {_one_line(error)}") from None
+    except Exception as error:  # decoders raise many kinds of errors on malformed input
+        raise ValueError(f"invalid PNG file: {_one_line(error)}") from None
     if values.shape != (height, width):
-        raise ValueError("is broken: its size is not what its head says")
+        raise ValueError("invalid PNG file: its size differs from that in its header")
     return values
 
 

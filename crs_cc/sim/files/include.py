@@ -1,8 +1,7 @@
 """`<include file="furniture.xml"/>`: materials and definitions of objects from other files.
 
-A file to be included has `<definitions>` around its elements, and may include others, by paths
-relative to itself. It is read once, however often it is named. All of them lie in the folder of the
-world file or below.
+An included file has the root element `<definitions>`, and may include others, by paths relative to
+itself. It is read only once. All of them must be in the folder of the world file or below.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from crs_cc.sim.files.xml_document import MAX_BYTES, elements, lines_of
 
 MAX_FILES: Final = 32
 MAX_DEPTH: Final = 8
-_SHOWN: Final = 20  # messages about one file
+_SHOWN: Final = 20  # maximum number of messages about one file
 
 
 @dataclass(slots=True)
@@ -28,10 +27,10 @@ class Included:
     """The files that a world file includes.
 
     Attributes:
-        folder: the folder of the world file; None when it came from no file.
-        reader: gets the mistakes.
+        folder: the folder of the world file; None if it was not read from a file.
+        reader: receives the errors.
         read: the files that were read.
-        lines: the line of the world file that led to a file, by what it is called in messages.
+        lines: the line of the world file that led to a file, by the file's name in messages.
     """
 
     folder: Path | None
@@ -40,7 +39,7 @@ class Included:
     lines: dict[str, int] = field(default_factory=dict)
 
     def definitions(self, root: Element) -> list[Element]:
-        """Gives `<material>` and `<define>` elements in order, those of included files too."""
+        """Return `<material>` and `<define>` elements in order, also of included files."""
         found: list[Element] = []
         for child in root.children:
             if child.tag == "include":
@@ -61,9 +60,9 @@ class Included:
         elif path in self.read:
             return
         elif len(chain) >= MAX_DEPTH:
-            self.reader.error(element, f"files included by files, more than {MAX_DEPTH} deep")
+            self.reader.error(element, f"includes are nested more than {MAX_DEPTH} deep")
         elif len(self.read) >= MAX_FILES:
-            self.reader.error(element, f"more than {MAX_FILES} files included")
+            self.reader.error(element, f"more than {MAX_FILES} included files")
         else:
             self.read.add(path)
             for child in self._children(element, path, line):
@@ -73,10 +72,10 @@ class Included:
                     yield child
 
     def _children(self, element: Element, path: PurePosixPath, line: int) -> list[Element]:
-        """Gives the elements in a file; none after a mistake."""
+        """Return the elements in a file; empty after an error."""
         diagnostics = self.reader.diagnostics
         if self.folder is None:
-            self.reader.error(element, "include: a world that is no file cannot include any")
+            self.reader.error(element, "include: only allowed in a world that is read from a file")
             return []
         file = str(self.folder / path)
         self.lines[file] = line
@@ -98,7 +97,7 @@ class Included:
 
 
 def _name_file(root: Element, file: str) -> None:
-    """Lets all elements know their file."""
+    """Set the file of all elements below a root."""
     work = [root]
     for element in work:
         element.file = file

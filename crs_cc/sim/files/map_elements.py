@@ -1,7 +1,7 @@
-"""Walls from a picture: `<map image="office.png" resolution="5cm"/>`.
+"""Walls from an image: `<map image="office.png" resolution="5cm"/>`.
 
-Every dark pixel is a square of wall. Squares that fill a rectangle become one box, so that a
-straight wall is one thing. The boxes of a map with the id `plan` are called `plan.0` and so on,
+Every dark pixel is a square of wall. Squares that fill a rectangle are merged into one box, so that
+a straight wall is one object. The boxes of a map with the id `plan` are called `plan.0` and so on,
 from the upper left.
 
 >>> rectangles(np.array([[1, 1, 1, 1], [1, 0, 0, 1], [1, 0, 0, 0]], dtype=bool)).tolist()
@@ -23,7 +23,7 @@ from crs_cc.sim.files.solid_elements import SolidElements
 from crs_cc.sim.model.world import Area, Box, Pose
 
 MAX_RECTANGLES: Final = 10_000
-"""How many boxes one map may become."""
+"""Maximum number of boxes of a map."""
 
 _SHOWN: Final = 80
 
@@ -31,19 +31,19 @@ _SHOWN: Final = 80
 def map_boxes(
     element: Element, folder: Path | None, area: Area, solids: SolidElements
 ) -> tuple[Box, ...]:
-    """Gives the boxes that a `<map>` stands for; none after a mistake, which goes to the reader.
+    """Return the boxes of a `<map>`; empty after an error, which goes to the reader.
 
     Args:
         element: the element.
-        folder: the folder of the world file; None when it came from no file.
-        area: the world's area: the picture's lower left corner lies at its own, unless told.
-        solids: reads what they are made of.
+        folder: the folder of the world file; None if it was not read from a file.
+        area: the world's area; the default of the image's lower left corner is its own.
+        solids: reads the material.
     """
     reader = solids.reader
     pixel_m = solids.size(element, "resolution")
     threshold = reader.quantity(element, "threshold", RATIO)
     if not 0.0 < threshold <= 1.0:
-        reader.refuse(element, "threshold: must be greater than 0 and 1 or less")
+        reader.refuse(element, "threshold: must be greater than 0 and at most 1")
     x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
     y_m = reader.quantity(element, "y", LENGTH, area.y_min_m)
     corner = Pose(x_m, y_m, reader.quantity(element, "heading", ANGLE))
@@ -56,7 +56,7 @@ def map_boxes(
         reader.refuse(element, f"image {element.attributes['image'][:_SHOWN]!r}: {wrong}")
     else:
         if max(dark.shape) * pixel_m > LENGTH.limit:
-            reader.refuse(element, "resolution: the picture would be too large")
+            reader.refuse(element, "resolution: the map would be too large")
     if element.broken:
         return ()
     name = element.attributes["id"]
@@ -73,16 +73,16 @@ def map_boxes(
 
 
 def rectangles(dark: BoolArray) -> Int64Array:
-    """Gives rectangles that together cover what is dark, and nothing twice.
+    """Return rectangles that cover all dark pixels without overlap.
 
-    Runs of dark pixels that lie above each other with the same ends become one rectangle; once
-    for runs along rows and once for runs along columns, and the fewer ones count.
+    Runs of dark pixels below each other with the same ends are merged into one rectangle. This is
+    done for runs along rows and for runs along columns, and the smaller number of rectangles wins.
 
     Args:
-        dark: what is dark, (rows, columns).
+        dark: which pixels are dark, (rows, columns).
 
     Returns:
-        first row, row behind the last, first column, column behind the last; (n, 4), sorted.
+        first row, row after the last, first column, column after the last; (n, 4), sorted.
     """
     by_rows, by_columns = _stacked_runs(dark), _stacked_runs(dark.T)[:, [2, 3, 0, 1]]
     fewer = by_rows if len(by_rows) <= len(by_columns) else by_columns
@@ -93,8 +93,8 @@ def _few_rectangles(dark: BoolArray) -> Int64Array:
     found = rectangles(dark)
     if len(found) > MAX_RECTANGLES:
         raise ValueError(
-            f"its dark parts are {len(found)} rectangles, and {MAX_RECTANGLES} are allowed: "
-            "take another threshold, or a picture with fewer and straighter walls"
+            f"the dark pixels form {len(found)} rectangles (maximum: {MAX_RECTANGLES}); "
+            "use another threshold or an image with fewer and straighter walls"
         )
     return found
 

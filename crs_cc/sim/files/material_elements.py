@@ -1,6 +1,6 @@
-"""What the things of a world file are made of: `<material>` elements, and attributes of their own.
+"""Materials of objects: `<material>` elements, and attributes of the objects.
 
-A thing takes the material that its `material` names, and in place of parts of it what it says
+An object has the material that its attribute `material` names, with the properties that it sets
 itself:
 
     <material name="curtain" colour="maroon" sonar="0.2"/>
@@ -22,7 +22,7 @@ class Materials:
     """The materials of a world, by name."""
 
     def __init__(self, elements: Iterable[Element], reader: Reader) -> None:
-        """Reads `<material>` elements; each may build on those before it."""
+        """Read `<material>` elements; each may be based on those before it."""
         self._reader = reader
         self._known: dict[str, Material] = {}
         self._where: dict[str, str] = {}
@@ -30,13 +30,13 @@ class Materials:
             name = element.attributes["name"]
             if name in self._known:
                 before = self._where[name]
-                reader.error(element, f"a second material {name!r}; the first is {before}")
+                reader.error(element, f"duplicate material {name!r} (first defined {before})")
                 continue
             self._known[name] = self.of(element)
             self._where[name] = f"in {element.place}"
 
     def of(self, element: Element) -> Material:
-        """Gives the material that an element's attributes tell; mistakes go to the reader."""
+        """Return the material that an element's attributes describe; errors go to the reader."""
         reader = self._reader
         name = element.attributes.get("material", "")
         base = self._known.get(name, PLAIN)

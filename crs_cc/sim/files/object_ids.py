@@ -1,4 +1,4 @@
-"""The names of things in a world file: given where there is none, and unique."""
+"""Ids of objects in a world file: default ids and their uniqueness."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ THINGS: Final = frozenset(
 )
 """The elements that have an id."""
 
-_OURS: Final = ("edge-", "obstacle-")  # what programs add is named so
+_OURS: Final = ("edge-", "obstacle-")  # reserved; `obstacle-` is for objects that programs add
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
 
 def complaint(name: str) -> str:
-    """Gives why a thing cannot be called so; empty if it can.
+    """Return why an id is invalid; empty if it is valid.
 
     >>> complaint("edge-north")
-    "names that begin with edge- are the world's"
+    'the prefix edge- is reserved'
     """
     if name.startswith(_OURS):
-        return f"names that begin with {name.partition('-')[0]}- are the world's"
+        return f"the prefix {name.partition('-')[0]}- is reserved"
     if not _ID.fullmatch(name):
-        return "letters, digits, _ . - only, no digit first, at most 64"
+        return "must be 1 to 64 letters, digits, _ . -, and start with a letter or _"
     return ""
 
 
 def name_things(elements: Sequence[Element], reader: Reader) -> None:
-    """Gives ids to things that have none, and notes ids that cannot be, or are used twice."""
+    """Set default ids, and report ids that are invalid or used twice."""
     used: dict[str, Element] = {}
     counts: dict[str, int] = {}
     for element in elements:
@@ -44,25 +44,25 @@ def name_things(elements: Sequence[Element], reader: Reader) -> None:
         if name in used:
             reader.error(
                 element,
-                f"a second thing with the id {name!r}; the first is in {used[name].place}",
+                f"duplicate id {name!r} (first used in {used[name].place})",
             )
         elif wrong := complaint(name):
-            reader.error(element, f"the id {name!r}: {wrong}")
+            reader.error(element, f"invalid id {name!r}: {wrong}")
         used.setdefault(name, element)
 
 
 def check_parts(parts: Iterable[tuple[Element, str]], used: Iterable[str], reader: Reader) -> None:
-    """Notes ids of parts of objects that are too long, or used by something else.
+    """Report ids of parts of objects that are too long or already used.
 
     Args:
         parts: the object and the id of each part.
-        used: the ids of all else.
-        reader: gets the mistakes.
+        used: all other ids.
+        reader: receives the errors.
     """
     known = set(used)
     for element, name in parts:
         if name in known:
-            reader.error(element, f"a second thing with the id {name!r}")
+            reader.error(element, f"duplicate id {name!r}")
         elif not _ID.fullmatch(name):
-            reader.error(element, f"the id {name!r} of a part has more than 64 characters")
+            reader.error(element, f"the id {name!r} of a part is longer than 64 characters")
         known.add(name)

@@ -1,4 +1,4 @@
-"""From the elements of a robot definition file to a `RobotModel`."""
+"""Elements of a robot definition file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,13 @@ from crs_cc.core.quantity import (
 )
 from crs_cc.core.suggest import unknown
 from crs_cc.requests import REQUESTS
-from crs_cc.sim.files import beacon_elements, handling_elements, sensor_elements, sonar_elements
+from crs_cc.sim.files import (
+    beacon_elements,
+    device_elements,
+    handling_elements,
+    sensor_elements,
+    sonar_elements,
+)
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.robot import Drive, Heat, Link, Odometry, RobotModel
@@ -30,17 +36,17 @@ from crs_cc.sim.model.sonar import Sonar
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
 
-_ROUNDING_M: Final = 1e-4  # sensors on the shell are written with so many digits
+_ROUNDING_M: Final = 1e-4  # resolution of the positions of sensors on the shell
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
-_NETWORK_S: Final = 1e-3  # as `robot.xsd` has it for a link that does not say it
+_NETWORK_S: Final = 1e-3  # default of `robot.xsd`
 _ROBOT_COMMANDS: Final = frozenset(
     request.name for request in REQUESTS.values() if request.server == "robot"
 )
 
 
 def robot_model(root: Element, reader: Reader) -> RobotModel:
-    """Gives the model that a robot definition describes; mistakes go to the reader."""
+    """Return the model that a robot definition describes; errors go to the reader."""
     body = root.first("body")
     vendor = root.attributes.get("model", "scout")
     sonars = sonar_elements.sonars(root, reader)
@@ -61,8 +67,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         infrared=sensor_elements.infrared(root, reader),
         compass=sensor_elements.compass(root, reader),
         laser=sensor_elements.laser(root, reader),
-        gps=sensor_elements.gps(root, reader),
-        inclinometer=sensor_elements.inclinometer(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
         arm=handling_elements.arm(root, reader),
@@ -77,38 +81,39 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
         vendor_model=VENDOR_MODELS.index(vendor),
         height_m=reader.positive(body, "height", LENGTH, math.inf),
+        devices=device_elements.models(root, reader),
     )
 
 
 def _check_places(
     root: Element, radius_m: float, sonars: tuple[Sonar, ...], reader: Reader
 ) -> None:
-    """Notes sensors that lie outside of the body."""
+    """Report sensors outside of the body."""
     places = {sonar.id: math.hypot(sonar.x_m, sonar.y_m) for sonar in sonars}
     for element in root.sensors("sonar"):
         number = element.first("id").text
         if places.get(int(number) if number.isdigit() else -1, 0.0) > radius_m + _ROUNDING_M:
-            wrong = f"sensor {number} lies outside of the body, whose radius is {radius_m:g} m"
+            wrong = f"sensor {number} is outside of the body (radius: {radius_m:g} m)"
             reader.error(element, wrong)
     for tag in ("laser", "camera"):
         element = root.first(tag)
         if abs(reader.quantity(element, "forward", LENGTH)) > radius_m + _ROUNDING_M:
-            reader.error(element, f"the {tag} lies outside of the body")
+            reader.error(element, f"the {tag} is outside of the body")
     for element in root.sensors("camera"):
         place = element.first("position")
         x_m = reader.quantity(place, "x-relative", LENGTH)
         if math.hypot(x_m, reader.quantity(place, "y-relative", LENGTH)) > radius_m + _ROUNDING_M:
-            reader.error(element, "the camera lies outside of the body")
+            reader.error(element, "the camera is outside of the body")
 
 
 def _drive(element: Element, reader: Reader) -> Drive:
     synchro = element.attributes.get("type") == "synchro"
     if synchro != any(element.all("steering")):
-        reader.error(element, "a synchro drive, and no other, has <steering>")
+        reader.error(element, "<steering> must be given for a synchro drive, and only for it")
     if not synchro and any(element.all("turret")):
-        reader.error(element, "a differential drive has no <turret>")
+        reader.error(element, "<turret> is only allowed for a synchro drive")
     if not synchro and "wheel-base" not in element.attributes:
-        reader.error(element, "a differential drive has the attribute 'wheel-base'")
+        reader.error(element, "missing attribute 'wheel-base' of a differential drive")
     return Drive(
         wheel_base_m=0.0 if synchro else reader.positive(element, "wheel-base", LENGTH),
         wheels=_axis(element, reader, SPEED, ACCELERATION),

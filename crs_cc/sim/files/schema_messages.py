@@ -1,9 +1,9 @@
-"""What the XML schema says about a file, in words for the person who wrote the file.
+"""Messages of the XML schema validator, rewritten for the author of the file.
 
 >>> explain("Element 'wal': This element is not expected. Expected is one of ( wall, box ).")
-('<wal> is not expected here; expected <wall> or <box>', 'did you mean <wall>?')
+('unexpected element <wal>; expected <wall> or <box>', 'did you mean <wall>?')
 >>> explain("Element 'wall': The attribute 'x1' is required but missing.")
-("<wall> lacks the attribute 'x1'", '')
+("missing attribute 'x1' in <wall>", '')
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _Explainer: TypeAlias = Callable[[str, re.Match[str]], tuple[str, str]]
 
 
 def explain(message: str) -> tuple[str, str]:
-    """Gives the text and the hint for a message of the schema validator (libxml2)."""
+    """Return the text and the hint for a message of the schema validator (libxml2)."""
     parts = _PREFIX.match(message)
     if parts is None:
         return message, ""
@@ -34,33 +34,33 @@ def _unexpected(tag: str, match: re.Match[str]) -> tuple[str, str]:
     near = difflib.get_close_matches(tag, expected, n=1)
     names = " or ".join(f"<{name}>" for name in expected) or "nothing more"
     hint = f"did you mean <{near[0]}>?" if near else ""
-    return f"<{tag}> is not expected here; expected {names}", hint
+    return f"unexpected element <{tag}>; expected {names}", hint
 
 
 def _missing_child(tag: str, match: re.Match[str]) -> tuple[str, str]:
     names = " or ".join(f"<{name.strip()}>" for name in match[1].split(","))
-    return f"<{tag}> ends too early; expected {names} in it", ""
+    return f"missing element in <{tag}>; expected {names}", ""
 
 
 def _missing_attribute(tag: str, match: re.Match[str]) -> tuple[str, str]:
-    return f"<{tag}> lacks the attribute {match[1]!r}", ""
+    return f"missing attribute {match[1]!r} in <{tag}>", ""
 
 
 def _unknown_attribute(tag: str, match: re.Match[str]) -> tuple[str, str]:
-    return f"<{tag}> has no attribute {match[1]!r}", ""
+    return f"unknown attribute {match[1]!r} in <{tag}>", ""
 
 
 def _not_of_set(tag: str, match: re.Match[str]) -> tuple[str, str]:
     expected = match[2].replace("'", "").replace(", ", " or ")
-    return f"<{tag}>: {match[1]!r} is not expected; expected {expected}", ""
+    return f"<{tag}>: invalid value {match[1]!r}; expected {expected}", ""
 
 
 def _text(tag: str, _: re.Match[str]) -> tuple[str, str]:
-    return f"<{tag}> holds text where only elements may stand", ""
+    return f"text is not allowed in <{tag}>", ""
 
 
 def _wrong_root(tag: str, _: re.Match[str]) -> tuple[str, str]:
-    return f"the outermost element is <{tag}>", ""
+    return f"unexpected root element <{tag}>", ""
 
 
 _RULES: Final[tuple[tuple[re.Pattern[str], _Explainer], ...]] = (

@@ -1,7 +1,7 @@
-"""Elements and attributes that a schema has no name for, with the name that was probably meant.
+"""Elements and attributes that a schema does not define, with suggestions.
 
-The validator (libxml2) stops at the first element that it does not know: it looks at nothing behind
-it, and cannot always say what it had expected. Names can be compared without it.
+The validator (libxml2) stops at the first unknown element: it does not check those after it, and
+does not always know what it expected. Names are compared without it.
 
 >>> from lxml import etree
 >>> schema = etree.XML('''<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
@@ -11,8 +11,8 @@ it, and cannot always say what it had expected. Names can be compared without it
 >>> room = etree.XML('<room><wal/><wall lenght="1m"/></room>')
 >>> for name in unknown_names(room, schema):
 ...     print(name.text, "-", name.hint)
-<wal> is not expected here; expected <wall> - did you mean <wall>?
-<wall> has no attribute 'lenght' - did you mean 'length'?
+unexpected element <wal>; expected <wall> - did you mean <wall>?
+unknown attribute 'lenght' in <wall> - did you mean 'length'?
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Final, NamedTuple, TypeAlias
 
 Node: TypeAlias = Any
-"""An element of lxml's."""
+"""An element of lxml."""
 
 _XS: Final = "{http://www.w3.org/2001/XMLSchema}"
 _ELEMENT, _ATTRIBUTE, _ANY = _LEAVES = (f"{_XS}element", f"{_XS}attribute", f"{_XS}any")
@@ -31,12 +31,12 @@ _SIMPLE_TYPE: Final = f"{_XS}simpleType"
 
 
 class UnknownName(NamedTuple):
-    """A name that the schema does not know there.
+    """A name that the schema does not allow at its location.
 
     Attributes:
-        line: where it stands.
-        text: what is wrong.
-        hint: what may have been meant, else what there is.
+        line: its line.
+        text: the error message.
+        hint: the suggested name, or the known ones.
     """
 
     line: int
@@ -45,9 +45,9 @@ class UnknownName(NamedTuple):
 
 
 def unknown_names(root: Node, schema: Node) -> Iterator[UnknownName]:
-    """Gives the names in a document that its schema does not know, in the order of the document.
+    """Yield the names in a document that its schema does not allow, in the order of the document.
 
-    What stands in an element that is not known itself is not looked at.
+    The contents of an unknown element are not checked.
     """
     return _Schema(schema).unknown(root)
 
@@ -77,7 +77,7 @@ class _Schema:
             work += reversed(inner)
 
     def _parts(self, declaration: Node) -> list[Node]:
-        """Gives the declarations of an element's attributes and children, however they nest."""
+        """Return the declarations of an element's attributes and children, however nested."""
         found: list[Node] = []
         work = [*declaration, *self._referred(declaration)]
         for node in work:
@@ -88,7 +88,7 @@ class _Schema:
         return found
 
     def _referred(self, node: Node) -> Iterator[Node]:
-        """Gives what a declaration refers to: a type, the type that it extends, a group."""
+        """Yield what a declaration refers to: a type, the type that it extends, a group."""
         for kind in ("type", "base"):
             if (_COMPLEX_TYPE, node.get(kind)) in self._named:
                 yield self._named[_COMPLEX_TYPE, node.get(kind)]
@@ -97,31 +97,31 @@ class _Schema:
 
 
 def _names(parts: Sequence[Node], tag: str) -> dict[str, Node]:
-    """Gives the declarations of one kind by their names."""
+    """Return the declarations of one kind by their names."""
     return {str(each.get("name")): each for each in parts if each.tag == tag}
 
 
 def _unknown_attributes(node: Node, known: Iterable[str]) -> Iterator[UnknownName]:
     for name in map(str, node.attrib):
         if name not in known:
-            line, text = node.sourceline or 0, f"<{node.tag}> has no attribute {name!r}"
+            line, text = node.sourceline or 0, f"unknown attribute {name!r} in <{node.tag}>"
             meant = _closest(name, known)
             listed = ", ".join(known) or "none"
-            hint = f"did you mean {meant!r}?" if meant else f"its attributes are: {listed}"
+            hint = f"did you mean {meant!r}?" if meant else f"known attributes: {listed}"
             yield UnknownName(line, text, hint)
 
 
 def _unexpected(child: Node, known: Iterable[str], free: Sequence[str]) -> UnknownName:
-    """Makes the message about an element, with the names that may still stand there."""
+    """Return the message about an element, with the names that are allowed there."""
     listed = " or ".join(f"<{name}>" for name in free) or "nothing more"
     meant = _closest(str(child.tag), known)
     hint = f"did you mean <{meant}>?" if meant else ""
-    text = f"<{child.tag}> is not expected here; expected {listed}"
+    text = f"unexpected element <{child.tag}>; expected {listed}"
     return UnknownName(child.sourceline or 0, text, hint)
 
 
 def _repeats(declaration: Node) -> bool:
-    """Tells whether an element may stand there more than once."""
+    """Return whether an element is allowed more than once."""
     node: Node = declaration
     while node is not None and node.tag != _COMPLEX_TYPE:
         if node.get("maxOccurs", "1") != "1":

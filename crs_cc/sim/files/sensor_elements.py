@@ -1,4 +1,4 @@
-"""From the elements of a robot definition file to the models of its sensors."""
+"""Elements of sensors and batteries in a robot definition."""
 
 from __future__ import annotations
 
@@ -19,8 +19,6 @@ from crs_cc.sim.model.sensors import (
     Battery,
     Camera,
     Compass,
-    Gps,
-    Inclinometer,
     Infrared,
     Laser,
     MotorBattery,
@@ -33,12 +31,12 @@ BUMPER_BITS: Final = 24
 
 _TURN: Final = 2 * math.pi
 _CLOCKWISE: Final = "clockwise"
-_SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with measuring
+_SHORTEST_S: Final = 0.001  # bounds the work that one robot's measurements cause
 _ROUNDING: Final = 1e-9
 
 
 def bumpers(root: Element, reader: Reader) -> tuple[Switch, ...]:
-    """Gives the switches of all rings; mistakes go to the reader."""
+    """Return the switches of all rings; errors go to the reader."""
     rings = root.first("bumpers").all("ring")
     return tuple(switch for ring in rings for switch in _ring(ring, reader))
 
@@ -51,10 +49,10 @@ def _ring(ring: Element, reader: Reader) -> list[Switch]:
     side = -1 if ring.attributes.get("direction") == _CLOCKWISE else 1
     bits = [int(bit) for bit in ring.attributes.get("bits", "").split()] or list(range(count))
     if len(bits) != count:
-        reader.error(ring, f"bits gives {len(bits)} numbers for {count} switches")
+        reader.error(ring, f"bits: expected {count} numbers, one for each switch, not {len(bits)}")
     for bit in bits:
         if bit >= BUMPER_BITS:
-            reader.error(ring, f"bits has {bit}; the last one is {BUMPER_BITS - 1}")
+            reader.error(ring, f"bits: {bit} is too large (maximum: {BUMPER_BITS - 1})")
     return [
         Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
         for number, bit in enumerate(bits)
@@ -62,14 +60,14 @@ def _ring(ring: Element, reader: Reader) -> list[Switch]:
 
 
 def infrared(root: Element, reader: Reader) -> Infrared | None:
-    """Gives the infrared ring, None for a robot without one."""
+    """Return the infrared ring, None for a robot without one."""
     element = root.maybe("infrared")
     if element is None:
         return None
     order = tuple(int(number) for number in element.attributes["order"].split())
     for number in order:
         if number >= MAX_INFRARED:
-            reader.error(element, f"order names sensor {number}; the last is {MAX_INFRARED - 1}")
+            reader.error(element, f"order: unknown sensor {number} (maximum: {MAX_INFRARED - 1})")
     return Infrared(
         step_m=reader.positive(element, "step", LENGTH),
         half_angle_rad=half_angle_rad(element, reader),
@@ -84,7 +82,7 @@ def infrared(root: Element, reader: Reader) -> Infrared | None:
 
 
 def half_angle_rad(element: Element, reader: Reader) -> float:
-    """Gives how far a beam reaches to each side [rad]."""
+    """Return the angle between a beam's axis and its side [rad]."""
     value_rad = reader.not_negative(element, "half-angle", ANGLE)
     if value_rad < math.pi / 2:
         return value_rad
@@ -100,7 +98,7 @@ def _field_of_view(element: Element, reader: Reader) -> float:
 
 
 def compass(root: Element, reader: Reader) -> Compass | None:
-    """Gives the compass, None for a robot without one."""
+    """Return the compass, None for a robot without one."""
     element = root.maybe("compass")
     if element is None:
         return None
@@ -116,7 +114,7 @@ def compass(root: Element, reader: Reader) -> Compass | None:
 
 
 def laser(root: Element, reader: Reader) -> Laser | None:
-    """Gives the laser, None for a robot without one."""
+    """Return the laser, None for a robot without one."""
     element = root.maybe("laser")
     if element is None:
         return None
@@ -133,50 +131,26 @@ def laser(root: Element, reader: Reader) -> Laser | None:
     )
 
 
-def gps(root: Element, reader: Reader) -> Gps | None:
-    """Gives the GPS receiver, None for a robot without one."""
-    element = root.maybe("gps")
-    if element is None:
-        return None
-    return Gps(
-        reader.positive(element, "rate", FREQUENCY),
-        reader.not_negative(element, "noise", LENGTH),
-        period_s(element, reader),
-    )
-
-
-def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
-    """Gives the inclinometer, None for a robot without one."""
-    element = root.maybe("inclinometer")
-    if element is None:
-        return None
-    return Inclinometer(
-        reader.positive(element, "rate", FREQUENCY),
-        reader.not_negative(element, "noise", ANGLE),
-        period_s(element, reader),
-    )
-
-
 def camera(root: Element, reader: Reader) -> Camera | None:
-    """Gives the camera, None for a robot without one.
+    """Return the camera, None for a robot without one.
 
-    Where there is a `<sensor>` of this type, that says where the camera is, and what it sees.
+    The report's `<sensor>` of this type, if there is one, sets its pose, field of view and range.
     """
     places = list(root.sensors("camera"))
     for place in places[1:]:
-        reader.error(place, "a second camera; a robot has one")
+        reader.error(place, "duplicate camera: a robot has at most one")
     for element in root.all("camera"):
         if places:
             return _placed(_camera(element, reader), places[0].first("position"), reader)
         return _camera(element, reader)
     for place in places[:1]:
-        hint = "add <camera/> before <computer-battery>, or where it would stand"
-        reader.error(place, "a camera also needs <camera>, for columns and rate", hint)
+        hint = "add <camera/> before <computer-battery>"
+        reader.error(place, "missing <camera>, which sets the camera's columns and rate", hint)
     return None
 
 
 def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
-    """Gives a camera where the report's element for sensors puts it: its cone is what it sees."""
+    """Return a camera with the pose, field of view and range of the report's `<sensor>`."""
     range_m = reader.positive(place, "range", LENGTH)
     radius_m = reader.positive(place, "radius", LENGTH)
     return replace(
@@ -207,14 +181,14 @@ def _camera(element: Element, reader: Reader) -> Camera:
 
 
 def period_s(element: Element, reader: Reader) -> float:
-    """Gives how often a sensor measures by its timer, 0 for one that has none [s]."""
+    """Return a sensor's measuring period by timer, 0 for none [s]."""
     value_s = reader.not_negative(element, "period", TIME)
     if 0.0 < value_s < _SHORTEST_S:
         reader.refuse(element, "period: must be 0, or 1ms or more")
     if "rate" in element.attributes and value_s > 0.0:
         least_s = 1.0 / reader.positive(element, "rate", FREQUENCY)
         if value_s < least_s * (1.0 - _ROUNDING):
-            reader.refuse(element, "period: must not be shorter than its rate allows")
+            reader.refuse(element, "period: must not be shorter than 1 / rate")
     return value_s
 
 
@@ -227,13 +201,13 @@ def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]
 
 
 def computer_battery(root: Element, reader: Reader) -> Battery:
-    """Gives the battery of the computers; without one in the definition it lasts for ever."""
+    """Return the battery of the computers; by default it is never empty."""
     element = root.maybe("computer-battery")
     return ENDLESS if element is None else Battery(*_battery(element, reader))
 
 
 def motor_battery(root: Element, reader: Reader) -> MotorBattery:
-    """Gives the battery of the motors; without one in the definition it lasts for ever."""
+    """Return the battery of the motors; by default it is never empty."""
     element = root.maybe("motor-battery")
     if element is None:
         return ENDLESS_MOTORS
@@ -257,7 +231,7 @@ def _battery(element: Element, reader: Reader) -> tuple[float, float, float, tup
 
 
 def sensor_board(root: Element, reader: Reader) -> SensorBoard:
-    """Gives the computer that reads the sensors."""
+    """Return the computer that reads the sensors."""
     element = root.first("sensor-board")
     return SensorBoard(
         start_s=reader.not_negative(element, "clock", TIME, USUAL_BOARD.start_s),

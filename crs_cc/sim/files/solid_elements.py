@@ -1,4 +1,4 @@
-"""The walls and objects of a world file: from elements to the parts of a `WorldModel`."""
+"""Elements of walls and objects in a world file."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ from crs_cc.sim.model.world import (
 
 MAX_CORNERS: Final = 250
 SHORTEST_M: Final = 0.001
-"""Sizes of things must not be smaller."""
+"""Minimum size of objects."""
 
-_POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
+_POINTS_FORM: Final = "expected x,y of each corner, separated by spaces: 1m,0 2m,0 2m,50cm"
 _STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 
 
 class Common(TypedDict):
-    """What all solids have."""
+    """The properties common to all solids."""
 
     heat: float
     material: Material
@@ -43,18 +43,18 @@ class Common(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class SolidElements:
-    """Reads solids; mistakes go to the reader.
+    """Reads solids; errors go to the reader.
 
     Attributes:
         reader: reads the values.
-        materials: what they may be made of.
+        materials: the known materials.
     """
 
     reader: Reader
     materials: Materials
 
     def solid(self, element: Element) -> Solid:
-        """Gives what a `<wall>`, `<box>`, `<cylinder>` or `<polygon>` describes."""
+        """Return the solid that a `<wall>`, `<box>`, `<cylinder>` or `<polygon>` describes."""
         match element.tag:
             case "wall":
                 return self._wall(element)
@@ -75,7 +75,7 @@ class SolidElements:
             **self.common(element),
         )
         if not element.broken and (wall.x1_m, wall.y1_m) == (wall.x2_m, wall.y2_m):
-            wrong = f"wall {wall.id!r} has no length: both its ends are the same point"
+            wrong = f"wall {wall.id!r} has zero length: both its ends are the same point"
             self.reader.error(element, wrong)
         return wall
 
@@ -110,7 +110,7 @@ class SolidElements:
         return replace(polygon, **self.common(element))
 
     def _corners(self, element: Element) -> list[tuple[float, float]]:
-        """Gives the corners that `points` lists: x,y x,y ..."""
+        """Return the corners in `points`: x,y x,y ..."""
         words = element.attributes["points"].split()
         if len(words) > MAX_CORNERS:
             self.reader.refuse(element, f"points: more than {MAX_CORNERS} corners")
@@ -126,7 +126,7 @@ class SolidElements:
             return []
 
     def common(self, element: Element) -> Common:
-        """Gives what all solids have."""
+        """Return the properties common to all solids."""
         return {
             "heat": self.reader.not_negative(element, "heat", HEAT),
             "material": self.materials.of(element),
@@ -141,7 +141,7 @@ class SolidElements:
         return self.reader.positive(element, "mass", MASS, FIXED_KG)
 
     def size(self, element: Element, name: str) -> float:
-        """Gives a length [m] that things can have."""
+        """Return a length [m] that is valid for an object."""
         value_m = self.reader.positive(element, name, LENGTH)
         if value_m < SHORTEST_M:
             self.reader.refuse(element, f"{name}: must be 1mm or more")
@@ -149,12 +149,12 @@ class SolidElements:
 
 
 def spread(element: Element, reader: Reader) -> float:
-    """Gives how far the heat of a thing spreads [m]."""
+    """Return the spread of an object's heat [m]."""
     return reader.positive(element, "spread", LENGTH, EVERYWHERE_M)
 
 
 def pose(element: Element, reader: Reader) -> Pose:
-    """Gives the pose that the attributes `x`, `y` and `heading` tell."""
+    """Return the pose that the attributes `x`, `y` and `heading` describe."""
     return Pose(
         reader.quantity(element, "x", LENGTH),
         reader.quantity(element, "y", LENGTH),

@@ -1,4 +1,4 @@
-"""The sonars of a robot definition file."""
+"""Elements of sonars in a robot definition."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import half_angle_rad
 from crs_cc.sim.model.sonar import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard, SonarMode
 
-_RATE: Final = 15  # times 4 ms: what nearly all programs give to `conf_sn`
+_RATE: Final = 15  # times 4 ms: the usual argument of `conf_sn`
 _MOST_RATE: Final = 255
 _LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
-_SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with firing
+_SHORTEST_S: Final = 0.001  # bounds the work that one robot's firing causes
 _THINNEST_RAD: Final = math.radians(0.01)
 
 
 def sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
-    """Gives the sonars of a definition, by rising number."""
+    """Return the sonars of a definition, by rising number."""
     found: dict[int, Sonar] = {}
     for element in root.sensors("sonar"):
         sonar = _sonar(element, reader)
         if sonar.id in found:
-            reader.error(element, f"a second sensor with the id {sonar.id}")
+            reader.error(element, f"duplicate sensor id {sonar.id}")
         found[sonar.id] = sonar
     return tuple(found[number] for number in sorted(found))
 
@@ -43,12 +43,12 @@ def _sonar(element: Element, reader: Reader) -> Sonar:
 
 
 def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
-    """Gives what the sonars of a definition have in common.
+    """Return the properties common to the sonars of a definition.
 
     Args:
         element: the element with the attributes.
         of: the sonars.
-        reader: takes mistakes.
+        reader: receives the errors.
     """
     least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
     if least_s < _SHORTEST_S:
@@ -65,25 +65,24 @@ def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard
 def modes(
     element: Element, of: tuple[Sonar, ...], usual: SonarBoard, reader: Reader
 ) -> tuple[SonarMode, ...]:
-    """Gives the ways in which the sonars of a definition can work, none if there is but one.
+    """Return the sonar modes of a definition, empty if there is only one.
 
-    Args:
-        element: the element with the modes.
-        of: the sonars as they are without modes.
-        usual: what they have in common.
-        reader: takes mistakes.
+    element: the element with the modes.
+    of: the sonars as they are without modes.
+    usual: their common properties.
+    reader: receives the errors.
     """
     found: dict[str, SonarMode] = {}
     for mode in element.all("mode"):
         name = mode.attributes["name"]
         if name in found:
-            reader.error(mode, f"a second mode with the name {name!r}")
+            reader.error(mode, f"duplicate mode {name!r}")
         found[name] = SonarMode(name, _beams(mode, of, reader), _heard(mode, usual, reader))
     return tuple(found.values())
 
 
 def _beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar, ...]:
-    """Gives sonars with the range and the beam of a mode."""
+    """Return sonars with the range and the beam of a mode."""
     ranges_m = [reader.positive(mode, "range", LENGTH)] * len(of)
     if "range" not in mode.attributes:
         ranges_m = [sonar.range_m for sonar in of]
@@ -98,7 +97,7 @@ def _beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar,
 
 
 def _heard(element: Element, usual: SonarBoard, reader: Reader) -> SonarBoard:
-    """Gives a board with what an element says of how echoes are heard, and else as usual."""
+    """Return a board, changed by an element's attributes."""
     lobe_rad = reader.not_negative(element, "lobe", ANGLE, usual.lobe_rad)
     if 0.0 < lobe_rad < _THINNEST_RAD:
         reader.refuse(element, "lobe: must be 0, or 0.01deg or more")
@@ -121,5 +120,5 @@ def _order(element: Element, sonars: tuple[Sonar, ...], reader: Reader) -> tuple
     known = {sonar.id for sonar in sonars}
     for number in order:
         if number not in known:
-            reader.error(element, f"order names sonar {number}, which the robot does not have")
+            reader.error(element, f"order: unknown sonar {number}")
     return order

@@ -1,4 +1,4 @@
-"""From the elements of a world file to a `WorldModel`."""
+"""Elements of a world file."""
 
 from __future__ import annotations
 
@@ -34,24 +34,23 @@ _DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "re
 _SIMPLE: Final = frozenset({"wall", "box", "cylinder", "polygon"})
 
 FindModel: TypeAlias = Callable[[Element], RobotModel]
-"""Gives the model of a robot; notes it as a mistake of the element when there is none."""
+"""Returns the model of a robot; reports an error at the element if there is none."""
 
 
 def world_model(
     root: Element, name: str, included: Included, reader: Reader, find_model: FindModel
 ) -> WorldModel:
-    """Gives the world that a world file describes; mistakes go to the reader.
+    """Return the world that a world file describes; errors go to the reader.
 
     Args:
-        root: the outermost element.
-        name: the world's name, if the file gives none.
-        included: reads the files that it includes, and knows its folder, where programs and
-            pictures are looked for.
+        root: the root element.
+        name: the default name of the world.
+        included: reads included files; it has the folder of programs and images.
         reader: reads the values.
         find_model: finds robot definitions.
     """
     if len(root.children) > MAX_THINGS:
-        reader.error(root, f"more than {MAX_THINGS} things in one world")
+        reader.error(root, f"more than {MAX_THINGS} objects")
         root.children = root.children[:1]
     name_things(root.children, reader)
     definitions = included.definitions(root)
@@ -102,7 +101,7 @@ def _things(
     solids: SolidElements,
     composites: CompositeElements,
 ) -> list[tuple[Element, Solid]]:
-    """Gives all walls and objects, each with the element that it comes from."""
+    """Return all walls and objects, each with its element."""
     things: list[tuple[Element, Solid]] = []
     for element in root.children:
         parts: Sequence[Solid] = ()
@@ -114,7 +113,7 @@ def _things(
             parts = map_boxes(element, folder, area, solids)
         things += [(element, part) for part in parts]
         if len(things) > MAX_THINGS:
-            solids.reader.error(element, f"more than {MAX_THINGS} things in one world")
+            solids.reader.error(element, f"more than {MAX_THINGS} objects")
             return []
     composed = [(element, part.id) for element, part in things if element.tag not in _SIMPLE]
     check_parts(
@@ -124,7 +123,7 @@ def _things(
 
 
 def _with(world: WorldModel, things: Sequence[tuple[Element, Solid]]) -> WorldModel:
-    """Gives a world with things in it, those apart whose numbers could not be read."""
+    """Return a world with objects added, except those with invalid values."""
     solids = [solid for element, solid in things if not element.broken]
     return replace(
         world,
@@ -136,13 +135,13 @@ def _with(world: WorldModel, things: Sequence[tuple[Element, Solid]]) -> WorldMo
 
 
 def _check(world: WorldModel, root: Element, things: Mapping[str, Element], reader: Reader) -> None:
-    """Notes what is wrong with the whole, as far as its numbers could be read.
+    """Report errors that concern the whole world, as far as its values are valid.
 
     Args:
         world: the world.
-        root: the outermost element.
-        things: the element of each thing, by its id.
-        reader: gets the mistakes.
+        root: the root element.
+        things: the element of each object, by its id.
+        reader: receives the errors.
     """
     if not world.robots:
         reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
@@ -190,44 +189,42 @@ def _seed(root: Element, reader: Reader) -> int | None:
 
 
 def _stay(element: Element, reader: Reader) -> tuple[float, float]:
-    """Gives when a robot joins and when it leaves [s]."""
+    """Return when a robot joins and when it leaves [s]."""
     join_s = reader.not_negative(element, "join", TIME)
     leave_s = reader.positive(element, "leave", TIME, math.inf)
     if leave_s <= join_s:
-        reader.refuse(element, "leave: the robot leaves before it joins")
+        reader.refuse(element, "leave: must be later than join")
     return join_s, leave_s
 
 
 def _program(element: Element, folder: Path | None, reader: Reader) -> str:
-    """Gives a path that can be opened; only C files, and only below the world file's folder."""
+    """Return the path of a program: a C file in the world file's folder or below."""
     text = element.attributes.get("program", "")
     if not text:
         return ""
     path = PurePosixPath(from_text(text))
     if path.suffix != ".c" or path.is_absolute() or "\0" in text:
-        reader.error(
-            element, f"program {text!r}: must be a C file (.c), by a path relative to this file"
-        )
+        reader.error(element, f"program {text!r}: must be a relative path to a C file (.c)")
         return ""
     if folder is None:
         return str(path)
     if not _is_below(folder / path, folder):
-        reader.error(element, f"program {text!r}: must lie in the folder of this file or below")
+        reader.error(element, f"program {text!r}: must be in the folder of this file or below")
         return ""
     if not _is_file(folder / path):
-        reader.error(element, f"program {text!r}: there is no such file")
+        reader.error(element, f"program {text!r}: no such file")
     return str(folder / path)
 
 
 def _is_below(path: Path, folder: Path) -> bool:
     try:
         return path.resolve().is_relative_to(folder.resolve())
-    except (OSError, RuntimeError):  # links that go round in a circle
+    except (OSError, RuntimeError):  # circular links
         return False
 
 
 def _is_file(path: Path) -> bool:
     try:
         return path.is_file()
-    except OSError:  # a name that no file can have
+    except OSError:  # an invalid file name
         return False

@@ -1,7 +1,7 @@
 """World and robot files.
 
-Their form is that of the schemas `world.xsd` and `robot.xsd` (`xml_document`); what a schema cannot
-say is checked afterwards.
+The schemas `world.xsd` and `robot.xsd` define their form (`xml_document`); rules that a schema
+cannot express are checked afterwards.
 
 >>> world = parse_world(b'''<world version="1" timestep="50ms">
 ...   <area length="6m" width="5m"/>
@@ -11,7 +11,7 @@ say is checked afterwards.
 ('scout', 16)
 >>> parse_world(b"<world version='1'><area length='6m'/></world>", "room")
 Traceback (most recent call last):
-crs_cc.core.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
+crs_cc.core.errors.WorldError: room:1: error: missing attribute 'width' in <area>
     <world version='1'><area length='6m'/></world>
 """
 
@@ -46,7 +46,7 @@ from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import WorldModel
 
 SCOUT: Final = "scout"
-"""The kind of robot where nothing else is said."""
+"""The default kind of robot."""
 
 _HERE: Final = Path(__file__).parent
 _ROBOTS: Final = _HERE / "robots"
@@ -58,44 +58,42 @@ _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
 
 
 def load_world(path: Path, setup: str = "", robot: str = SCOUT) -> WorldModel:
-    """Gives the world that a file describes.
+    """Return the world that a file describes.
 
     Args:
         path: the file.
-        setup: the setup of all robots, such as `noisy`; by default what the file says.
-        robot: the kind of the robots of which the file says none: a name that comes with crs, or
-            the path of a definition file.
+        setup: the setup of all robots, such as `noisy`; by default that of the file.
+        robot: the default kind of robot: a built-in name, or the path of a definition file.
 
     Raises:
-        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+        WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
     return _World(path.stem, str(path), path.parent, setup, robot).parse(read_file(path))
 
 
 def parse_world(text: bytes, name: str, setup: str = "", robot: str = SCOUT) -> WorldModel:
-    """Gives the world that a text describes; `name` stands for it in messages.
+    """Return the world that a text describes; `name` is its file name in messages.
 
     Raises:
-        WorldError: the text is wrong; all mistakes are told at once.
+        WorldError: the text is invalid; all errors are reported at once.
     """
     return _World(name, name, None, setup, robot).parse(text)
 
 
 def empty_world(setup: str = "", robot: str = SCOUT) -> WorldModel:
-    """Gives the built-in world: one robot at the origin, wide and empty."""
+    """Return the built-in world: one robot at the origin of a large empty area."""
     return parse_world(_EMPTY_WORLD, "empty", setup, robot)
 
 
 def load_robot(path: Path, setup: str = "") -> RobotModel:
-    """Gives the kind of robot that a definition file describes.
+    """Return the robot model that a definition file describes.
 
     Args:
         path: the file.
-        setup: one of its setups, such as `noisy`; by default, and as `ideal`, the definition as it
-            stands.
+        setup: one of its setups, such as `noisy`; by default, and for `ideal`, none.
 
     Raises:
-        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+        WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
     return _robot(read_file(path), str(path), setup)
 
@@ -110,17 +108,17 @@ def _robot(text: bytes, file: str, setup: str) -> RobotModel:
 
 @dataclass(frozen=True, slots=True)
 class Definitions:
-    """What is in a file that worlds include: names of materials and of objects."""
+    """The contents of an included file: names of materials and of objects."""
 
     materials: tuple[str, ...]
     objects: tuple[str, ...]
 
 
 def load_definitions(path: Path) -> Definitions:
-    """Gives what is in a file that worlds can include, and in those that it includes.
+    """Return the names in a file for worlds to include, and in the files that it includes.
 
     Raises:
-        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+        WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
     text, file = read_file(path), str(path)
     diagnostics = Diagnostics(lines={file: lines_of(text)})
@@ -136,10 +134,10 @@ def load_definitions(path: Path) -> Definitions:
 
 
 def load_any(path: Path) -> WorldModel | RobotModel | Definitions:
-    """Gives what a file describes, whichever of these it is.
+    """Load a world, a robot definition, or a file with definitions.
 
     Raises:
-        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+        WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
     match outermost(read_file(path)):
         case "robot-definition":
@@ -150,20 +148,20 @@ def load_any(path: Path) -> WorldModel | RobotModel | Definitions:
 
 
 def known_robots() -> list[str]:
-    """Gives the names of the robot definitions that come with crs."""
+    """Return the names of the built-in robot definitions."""
     return sorted(path.stem for path in _ROBOTS.glob("*.xml"))
 
 
 @dataclass(slots=True)
 class _World:
-    """A world file that is being read, and the robot definitions that it uses, each read once.
+    """Reader of a world file and the robot definitions that it uses, each read once.
 
     Attributes:
-        name: the world's name, if the file gives none.
-        file: what to call it in messages.
-        folder: where definitions and programs are looked for; None when it came from no file.
-        setup: the setup of all robots; empty for what the file says.
-        robot: the kind of the robots of which the file says none, by name or path.
+        name: the default name of the world.
+        file: the file's name in messages.
+        folder: the folder of definitions and programs; None if the world was not read from a file.
+        setup: the setup of all robots; empty for that of the file.
+        robot: the default kind of robot, by name or path.
     """
 
     name: str
@@ -185,7 +183,7 @@ class _World:
         return world
 
     def _model(self, element: Element) -> RobotModel:
-        """Gives the model of a robot; notes it as a mistake of the element when there is none."""
+        """Return the model of a robot; report an error at its element if there is none."""
         setup = self.setup or element.attributes.get("setup", "")
         name: str | Path = element.attributes.get("definition", "")
         if not name:
@@ -204,7 +202,7 @@ class _World:
             self.reader.error(
                 element,
                 unknown("robot definition", str(name), known_robots()),
-                "take one of these, or a file (.xml) in the world's folder",
+                "use one of these, or a file (.xml) in the world's folder",
             )
             return None
         try:
@@ -215,7 +213,7 @@ class _World:
             return None
 
     def _definition(self, element: Element, path: Path) -> bytes:
-        """Gives a definition's text; no link leads out of the world's folder to one."""
+        """Return a definition's text; no link can lead out of the world's folder."""
         name = element.attributes.get("definition", "")
         if not name or name in known_robots() or self.folder is None:
             return read_file(path)
@@ -225,7 +223,7 @@ class _World:
             raise WorldError.at(Location(str(path)), str(wrong)) from None
 
     def _path(self, name: str) -> Path | None:
-        """Gives a definition's file: one of ours, or one in the world's folder or below."""
+        """Return a definition's file: a built-in one, or one in the world's folder or below."""
         if name in known_robots():
             return _ROBOTS / f"{name}.xml"
         path = PurePosixPath(name)
@@ -236,12 +234,12 @@ class _World:
 def _by_line(
     messages: list[Diagnostic], file: str, included: Mapping[str, int]
 ) -> list[Diagnostic]:
-    """Sorts messages; those about another file stay behind the message that led there.
+    """Sort messages; those about another file follow the message that led to it.
 
     Args:
         messages: the messages.
         file: the world file.
-        included: the lines of it that include other files.
+        included: the lines that include other files.
     """
     keys, key = [], math.inf
     for message in messages:

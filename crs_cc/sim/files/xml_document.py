@@ -1,8 +1,8 @@
-"""XML that may come from anywhere, as elements that keep to one of our schemas.
+"""Parsing of untrusted XML, and validation against one of our schemas.
 
-Entities are not resolved, nothing is fetched, a document type declaration is refused, depth and
+Entities are not resolved, nothing is fetched, a document type declaration is rejected, depth and
 size are limited (by libxml2 and by `MAX_BYTES`). The schema checks the form and fills in defaults;
-what it cannot say is for those who read the elements. This file alone in `sim` knows lxml.
+the readers of the elements check the rest. Only this file in `sim` uses lxml.
 """
 
 from __future__ import annotations
@@ -18,32 +18,35 @@ from lxml import etree
 
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
+from crs_cc.sim.files import device_elements
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.files.schema_messages import explain
 from crs_cc.sim.files.schema_names import UnknownName, unknown_names
 
 MAX_BYTES: Final = 16 * 1024 * 1024
-"""How large a file may be."""
+"""Maximum size of a file."""
 
 IDEAL: Final = "ideal"
-"""The setup that every robot definition has: the definition as it stands."""
+"""A setup of every robot definition: the plain definition."""
+
+ROBOT_SCHEMA: Final = "robot.xsd"
 
 _HERE: Final = Path(__file__).parent
 _NAME: Final = re.compile(rb"<([A-Za-z-]+)")
 _POSITION: Final = re.compile(r"(, line \d+, column \d+)?( \([^()]*, line \d+\))?$")
 _SKIPPED: Final = ((b"<?", b"?>"), (b"<!--", b"-->"))
 _SAID_BETTER: Final = {
-    "SCHEMAV_CVC_PATTERN_VALID",  # numbers, later: with the units that are known
-    "SCHEMAV_CVC_IDC",  # ids, later: with the place of the other one
+    "SCHEMAV_CVC_PATTERN_VALID",  # numbers: reported later, with the known units
+    "SCHEMAV_CVC_IDC",  # ids: reported later, with the location of the first use
 }
 _SAID_OF_UNKNOWN: Final = {"SCHEMAV_ELEMENT_CONTENT", "SCHEMAV_CVC_COMPLEX_TYPE_3_2_1"}
 
 
 def read_file(path: Path) -> bytes:
-    """Gives what is in a file, which must be a regular one and not too large.
+    """Return the contents of a regular file of limited size.
 
     Raises:
-        WorldError: it cannot be read.
+        WorldError: the file cannot be read.
     """
     place = Location(str(path))
     try:
@@ -58,11 +61,11 @@ def read_file(path: Path) -> bytes:
         reason = error.strerror or type(error).__name__
         raise WorldError.at(place, f"cannot be read: {reason}") from None
     except ValueError:  # a null character in the name
-        raise WorldError.at(place, "cannot be read: not a file name") from None
+        raise WorldError.at(place, "cannot be read: not a valid file name") from None
 
 
 def outermost(text: bytes) -> str:
-    """Gives the name of the outermost element as far as it can be told without reading it all.
+    """Return the name of the root element without parsing the whole document.
 
     >>> outermost(b"<?xml version='1.0'?><!-- <no> --><yes/>")
     'yes'
@@ -87,18 +90,21 @@ def elements(
     outermost: str,
     setup: str = "",
 ) -> Element:
-    """Gives the outermost element of a document that keeps to a schema, also with a setup.
+    """Parse a document, validate it against a schema, and apply a setup.
 
     Args:
         text: the document.
         schema: the file of the schema.
-        file: what to call the document in messages.
-        diagnostics: gets the messages.
-        outermost: the name of the outermost element.
-        setup: a setup of a robot definition that takes the place of parts of it.
+        file: the document's name in messages.
+        diagnostics: receives the messages.
+        outermost: the name of the root element.
+        setup: a setup of a robot definition, which replaces some of its attributes.
+
+    Returns:
+        the root element.
 
     Raises:
-        WorldError: it does not; all mistakes are told at once.
+        WorldError: the document is invalid; all errors are reported at once.
     """
     if len(text) > MAX_BYTES:
         raise WorldError.at(Location(file), f"larger than {MAX_BYTES} bytes")
@@ -124,7 +130,7 @@ def elements(
         _refuse_document_type(file)
     if root.tag != outermost:
         place = Location(file, root.sourceline or 0)
-        raise WorldError.at(place, f"the outermost element is <{root.tag}>, not <{outermost}>")
+        raise WorldError.at(place, f"the root element must be <{outermost}>, not <{root.tag}>")
     _validate(root, schema, file, diagnostics)
     if setup:
         _apply(setup, root, Reader(file, diagnostics))
@@ -134,35 +140,35 @@ def elements(
 
 
 def _apply(setup: str, root: etree._Element, reader: Reader) -> None:
-    """Lets the attributes in a setup take the place of those in the definition."""
+    """Replace attributes of a definition with those of a setup."""
     setups = {str(node.get("name")): node for node in root.iterfind("setup")}
     if setup not in setups:
         if setup != IDEAL:
             known = ", ".join([IDEAL, *setups])
             place = Element(root.tag, root.sourceline or 0)
-            reader.error(place, f"the definition has no setup {setup!r}", f"it has {known}")
+            reader.error(place, f"unknown setup {setup!r}", f"known setups: {known}")
         return
     for change in setups[setup]:
         device = root.find(change.tag)
         if device is None or change.tag == "setup":
             place = Element(change.tag, change.sourceline or 0)
-            reader.error(place, f"setup {setup!r} changes <{change.tag}>, which is not there")
+            reader.error(place, f"setup {setup!r} changes <{change.tag}>, which is missing")
         else:
             device.attrib.update(change.attrib)
 
 
 def _refuse_document_type(file: str) -> None:
     raise WorldError.at(
-        Location(file), "a document type declaration is not allowed", "take <!DOCTYPE ...> out"
+        Location(file), "a document type declaration is not allowed", "remove <!DOCTYPE ...>"
     )
 
 
 def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnostics) -> None:
-    """Checks a document against a schema, and completes it with the schema's defaults."""
+    """Validate a document against a schema, and add the schema's defaults."""
     schema = _schema(name)
     if schema.validate(root):
         return
-    found = list(islice(unknown_names(root, _schema_document(name).getroot()), MAX_MESSAGES))
+    found = list(islice(unknown_names(root, schema_document(name).getroot()), MAX_MESSAGES))
     lines = {each.line for each in found}
     for entry in schema.error_log:
         said = _SAID_BETTER | (_SAID_OF_UNKNOWN if entry.line in lines else set())
@@ -175,17 +181,21 @@ def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnosti
 
 
 @cache
-def _schema_document(name: str) -> etree._ElementTree:
-    return etree.parse(_HERE / name)
+def schema_document(name: str) -> etree._ElementTree:
+    """Return a schema; that of robot definitions includes the elements of all devices."""
+    document = etree.parse(_HERE / name)
+    if name == ROBOT_SCHEMA:
+        device_elements.add_to_schema(document.getroot())
+    return document
 
 
 @cache
 def _schema(name: str) -> etree.XMLSchema:
-    return etree.XMLSchema(_schema_document(name), attribute_defaults=True)
+    return etree.XMLSchema(schema_document(name), attribute_defaults=True)
 
 
 def _plain(node: etree._Element) -> Element:
-    """Copies an lxml element; the depth is limited by the schema."""
+    """Convert an lxml element; the schema limits the depth."""
     return Element(
         node.tag,
         node.sourceline or 0,
@@ -196,12 +206,12 @@ def _plain(node: etree._Element) -> Element:
 
 
 def lines_of(text: bytes) -> list[str]:
-    """Gives the lines of a file, for messages."""
+    """Return the lines of a file, for messages."""
     return text.decode("utf-8", errors="replace").splitlines()
 
 
 def _without_position(message: str, line: int) -> str:
-    r"""Return libxml2's message on one line, without the position that stands in front of it.
+    r"""Return libxml2's message on one line, without the location at its end.
 
     >>> _without_position("mismatch: wall line 3 and world, line 3, column 5", 3)
     'mismatch: wall and world'
@@ -221,6 +231,6 @@ def _syntax_message(place: Location, text: str, diagnostics: Diagnostics) -> Dia
 
 
 def raise_errors(diagnostics: Diagnostics) -> None:
-    """Raises what was found, if anything was."""
+    """Raise all errors that were found."""
     if diagnostics.errors:
         raise WorldError(diagnostics.errors)

@@ -1,4 +1,4 @@
-"""Which points lie near which, without looking at all pairs: points sorted by square cells.
+"""Neighbour search: near pairs of points, found with points sorted by square cells.
 
 >>> x_m, y_m = np.array([0.0, 0.5, 9.0]), np.array([0.0, 0.5, 9.0])
 >>> queries, points = CellList(x_m, y_m, reach_m=1.0).near(np.array([0.1]), np.array([0.1]))
@@ -17,18 +17,18 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
 
-_ROUNDING: Final = 1e-9  # lets no point that is just within reach fall into a cell beyond
-_AT_ONCE: Final = 256  # queries for which pairs are listed together,
-_PAIRS_AT_ONCE: Final = 2_000_000  # or fewer, if they might be near to so many points
-_FEW_PAIRS: Final = 1_000  # so few are not worth choosing from
-_SPAN: Final = 2  # cells within reach to each side; more are smaller and hold fewer false pairs
+_ROUNDING: Final = 1e-9  # keeps points that are just within reach in the cells that are searched
+_AT_ONCE: Final = 256  # queries whose pairs are listed in one block,
+_PAIRS_AT_ONCE: Final = 2_000_000  # or fewer, if that gave more pairs than this
+_FEW_PAIRS: Final = 1_000  # fewer pairs than this are not filtered: it would cost more
+_SPAN: Final = 2  # cells within reach on each side; smaller cells contain fewer false pairs
 
 
 def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Gives the members of many ranges, one after the other.
+    """Return the members of many ranges, concatenated.
 
     Returns:
-        which range each member belongs to, and the member itself.
+        the range of each member, and the member.
 
     >>> owners, members = expand(np.array([5, 0, 7]), np.array([2, 0, 3]))
     >>> owners.tolist(), members.tolist()
@@ -41,7 +41,7 @@ def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArr
 
 
 def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None:
-    """Gives all pairs of query and point, None where these are many: then cells find the near ones.
+    """Return all pairs of query and point, or None if there are too many to list them all.
 
     >>> few_pairs(2, 2)
     (array([0, 0, 1, 1]), array([0, 1, 0, 1]))
@@ -52,10 +52,10 @@ def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None
 
 
 class CellList:
-    """Points in the plane, sorted by the square cells of a grid around them.
+    """Points in the plane, sorted by the cells of a square grid.
 
-    The grid has a margin of empty cells. There are never many more cells than points: if the points
-    lie far apart, cells are larger than the reach asks for.
+    The grid has a margin of empty cells. The number of cells is bounded by the number of points:
+    for distant points, cells are larger than the reach requires.
     """
 
     def __init__(self, x_m: FloatArray, y_m: FloatArray, reach_m: float) -> None:
@@ -71,13 +71,13 @@ class CellList:
         self._ends = np.concatenate([[0], np.cumsum(counts)])
 
     def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of query and point; among them all that lie within the reach.
+        """Return pairs of query and point, including all pairs within the reach.
 
         Returns:
             the query and the point of each pair, by rising query.
         """
         columns, rows = self._cells(x_m, y_m)
-        # Cells beyond the margin are taken for the margin's, which have nothing in them either.
+        # Queries beyond the grid are moved to its margin, whose cells are empty too.
         rows = rows[:, None] + np.arange(-_SPAN, _SPAN + 1)
         rows = np.minimum(np.maximum(rows, 0), self._side - 1) * self._side
         first = rows + np.maximum(columns - _SPAN, 0)[:, None]
@@ -105,18 +105,18 @@ class Discs:
     radius_m: FloatArray
 
     def take(self, which: IndexArray) -> Discs:
-        """Gives some of them."""
+        """Return a selection of the discs."""
         return Discs(self.x_m[which], self.y_m[which], self.radius_m[which])
 
     def by_size(self) -> Iterator[IndexArray]:
-        """Gives the numbers of those that are about equally large, size after size."""
+        """Yield the indices of discs of similar size, size by size."""
         sizes = np.frexp(self.radius_m)[1]
         for size in np.unique(sizes):
             yield np.flatnonzero(sizes == size)
 
 
 def overlapping(discs: Discs, others: Discs) -> Iterator[tuple[IndexArray, IndexArray]]:
-    """Gives pairs of a disc and another one that overlap, or touch but for rounding, bit by bit.
+    """Yield blocks of pairs of a disc and another that overlap or touch (up to rounding).
 
     >>> few = Discs(np.array([0.0, 5.0]), np.zeros(2), np.array([1.0, 0.1]))
     >>> [(int(a), int(b)) for found in overlapping(few, few) for a, b in zip(*found)]

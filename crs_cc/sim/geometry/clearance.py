@@ -1,4 +1,4 @@
-"""How much room the robots have: the shortest way from any of them to anything else."""
+"""Clearance: the shortest distance between a robot and any other object."""
 
 from __future__ import annotations
 
@@ -6,19 +6,21 @@ import math
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import Outlines, Scene
 
 
 def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> float:
-    """Gives the shortest distance between a robot and anything else [m], infinite for no robot.
+    """Return the shortest distance between a robot and any other object [m].
 
-    It looks at all pairs, and is meant for few bodies. Inside of something it is 0 or less.
+    All pairs are tried, so it is meant for few bodies. Inside an object it is 0 or less, without a
+    robot infinite.
 
     Args:
         scene: the world's outlines.
-        position_m: where the bodies are, shape (bodies, 2).
-        angle_rad: how they are turned, shape (bodies,).
+        position_m: the bodies' positions, shape (bodies, 2).
+        angle_rad: their headings, shape (bodies,).
     """
     moving = scene.moving(position_m, angle_rad)
     x_m, y_m, radii_m = moving.circles[: np.count_nonzero(scene.present), :, None].transpose(
@@ -33,10 +35,8 @@ def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> 
 
 
 def _to_segments(x_m: FloatArray, y_m: FloatArray, segments: FloatArray) -> FloatArray:
-    ax, ay, bx, by, length = segments.T
-    along_x, along_y = (bx - ax) / length, (by - ay) / length
-    share = np.clip((x_m - ax) * along_x + (y_m - ay) * along_y, 0.0, length)
-    return np.asarray(np.hypot(x_m - ax - share * along_x, y_m - ay - share * along_y))
+    ax, ay, bx, by, _ = segments.T
+    return segment.distance(x_m - ax, y_m - ay, bx - ax, by - ay)
 
 
 def _to_circles(x_m: FloatArray, y_m: FloatArray, outlines: Outlines) -> FloatArray:

@@ -1,14 +1,14 @@
-"""Which sensors lie in or on something with sides: those have nothing to measure but 0.
+"""Sensors in contact with or inside an object with sides, which measure 0.
 
-A robot that runs into something overlaps it by a hair, and then a sensor on its shell lies behind
-the side that it touches. Beams are tried against sides (`rays`), so that one would pass on to the
-far side; circles need no such care, as `rays` knows what is inside them.
+A robot that collides with an object overlaps it slightly, and then a sensor on its shell is behind
+the side that it touches. Beams are intersected with sides (`rays`), so such a beam would pass on to
+the far side. Circles do not have this problem: `rays` handles beams that start inside them.
 
-Boxes, and walls without their round ends, are rectangles, and a place is in one if it is so along
-both its axes. A polygon is made of triangles: each lies in the rectangle over its longest side, to
-the left of two slants.
+Boxes, and walls without their round ends, are rectangles; a point is inside if it is within both
+half extents. A polygon is a set of triangles: each is the part of the rectangle over its longest
+side to the left of two slants.
 
-Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+Points in the plane are complex numbers, x + i y [m], so that rotations are products.
 
 >>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
 >>> world = WorldModel("w", Area(0, 0, 9, 9, 0), boxes=(Box("b", Pose(3, 1), 2, 1),))
@@ -33,18 +33,18 @@ from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
-_ON_M: Final = 1e-9  # rounding must not let a sensor on a side be outside here, inside for `rays`
+_ON_M: Final = 1e-9  # a sensor on a side must not be outside here and inside for `rays`
 
 
 class Pieces:
-    """All that has an inside with sides: first what does not move, then what does."""
+    """All rectangles and triangles of solids: first fixed ones, then those of movable bodies."""
 
     def __init__(self, scene: Scene, start_m: float) -> None:
-        """Sorts what does not move, and takes what does for where it starts.
+        """Collect the pieces of all solids at their initial poses.
 
         Args:
-            scene: what there is.
-            start_m: how far from its robot's place any sensor sits.
+            scene: the scene.
+            start_m: maximum distance of a sensor from its robot's centre.
         """
         fixed = [piece for solid in scene.fixed_solids for piece in _pieces(solid)]
         moving = [
@@ -76,7 +76,7 @@ class Pieces:
         self._cells: CellList | None = None
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
-        """Says where the bodies that move are now: as for `Scene.moving`."""
+        """Update the poses of the movable bodies, as for `Scene.moving`."""
         x_m, y_m = position_m[self._bodies].T
         facing = np.exp(1j * angle_rad[self._bodies])
         self._middle[self._fixed :] = x_m + 1j * y_m + facing * self._own_middle[self._fixed :]
@@ -84,21 +84,21 @@ class Pieces:
         self._cells = None
 
     def cover(self, fan: Fan, poses: FloatArray, things: IndexArray | None = None) -> BoolArray:
-        """Tells which beams of each robot start in or on something.
+        """Return which beams of each robot start on or inside an object.
 
         Args:
             fan: the robots' beams.
             poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-            things: takes the things that those beams start in, as in `Scene.names`, shape
-                (k, beams); None when nobody wants to know.
+            things: receives the objects that those beams start in, as in `Scene.names`, shape
+                (k, beams); None if they are not needed.
 
         Returns:
-            shape (k, beams), in the order of the list that the fan was made of.
+            shape (k, beams), in the order of the list that the fan was made from.
         """
         covered = np.zeros((len(poses), len(fan)), dtype=np.bool_)
         place = poses[:, 0] + 1j * poses[:, 1]
         robots, shapes = self._near(place)
-        # As seen from the piece: its middle is 0, x runs along it.
+        # In the frame of the piece: its centre is the origin, x is its long axis.
         backturn = np.conjugate(self._along.take(shapes))
         local = (place.take(robots) - self._middle.take(shapes)) * backturn
         close = np.flatnonzero(self._within(local, shapes, self._start_m))
@@ -125,7 +125,7 @@ class Pieces:
         return np.asarray((outward <= self._slants_m[shapes] + _ON_M).all(axis=1))
 
     def _near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of robot and piece; among them all that a sensor can lie in."""
+        """Return pairs of robot and piece, including all in which a sensor can be."""
         robots, shapes = self._grid.near(place)
         count = len(self._bodies)
         if count == 0:
@@ -153,14 +153,14 @@ class _Piece:
     """A rectangle, or a triangle in one.
 
     Attributes:
-        place: where the frame of its thing is.
-        facing: which way that points, of length 1.
-        middle: the rectangle's middle in that frame.
-        along: where its length points, of length 1.
+        place: position of its object's frame.
+        facing: heading of that frame, of length 1.
+        middle: the rectangle's centre in that frame.
+        along: direction of its length, of length 1.
         half_length_m: half its length.
         half_width_m: half its width.
-        slants: outward normals of a triangle's shorter sides, as seen from the rectangle.
-        slants_m: how far out these sides lie.
+        slants: outward normals of a triangle's shorter sides, in the rectangle's frame.
+        slants_m: distances of these sides from the rectangle's centre.
     """
 
     place: complex
@@ -173,9 +173,9 @@ class _Piece:
     slants_m: tuple[float, float] = (math.inf, math.inf)
 
 
-@lru_cache(maxsize=4096)  # they are asked for with each obstacle that comes or goes
+@lru_cache(maxsize=4096)  # recomputed whenever an obstacle is added or removed
 def _pieces(solid: Solid) -> tuple[_Piece, ...]:
-    """Gives what a solid is made of, apart from what is round."""
+    """Return the pieces of a solid, without its round parts."""
     if isinstance(solid, Cylinder):
         return ()
     if isinstance(solid, Wall):

@@ -1,37 +1,37 @@
-"""What a sonar's ping comes back from: the nearest thing that answers into the beam.
+"""Sonar echoes: the distance at which the first echo of a ping appears.
 
-A beam is a cone around its axis, with its tip at the transducer, and what lies at an angle `a` off
-the axis is heard up to
+A beam is a cone around its axis, with its apex at the transducer. A target at an angle `a` off the
+axis is detected up to the distance
 
     reach(a) = range * 2 ** -(a / lobe)^2
 
-`lobe` is the angle at which the sound pressure falls to one half (-6 dB). A transducer hears as
-it speaks, so an echo's pressure falls with the square of its lobe, and it falls with the square of
-the distance, as sound spreads on both ways; both squared, the reach falls as the lobe itself. The
-bell curve is the usual stand-in for the main lobe of a piston (R. Kuc, M. W. Siegel, "Physically
-based simulation model for acoustic sensor robot navigation", 1987). Side lobes are left out: the
-highest one of a piston has 0.13 of the pressure, so it would reach 0.13 of the range. A lobe of 0
-is a sharp cone, which reaches as far at its side as on its axis.
+`lobe` is the angle at which the sound pressure falls to one half (-6 dB). A transducer receives
+with the same directivity as it sends, so an echo's pressure falls with the square of its lobe, and
+with the square of the distance, as sound spreads in both directions; with both squared, the reach
+falls as the lobe itself. The Gaussian is the usual approximation of the main lobe of a piston
+(R. Kuc, M. W. Siegel, "Physically based simulation model for acoustic sensor robot navigation",
+1987). Side lobes are ignored: the highest one of a piston has 0.13 of the pressure, so it would
+reach 0.13 of the range. A lobe of 0 is a sharp cone, with the same reach at its side as on its
+axis.
 
-What answers:
+Echoes come from:
 
-- a face (a side of a box or wall) where the sound meets it at an angle of no more than `critical`
-  off its normal: a smooth face throws all other sound away (same source). At the foot of the
-  perpendicular it always answers;
-- a corner, where a face ends or where two faces meet, and the middle of a cylinder's or robot's
-  front: from wherever it is looked at. Where a face goes on in another one there is no corner;
-- a cylinder's flank, where its front lies outside of the beam.
+- a face (a side of a box or wall) at an angle of incidence of up to `critical`: a smooth face
+  reflects all other sound away (same source). The foot of the perpendicular always returns an echo;
+- a corner, where a face ends or two faces meet, and the nearest point of a cylinder or robot: from
+  any direction. Where a face continues in another one there is no corner;
+- a cylinder's flank, where its nearest point is outside of the beam.
 
-Feet, corners and fronts are found exactly, where a handful of rays would look past a thin pillar;
-faces and flanks at the sides of the beam, and where it has a lobe, along rays in between as well.
-A thing whose surface takes sound away is heard to a shorter distance: see `surfaces`. Where faces
-of different surfaces meet in a corner, the softer one decides.
+Feet, corners and nearest points are computed exactly, where a few rays would miss a thin pillar;
+faces and flanks at the sides of the beam, and for a lobe along rays in between as well. An object
+with an absorbing surface is heard at a shorter distance: see `surfaces`. Where faces with
+different surfaces meet in a corner, the softer one decides.
 
-Whatever the sound would have to go through something to reach is not heard, whether that thing
-answers or not. A transducer that lies in or on something, or has something between itself and the
-middle of its robot, hears an echo at once.
+A target behind an object is not heard, whether that object returns an echo or not. A transducer on
+or inside an object, or with an object between itself and its robot's centre, hears an echo at
+distance 0.
 
-Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+Points in the plane are complex numbers, x + i y [m], so that rotations are products.
 
 >>> from crs_cc.sim.model.world import Area, Cylinder, Pose, WorldModel
 >>> from crs_cc.sim.geometry.obstacles import Obstacles
@@ -46,7 +46,7 @@ array([1.3])
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, Self
 
@@ -57,28 +57,29 @@ from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.geometry.outline_query import Prospect
 
 ANY_ANGLE: Final = math.pi / 2
-"""The critical angle of faces that answer from everywhere."""
+"""The critical angle of diffuse faces, which return an echo at any angle of incidence."""
 
 _SIDES: Final = np.array([-1.0, 1.0])
 _RAYS: Final = np.linspace(-1.0, 1.0, 17)
-_ON_M: Final = 1e-9  # a transducer so near to a face lies on it
-_BEFORE_M: Final = 1e-6  # what lies less than this in front of a place does not hide it
-_SEAM_M: Final = 1e-3  # faces that end so near to each other touch
-_STRAIGHT: Final = 1e-3  # sine of the angle below which one face goes on in another
+_ON_M: Final = 1e-9  # a transducer this close to a face is on it
+_BEFORE_M: Final = 1e-6  # an object closer than this to a target does not hide it
+_SEAM_M: Final = 1e-3  # faces whose ends are this close touch
+_AT_ONCE: Final = 1 << 18  # pairs in one block
+_STRAIGHT: Final = 1e-3  # sine of the angle below which a face continues in another
 
 
 @dataclass(frozen=True, slots=True)
 class Pings:
-    """Pings that are sent at one instant, one from each of k transducers.
+    """Simultaneous pings of k transducers.
 
     Attributes:
-        place: the middle of each transducer's robot.
-        start: the transducer.
-        axis: where it points, of length 1.
-        half_rad: the angle between the axis and the side of the beam, below a right angle.
-        range_m: how far it hears on the axis.
+        place: the centre of each transducer's robot.
+        start: the transducer's position.
+        axis: its direction, of length 1.
+        half_rad: the angle between the axis and the side of the beam, less than a right angle.
+        range_m: maximum range on the axis.
         falloff: 1 / lobe^2 [1/rad^2], 0 for a sharp cone.
-        critical_rad: the angle of incidence up to which a face answers.
+        critical_rad: the critical angle of faces.
         own: the number of the robot's own body, -1 for none.
     """
 
@@ -100,7 +101,7 @@ class Pings:
         lobe_rad: float = 0.0,
         critical_rad: float = ANY_ANGLE,
     ) -> Self:
-        """Makes pings of beams that are alike: the robot's middle, the start, the direction."""
+        """Create pings of identical beams from each robot's centre, start, and direction."""
         rows = list(beams)
         count = len(rows)
         return cls(
@@ -118,24 +119,24 @@ class Pings:
         return len(self.place)
 
     def local(self, which: IndexArray, place: ComplexArray) -> ComplexArray:
-        """Gives places as seen from transducers, whose axes are x."""
+        """Transform points to the frames of transducers, whose axes are x."""
         return (place - self.start.take(which)) * np.conjugate(self.axis.take(which))
 
     def reach_m(self, which: IndexArray, angle_rad: FloatArray) -> FloatArray:
-        """Gives how far each of some transducers hears at an angle off its axis."""
+        """Return the maximum range of transducers at an angle off their axes."""
         falloff = self.falloff.take(which)
         return np.asarray(self.range_m.take(which) * np.exp2(-falloff * angle_rad * angle_rad))
 
 
 @dataclass(frozen=True, slots=True)
 class Points:
-    """Places that answer, seen from transducers.
+    """Targets that return echoes, in the frames of transducers.
 
     Attributes:
-        ping: of which ping.
-        place: where they are.
-        told_m: what they tell.
-        share: how far they are heard, as a share of how far a hard thing is.
+        ping: the ping's index.
+        place: their positions.
+        told_m: the distances that they report.
+        share: the distance at which they are heard, relative to that of a hard object.
     """
 
     ping: IndexArray
@@ -145,12 +146,12 @@ class Points:
 
     @classmethod
     def at(cls, *parts: tuple[IndexArray, ComplexArray, FloatArray]) -> Self:
-        """Makes points that tell their distance."""
+        """Create targets that report their own distance."""
         ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
         return cls(ping, place, np.abs(place), share)
 
-    def where(self, kept: BoolArray) -> Self:
-        """Gives some of the points."""
+    def where(self, kept: BoolArray | IndexArray | slice) -> Self:
+        """Return a selection of the targets."""
         return type(self)(self.ping[kept], self.place[kept], self.told_m[kept], self.share[kept])
 
 
@@ -160,17 +161,17 @@ def first_echo(
     voices: Points | None = None,
     hushed: FloatArray | None = None,
 ) -> FloatArray:
-    """Gives the distance at which each ping's first echo seems to be.
+    """Return the distance of each ping's first echo.
 
     Args:
-        pings: what is sent.
-        obstacles: what there is.
-        voices: what else can be heard, if nothing stands in between and it lies in the beam.
-        hushed: how far each thing, as in `Scene.names`, is heard, as a share of how far a hard one
-            is, (things,); None when all are hard.
+        pings: the pings.
+        obstacles: the obstacles.
+        voices: further targets, heard if they are in the beam and nothing hides them.
+        hushed: the distance at which each object, as in `Scene.names`, is heard, relative to that
+            of a hard one, (things,); None if all are hard.
 
     Returns:
-        distances from the transducers [m], infinite where nothing answers, shape (k,).
+        distances from the transducers [m], infinite without an echo, shape (k,).
     """
     faces, pierced = _faces(pings, obstacles, hushed)
     rounds, covered = _rounds(pings, obstacles, hushed)
@@ -182,34 +183,38 @@ def first_echo(
     reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
     loud_m = reach_m
     face_m, round_m = faces.hits_m(rays[faces.ping]), rounds.hits_m(rays[rounds.ping])
-    points = _in_beam(pings, _points(faces, rounds, shaped, voices))
     if shaped:
         free_m = np.full(reach_m.shape, np.inf)
         np.minimum.at(free_m, faces.ping, face_m)
         np.minimum.at(free_m, rounds.ping, round_m)
         reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
-        points = points.where(~_hidden(points, faces, rounds))
     if hushed is not None:
         face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
         round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
     glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
+    glancing_m += _ON_M  # rounding must not silence a face at exactly the critical angle
     face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
     round_m[round_m > reach_m[rounds.ping]] = np.inf
     found_m = np.full(len(pings), np.inf)
     np.minimum.at(found_m, faces.ping, face_m.min(axis=1))
     np.minimum.at(found_m, rounds.ping, round_m.min(axis=1))
-    np.minimum.at(found_m, points.ping, points.told_m)
+    for points in _points(faces, rounds, shaped, voices):
+        heard = _in_beam(pings, points)
+        if shaped:
+            _hear(heard, faces, rounds, found_m)
+        else:
+            np.minimum.at(found_m, heard.ping, heard.told_m)
     found_m[pierced] = 0.0
     found_m[covered] = 0.0
     return found_m
 
 
-# -- what lies in the beams ------------------------------------------------------------------------
+# -- faces and circles in the beams ----------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
 class _Faces:
-    """Sides of things that may lie in a beam, seen from its transducer; by rising ping."""
+    """Sides of objects that may be in a beam, in the frame of its transducer; by rising ping."""
 
     ping: IndexArray
     start: ComplexArray
@@ -218,7 +223,7 @@ class _Faces:
     share: FloatArray
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
-        """Gives how far along rays of length 1 the faces are, infinite for those that miss."""
+        """Return the distances to the faces along rays of length 1, infinite for a miss."""
         start, along = self.start[which][..., None], self.along[which][..., None]
         with np.errstate(divide="ignore", invalid="ignore"):
             across = _cross(rays, along)
@@ -230,7 +235,7 @@ class _Faces:
 
 @dataclass(frozen=True, slots=True)
 class _Rounds:
-    """Circles that may lie in a beam, seen from its transducer; by rising ping."""
+    """Circles that may be in a beam, in the frame of its transducer; by rising ping."""
 
     ping: IndexArray
     middle: ComplexArray
@@ -238,7 +243,7 @@ class _Rounds:
     share: FloatArray
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
-        """Gives how far along rays of length 1 the circles are, infinite for those that miss."""
+        """Return the distances to the circles along rays of length 1, infinite for a miss."""
         radius_m, turned = self.radius_m[which], self.middle[which][..., None] * rays.conj()
         square = radius_m[..., None] ** 2 - turned.imag * turned.imag
         hit = (square >= 0.0) & (turned.real > 0.0)
@@ -248,14 +253,15 @@ class _Rounds:
 def _faces(
     pings: Pings, obstacles: Prospect, hushed: FloatArray | None
 ) -> tuple[_Faces, IndexArray]:
-    """Gives the faces that may lie in beams, and the pings whose transducers lie in or on one."""
+    """Return the faces that may be in beams, and the pings whose transducers are on or in one."""
     ping, a, b, length_m = obstacles.segments_near(pings.place)
     a, b = pings.local(ping, a), pings.local(ping, b)
-    behind_m = _cross(a, b) / length_m  # how far the transducer lies in the solid
+    behind_m = _cross(a, b) / length_m  # depth of the transducer in the solid
     inside = np.flatnonzero(behind_m >= -_ON_M)
     middle = pings.local(ping[inside], pings.place[ping[inside]])
     a_in, b_in = a[inside], b[inside]
-    before = _cross(a_in - middle, b_in - middle) < 0.0
+    # The robot's centre may be in the plane of a face: rounding must not move it in front.
+    before = _cross(a_in - middle, b_in - middle) < -_ON_M * length_m[inside]
     between = _cross(middle, a_in) * _cross(middle, b_in) <= 0.0
     pierced = ping[inside[before & between]]
     cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)
@@ -274,7 +280,7 @@ def _faces(
 def _rounds(
     pings: Pings, obstacles: Prospect, hushed: FloatArray | None
 ) -> tuple[_Rounds, IndexArray]:
-    """Gives the circles that may lie in beams, and the pings whose transducers lie in one."""
+    """Return the circles that may be in beams, and the pings whose transducers are in one."""
     ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
     middle = pings.local(ping, middle)
     away_m = np.abs(middle)
@@ -291,13 +297,15 @@ def _rounds(
     return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
 
 
-def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None) -> Points:
-    """Gives the feet and ends of faces, the fronts of circles, and where faces meet."""
+def _points(
+    faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None
+) -> Iterator[Points]:
+    """Yield blocks of targets: feet and ends of faces, nearest points of circles, corners."""
     square = faces.along.real**2 + faces.along.imag**2
     share = -(faces.start * faces.along.conj()).real / square
     foot = np.flatnonzero((share > 0.0) & (share < 1.0))
     front = rounds.middle * (1.0 - rounds.radius_m / np.abs(rounds.middle))
-    points = Points.at(
+    yield Points.at(
         _ends(faces, faces.start, shaped),
         _ends(faces, faces.start + faces.along, shaped),
         (
@@ -306,42 +314,36 @@ def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None)
             faces.share[foot],
         ),
         (rounds.ping, front, rounds.share),
-        *([_corners(faces)] if shaped else []),
     )
-    if voices is None:
-        return points
-    return Points(
-        np.concatenate([points.ping, voices.ping]),
-        np.concatenate([points.place, voices.place]),
-        np.concatenate([points.told_m, voices.told_m]),
-        np.concatenate([points.share, voices.share]),
-    )
+    if shaped:
+        for one, other in _pairs(faces.ping, faces.ping):
+            yield _corners(faces, one, other)
+    if voices is not None:
+        yield voices
 
 
 def _ends(
     faces: _Faces, end: ComplexArray, shaped: bool
 ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-    """Gives the ends of faces, without those at which another face goes on, if that matters."""
+    """Return the ends of faces, except (if that matters) those at which another face continues."""
     if not shaped:
         return faces.ping, end, faces.share
-    one, other = _pairs(faces.ping, faces.ping)
-    along, length_m = faces.along, np.abs(faces.along)[other]
-    apart = end[one] - faces.start[other]
-    over_m = (apart * along[other].conj()).real / length_m
-    goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
-    goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
-    goes_on &= _parallel(along[one], along[other])
-    corner = np.ones(len(end), dtype=np.bool_)
-    corner[one[goes_on]] = False
+    along, corner = faces.along, np.ones(len(end), dtype=np.bool_)
+    for one, other in _pairs(faces.ping, faces.ping):
+        length_m, apart = np.abs(along[other]), end[one] - faces.start[other]
+        over_m = (apart * along[other].conj()).real / length_m
+        goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
+        goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
+        goes_on &= _parallel(along[one], along[other])
+        corner[one[goes_on]] = False
     return faces.ping[corner], end[corner], faces.share[corner]
 
 
-def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray, FloatArray]:
-    """Gives where faces in the same beam cut each other, as those of walls in a room do.
+def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
+    """Return the intersections of faces in the same beam, such as the corners of a room.
 
-    Sound goes by way of both, so the softer one decides.
+    Sound is reflected by both, so the softer one decides.
     """
-    one, other = _pairs(faces.ping, faces.ping)
     once = (one < other) & ~_parallel(faces.along[one], faces.along[other])
     one, other = one[once], other[once]
     apart = faces.start[other] - faces.start[one]
@@ -351,32 +353,62 @@ def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray, FloatArray]:
     meet = (share >= 0.0) & (share <= 1.0) & (others >= 0.0) & (others <= 1.0)
     one, other, share = one[meet], other[meet], share[meet]
     heard = np.minimum(faces.share[one], faces.share[other])
-    return faces.ping[one], faces.start[one] + share * faces.along[one], heard
+    return Points.at((faces.ping[one], faces.start[one] + share * faces.along[one], heard))
 
 
 def _in_beam(pings: Pings, points: Points) -> Points:
-    """Gives those of some points that lie in the beams and within reach."""
+    """Return those targets that are in the beams and within reach."""
     tan = np.tan(pings.half_rad).take(points.ping)
     points = points.where(np.abs(points.place.imag) <= tan * points.place.real)
     reach_m = pings.reach_m(points.ping, np.angle(points.place)) * points.share
     return points.where(np.abs(points.place) <= reach_m)
 
 
+def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -> None:
+    """Record the echoes of targets that nothing hides, the nearest first.
+
+    Args:
+        points: the targets; those behind an echo that was already found are skipped.
+        faces: faces that may hide them.
+        rounds: circles that may hide them.
+        found_m: the first echo of each ping so far, changed in place.
+    """
+    points = points.where(points.told_m < found_m[points.ping])
+    points = points.where(np.argsort(points.told_m, kind="stable"))
+    before = np.bincount(faces.ping, minlength=len(found_m))
+    before += np.bincount(rounds.ping, minlength=len(found_m))
+    while len(points.ping):
+        work = np.cumsum(before[points.ping])
+        count = max(1, int(np.searchsorted(work, _AT_ONCE, side="right")))
+        near = points.where(slice(count))
+        near = near.where(~_hidden(near, faces, rounds))
+        np.minimum.at(found_m, near.ping, near.told_m)
+        points = points.where(slice(count, None))
+        points = points.where(points.told_m < found_m[points.ping])
+
+
 def _hidden(points: Points, faces: _Faces, rounds: _Rounds) -> BoolArray:
-    """Tells which points have something before them."""
+    """Return which targets are hidden."""
     away_m = np.abs(points.place)
     rays = (points.place / np.maximum(away_m, _ON_M))[:, None]
     free_m = np.full((len(points.ping), 1), np.inf)
     for shapes in (faces, rounds):
-        point, shape = _pairs(points.ping, shapes.ping)
-        np.minimum.at(free_m, point, shapes.hits_m(rays[point], shape))
+        for point, shape in _pairs(points.ping, shapes.ping):
+            np.minimum.at(free_m, point, shapes.hits_m(rays[point], shape))
     return np.asarray(free_m[:, 0] < away_m - _BEFORE_M)
 
 
-def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Gives pairs of things of the same ping; the second ones must be sorted by ping."""
+def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> Iterator[tuple[IndexArray, IndexArray]]:
+    """Yield pairs of items of the same ping, in blocks; the second ones must be sorted by ping."""
     starts = np.searchsorted(sorted_pings, ping, side="left")
-    return expand(starts, np.searchsorted(sorted_pings, ping, side="right") - starts)
+    counts = np.searchsorted(sorted_pings, ping, side="right") - starts
+    ends, first = np.cumsum(counts), 0
+    while first < len(ping):
+        done = int(ends[first - 1]) if first else 0
+        last = max(first + 1, int(np.searchsorted(ends, done + _AT_ONCE, side="right")))
+        one, other = expand(starts[first:last], counts[first:last])
+        yield one + first, other
+        first = last
 
 
 def _parallel(a: ComplexArray, b: ComplexArray) -> BoolArray:

@@ -1,9 +1,9 @@
-"""Poses in frames: x and y [m] and direction [rad], in rows of three.
+"""Transforms of poses between frames: rows of x [m], y [m] and direction [rad].
 
 >>> desk, cup = np.array([[2.0, 1.0, math.pi / 2]]), np.array([[1.0, 0.0, 0.0]])
->>> compose(desk, cup).round(3).tolist()                    # where the cup is in the room
+>>> compose(desk, cup).round(3).tolist()                    # the cup in the room
 [[2.0, 2.0, 1.571]]
->>> relative(desk, compose(desk, cup)).round(3).tolist()    # where it is on the desk
+>>> relative(desk, compose(desk, cup)).round(3).tolist()    # the cup on the desk
 [[1.0, 0.0, 0.0]]
 """
 
@@ -20,7 +20,7 @@ _TURN: Final = 2 * math.pi
 
 
 def compose(frames: FloatArray, poses: FloatArray) -> FloatArray:
-    """Gives where poses in frames are in the frame that the frames are told in, all (k, 3)."""
+    """Transform poses from frames to the frame in which these are given, all (k, 3)."""
     cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
     return np.column_stack([
         frames[:, 0] + (cos * poses[:, 0] - sin * poses[:, 1]),
@@ -30,7 +30,7 @@ def compose(frames: FloatArray, poses: FloatArray) -> FloatArray:
 
 
 def relative(frames: FloatArray, poses: FloatArray) -> FloatArray:
-    """Gives where poses are in frames, directions between -pi and pi, all (k, 3)."""
+    """Transform poses to frames, with directions between -pi and pi, all (k, 3)."""
     x_m, y_m = poses[:, 0] - frames[:, 0], poses[:, 1] - frames[:, 1]
     cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
     return np.column_stack([
@@ -39,5 +39,5 @@ def relative(frames: FloatArray, poses: FloatArray) -> FloatArray:
 
 
 def wrapped(angle_rad: FloatArray) -> FloatArray:
-    """Gives angles [rad] between -pi and pi."""
+    """Return angles [rad] wrapped to -pi to pi."""
     return np.asarray((angle_rad + math.pi) % _TURN - math.pi)

@@ -1,20 +1,20 @@
-"""What beams meet that run at a height: things that are high enough, and the ground where it rises.
+"""Beams at a height: objects that are high enough to be hit, and the ground where it rises.
 
-The beams of a sensor lie in a plane. It runs z above the ground under its robot's middle, and tilts
-as the robot does there:
+The beams of a sensor are in a plane. It is z above the ground at its robot's centre, and tilts as
+the robot does there:
 
     beam(p) = ground(robot) + z + gradient(robot) . (p - robot)
 
-A thing stands on the ground under its middle. It is met when its top is higher than the beam at the
-nearest point of its side, else it is looked over. The ground is met where it is higher than the
-beam: each patch, cut off by the plane of the beam, is one more thing with straight sides, whose
-cut is where the beam runs into the slope; pixels of a picture are taken for level ones.
+An object stands on the ground at its centre. It is hit if its top is above the beam at the nearest
+point of its side, otherwise the beam passes over it. The ground is hit where it is above the beam:
+each patch, clipped by the plane of the beam, is one more object with straight sides, whose cut is
+where the beam meets the slope; pixels of a height map count as level.
 
 Sound spreads: the lower side of a sonar's cone falls by the tangent of its half angle with each
-metre, and a thing or patch is met as soon as it is higher than that at its nearest point; but not
-below the ground on which the robot stands, thought to go on: smooth ground throws sound away. Other
-beams are thin. What hangs in the air, and what stands behind the top of something lower, is left
-out. All of this was chosen by us.
+metre, and an object or patch is hit if it is above that at its nearest point, but not below the
+extended plane of the ground on which the robot stands: smooth ground reflects sound away. Other
+beams are thin. Overhanging objects, and objects behind the top of a lower one, are ignored. All of
+this is our choice.
 
 >>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
 >>> from crs_cc.sim.geometry.rays import Fan, nearest
@@ -35,43 +35,44 @@ from typing import Final, TypeAlias
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.model.ground import Ground, Patch
 from crs_cc.sim.model.world import TALL_M
 
 Segments: TypeAlias = "tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]"
 
-_SHORTEST_M: Final = 1e-6  # shorter sides of a patch's cut are none
+_SHORTEST_M: Final = 1e-6  # shorter sides of a clipped patch are dropped
 _ON_M: Final = 1e-9
-_BEYOND_M: Final = 100.0  # how far the floor goes on beyond the world's area
+_BEYOND_M: Final = 100.0  # extent of the floor beyond the world's area
 
 
 class Outlook:
-    """What there is in a world that is not flat, or has low things in it.
+    """The objects and the ground of a world with heights.
 
     Attributes:
-        obstacles: the outlines of all things.
+        obstacles: the outlines of all objects.
         terrain: the ground.
-        patches: its patches, and behind them the floor.
+        patches: its patches, followed by the floor.
         corners: their corners, x + i y [m], counter-clockwise, (patches, 4).
-        corner_heights_m: how high these are.
-        grid: the patches without the floor, by where they are within reach.
-        reach_m: how far from its place any robot measures.
+        corner_heights_m: the heights of the corners.
+        grid: the patches without the floor, by the places from which they are within reach.
+        reach_m: the maximum distance from its centre at which a robot measures.
         ground: the number of the ground in `Scene.names`.
-        tops_m: how high the tops of all things are, (names,).
+        tops_m: the heights of the tops of all objects, (names,).
     """
 
     def __init__(self, scene: Scene, obstacles: Obstacles, reach_m: float) -> None:
-        """Sorts what does not move.
+        """Sort the fixed objects and patches.
 
         Args:
-            scene: what there is.
-            obstacles: the outlines of all of it, kept up to date by somebody else.
-            reach_m: how far from its place any robot measures.
+            scene: the scene.
+            obstacles: the outlines of all objects, updated by the caller.
+            reach_m: the maximum distance from its centre at which a robot measures.
         """
         area = scene.world.area
         length_m, width_m = area.length_m + 2 * _BEYOND_M, area.width_m + 2 * _BEYOND_M
@@ -93,33 +94,33 @@ class Outlook:
         self._moving = len(scene.start)
         self._heights_m = np.array([thing.height_m for thing in scene.things])
         self.tops_m = np.append(self._heights_m, np.inf)
-        x_m, y_m = Things.of(scene).fixed[:, :2].T
+        x_m, y_m = ShapeTable.of(scene).fixed[:, :2].T
         self.tops_m[self._moving : -1] += self.terrain.height_m(x_m, y_m)
 
     def place(self, position_m: FloatArray) -> None:
-        """Says where the bodies that move are now, (bodies, 2)."""
+        """Update the positions of the movable bodies, (bodies, 2)."""
         ground_m = self.terrain.height_m(position_m[:, 0], position_m[:, 1])
         self.tops_m[: self._moving] = self._heights_m[: self._moving] + ground_m
 
     def at(self, z_m: FloatArray | float, spread: FloatArray | float = 0.0) -> Level:
-        """Gives what beams see that start at a height above the ground under their robots.
+        """Return the outlines for beams that start at a height above the ground under their robots.
 
         Args:
-            z_m: the height, one for all or one for each place that will be asked for.
-            spread: by how much the lower sides of their cones fall with each metre; the same.
+            z_m: the height, one for all or one for each query point.
+            spread: the fall of the lower sides of their cones with each metre; likewise.
         """
         return Level(self, z_m, spread)
 
     def under_ground(
         self, z_m: float, poses: FloatArray, start: ComplexArray, order: IndexArray
     ) -> BoolArray:
-        """Tells which beams start under ground, (k, beams).
+        """Return which beams start below the ground, (k, beams).
 
         Args:
             z_m: their height.
             poses: x, y [m] and heading [rad] of each robot, (k, 3).
-            start: where they start in the robot frame, (beams,).
-            order: the place of each of these in what is given.
+            start: their starts in the robot frame, (beams,).
+            order: the index of each of these in the result.
         """
         place = poses[:, 0] + 1j * poses[:, 1]
         away = np.exp(1j * poses[:, 2])[:, None] * start
@@ -132,7 +133,7 @@ class Outlook:
         return given
 
     def plane(self, place: ComplexArray) -> tuple[FloatArray, ComplexArray]:
-        """Gives the ground under places, and how it rises there."""
+        """Return the height and the gradient of the ground at points."""
         x_m, y_m = place.real, place.imag
         rise = self.terrain.gradient(x_m, y_m)
         return self.terrain.height_m(x_m, y_m), rise[:, 0] + 1j * rise[:, 1]
@@ -140,12 +141,12 @@ class Outlook:
 
 @dataclass(frozen=True, slots=True)
 class Level:
-    """What beams see at a height; it is asked like `Obstacles`.
+    """The outlines for beams at a height; queried like `Obstacles`.
 
     Attributes:
-        outlook: what there is.
+        outlook: the objects and the ground.
         z_m: the height of the beams above the ground under their robots.
-        spread: by how much the lower sides of their cones fall with each metre.
+        spread: the fall of the lower sides of their cones with each metre.
     """
 
     outlook: Outlook
@@ -153,14 +154,14 @@ class Level:
     spread: FloatArray | float
 
     def segments_near(self, place: ComplexArray) -> Segments:
-        """Gives what `Obstacles.segments_near` gives, without what is looked over, and ground."""
+        """Return `Obstacles.segments_near` without objects below the beams, and with ground."""
         found, keep, ground = self._segments(place)
         parts = [(part[keep], more) for part, more in zip(found, ground, strict=True)]
         viewers, start, end, length_m = (np.concatenate(pair) for pair in parts)
         return viewers, start, end, length_m
 
     def segment_things(self, place: ComplexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
         _, keep, ground = self._segments(place)
         things = self.outlook.obstacles.segment_things(place)[keep]
         return np.concatenate([things, np.full(len(ground[0]), self.outlook.ground, np.intp)])
@@ -168,26 +169,26 @@ class Level:
     def circles_near(
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-        """Gives what `Obstacles.circles_near` gives, without what is looked over."""
+        """Return `Obstacles.circles_near` without objects below the beams."""
         (viewers, middle, radius_m), keep = self._circles(place, own)
         return viewers[keep], middle[keep], radius_m[keep]
 
     def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        """Return the object, as in `Scene.names`, of each pair of `circles_near`."""
         _, keep = self._circles(place, own)
         return self.outlook.obstacles.circle_things(place, own)[keep]
 
     def tops_above(self, poses: FloatArray, things: IndexArray) -> BoolArray:
-        """Tells which things, one for each pose and beam, are as high as beams that start there."""
+        """Return which objects, one for each pose and beam, reach the beams that start there."""
         plane_m, _ = self.outlook.plane(poses[:, 0] + 1j * poses[:, 1])
         return np.asarray(self.outlook.tops_m[things] > (plane_m + self.z_m)[:, None])
 
     def _segments(self, place: ComplexArray) -> tuple[Segments, BoolArray, Segments]:
         obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
         viewers, start, end, length_m = obstacles.segments_near(place)
-        a, along = start - place.take(viewers), end - start
-        share = -(a * along.conj()).real / np.maximum(length_m * length_m, _ON_M)
-        foot = a + np.clip(share, 0.0, 1.0) * along
+        away, along = start - place.take(viewers), end - start
+        share = segment.nearest_share(-away.real, -away.imag, along.real, along.imag)
+        foot = away + share * along
         keep = self._is_high(plane, viewers, foot, obstacles.segment_things(place))
         return (viewers, start, end, length_m), keep, self._ground(place, plane)
 
@@ -206,21 +207,21 @@ class Level:
         self, plane: tuple[FloatArray, ComplexArray], viewers: IndexArray, near: ComplexArray,
         things: IndexArray,
     ) -> BoolArray:  # fmt: skip
-        """Tells which things are higher than the lower sides of beams at their nearest points."""
+        """Return which objects are above the lower sides of beams at their nearest points."""
         ground_m, rise = plane
         beam_m = ground_m.take(viewers) + (rise.conj().take(viewers) * near).real
         beam_m += self._above(viewers, np.abs(near))
         return np.asarray(self.outlook.tops_m.take(things) > beam_m)
 
     def _above(self, viewers: IndexArray, away_m: FloatArray) -> FloatArray:
-        """Gives how high above the viewers' ground the lower sides of beams are somewhere."""
+        """Return the height of the lower sides of beams above the viewers' ground."""
         z_m, spread = (np.asarray(value, dtype=np.float64) for value in (self.z_m, self.spread))
         z_m = z_m.take(viewers) if z_m.ndim else z_m
         spread = spread.take(viewers) if spread.ndim else spread
         return np.asarray(np.maximum(z_m - spread * away_m, 0.0))
 
     def _ground(self, place: ComplexArray, plane: tuple[FloatArray, ComplexArray]) -> Segments:
-        """Gives the sides of what the beams' planes cut off of patches, and of the floor."""
+        """Return the sides of patches and of the floor, clipped by the beams' planes."""
         patches, corners = self.outlook.patches, self.outlook.corners
         viewers, patch = self.outlook.grid.near(place)
         tilted = np.flatnonzero(plane[1])
@@ -248,12 +249,12 @@ class Level:
 
 
 def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segments:
-    """Gives the sides of the parts of rectangles that rise over something.
+    """Return the sides of the parts of rectangles that are above beams.
 
     Args:
-        viewers: whose each rectangle is, (n,).
+        viewers: the viewer of each rectangle, (n,).
         corners: its corners, counter-clockwise, (n, 4).
-        over_m: by how much it is higher there, (n, 4); in between that is linear.
+        over_m: the heights of the corners above the beams, (n, 4); linear in between.
     """
     up = over_m > _ON_M
     some = np.flatnonzero(up.any(axis=1))
@@ -276,5 +277,5 @@ def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segm
 
 
 def is_needed(scene: Scene) -> bool:
-    """Tells whether anything in a scene is so low, or the ground so high, that heights matter."""
+    """Return whether heights matter: whether an object is low or the ground is not flat."""
     return not scene.world.surface.is_flat or any(thing.height_m < TALL_M for thing in scene.things)

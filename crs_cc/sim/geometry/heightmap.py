@@ -1,10 +1,10 @@
-"""Ground whose height comes from a picture: between the middles of its pixels it is bilinear.
+"""Ground heights from an image, interpolated bilinearly between the centres of its pixels.
 
     height = (1 - s)(1 - t) h00 + s (1 - t) h10 + (1 - s) t h01 + s t h11
     gradient = its derivatives by x and y
 
-for a place that lies s and t pixels beyond the middle of a pixel. Beyond the middles of the
-outermost pixels it goes on level, and outside of the picture is the floor.
+for a point that is s and t pixels beyond the centre of a pixel. Beyond the centres of the outermost
+pixels the ground is level, and outside of the image is the floor.
 
 >>> from crs_cc.sim.model.ground import HeightMap
 >>> heights = Heights(HeightMap(0.0, 0.0, 1.0, 3, (0.0, 0.0, 0.0, 0.0, 1.0, 2.0)))
@@ -25,18 +25,18 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.model.ground import HeightMap
 
-_AT_ONCE: Final = 1_000_000  # viewers times pixels: what fits into the memory of any machine
+_AT_ONCE: Final = 1_000_000  # viewers times pixels in one block; bounds the memory
 _SIDES: Final = ((0, -1, 0, 1), (1, 0, 1, 1 + 1j), (0, 1, 1 + 1j, 1j), (-1, 0, 1j, 0))
-"""Of a pixel: where the next one lies, and the ends, with the pixel to the left of them."""
+"""For a side of a pixel: the neighbour behind it, and its ends, with the pixel to their left."""
 
 
 class Heights:
-    """The heights of a picture.
+    """The heights of an image.
 
     Attributes:
-        corner: the lower left corner of the picture, x + i y [m].
+        corner: the lower left corner of the image, x + i y [m].
         pixel_m: the size of a pixel.
-        nodes_m: the height of each pixel's middle, from the lowest row upwards, (rows, columns).
+        nodes_m: the height of each pixel's centre, from the lowest row upwards, (rows, columns).
     """
 
     def __init__(self, heightmap: HeightMap) -> None:
@@ -45,7 +45,7 @@ class Heights:
         self.nodes_m = np.array(heightmap.heights_m).reshape(-1, heightmap.columns)
 
     def at(self, x_m: FloatArray, y_m: FloatArray) -> tuple[FloatArray, ComplexArray]:
-        """Gives how high places are [m], and how the ground rises there along x and i y."""
+        """Return the heights [m] at points, and the gradients along x and i y."""
         rows, columns = self.nodes_m.shape
         across, up = (
             (x_m - self.corner.real) / self.pixel_m,
@@ -63,7 +63,7 @@ class Heights:
         return np.where(inside, height_m, 0.0), np.where(inside, gradient, 0.0)
 
     def holds(self, place: ComplexArray, margin_m: float) -> BoolArray:
-        """Tells which places lie in the picture, or nearer to it than a margin."""
+        """Return which points are in the image, or within a margin of it."""
         rows, columns = self.nodes_m.shape
         away = place - self.corner
         x = (away.real >= -margin_m) & (away.real <= columns * self.pixel_m + margin_m)
@@ -72,10 +72,10 @@ class Heights:
         )
 
     def steep(self, slope: float) -> tuple[ComplexArray, FloatArray, FloatArray]:
-        """Gives the squares between four pixels that are steeper than a slope.
+        """Return the squares between four pixels that are steeper than a slope.
 
         Returns:
-            their middles, how high their highest corners are, and how steep they are.
+            their centres, the heights of their highest corners, and their slopes.
         """
         nodes_m = self.nodes_m
         along_x = np.abs(np.diff(nodes_m, axis=1))
@@ -97,17 +97,17 @@ class Heights:
         spread: FloatArray,
         reach_m: float,
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
-        """Gives the sides of all pixels that rise over beams, as if each were level, to viewers.
+        """Return the sides of all pixels above beams, as if each pixel were level, for viewers.
 
         Args:
-            place: where the viewers are, (k,).
-            plane: how high the ground is there, and how it rises.
-            z_m: how high above the ground the beams start, (k,).
-            spread: by how much their lower sides fall with each metre, (k,).
-            reach_m: how far they reach.
+            place: the viewers' positions, (k,).
+            plane: the height and the gradient of the ground there.
+            z_m: the height of the beams' starts above the ground, (k,).
+            spread: the fall of their lower sides with each metre, (k,).
+            reach_m: their range.
 
         Returns:
-            pairs of viewer and side, as `Obstacles.segments_near` gives them.
+            pairs of viewer and side, as for `Obstacles.segments_near`.
         """
         some = np.flatnonzero(self.holds(place, reach_m))
         count = max(1, _AT_ONCE // self.nodes_m.size)
@@ -127,14 +127,14 @@ class Heights:
         return viewers, start, end, np.full(len(viewers), self.pixel_m)
 
     def _away(self, place: ComplexArray) -> tuple[ComplexArray, FloatArray]:
-        """Gives where the middles of all pixels are from places, and how far away."""
+        """Return the centres of all pixels relative to points, and their distances."""
         rows, columns = self.nodes_m.shape
         grid = np.arange(columns) + 0.5 + 1j * (np.arange(rows)[:, None] + 0.5)
         away = np.asarray(self.corner + self.pixel_m * grid - place[:, None, None], np.complex128)
         return away, np.abs(away)
 
     def _sides(self, over: BoolArray) -> tuple[IndexArray, ComplexArray, ComplexArray]:
-        """Gives the sides between pixels that are over beams, (k, rows, columns), and others."""
+        """Return the sides between pixels above beams, (k, rows, columns), and other pixels."""
         over = np.pad(over, ((0, 0), (1, 1), (1, 1)))
         found = []
         for right, up, first, last in _SIDES:
@@ -148,7 +148,7 @@ class Heights:
 
 
 def _between(place: FloatArray, count: int) -> tuple[IndexArray, FloatArray, BoolArray]:
-    """Gives the node before each place, how far behind it that lies, and if it is between two."""
+    """Return the node before each point, the fraction after it, and whether it is between two."""
     clipped = np.clip(place, 0.0, count - 1.0)
     before = np.minimum(np.floor(clipped), count - 2.0)
     return before.astype(np.intp), clipped - before, clipped == place

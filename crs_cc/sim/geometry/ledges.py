@@ -1,15 +1,15 @@
-"""Ledges: where the ground is too high or too steep to get onto it.
+"""Ledges: steps and slopes of the ground that block bodies.
 
-A patch of ground blocks a body like a wall, from below, where its top is higher by more than a step
-than the ground that the body stands on. Robots climb a step of the size `step` of their definition;
-what is pushed gets over `STEP_M`, and up a slope of `CLIMB`. A ramp that is steeper than the limit
-`climb` of a robot blocks it as if all of the ramp were as high as its highest end; so does a square
-between four pixels of a picture, as high as the highest one.
+A patch of ground blocks a body like a wall, from below, where its top is more than a step above the
+ground under the body. Robots climb a step of the height `step` of their definition; movable objects
+climb `STEP_M`, and a slope of `CLIMB`. A ramp that is steeper than the limit `climb` of a robot
+blocks it as if all of the ramp were as high as its highest end; so does a square between four
+pixels of a height map, as high as the highest one.
 
-From above nothing blocks: a body falls off, and goes on where it lands. It stands on the highest
-ground that is under it, a rim of `RIM_M` left out, so it is off a plateau only when all of it is;
-while its middle is on a patch, or it moves away from it, that patch never blocks it. So what got
-onto something always gets off it again. All of this was chosen by us.
+From above nothing blocks: a body falls off, and continues at the lower height. It rests on the
+highest ground under it, except under a rim of `RIM_M`, so it has left a plateau only when it has
+left it completely. While its centre is on a patch, or it moves away from it, that patch never
+blocks it, so a body can always leave what it got onto. All of this is our choice.
 
 >>> from crs_cc.sim.files.world_xml import parse_world
 >>> world = parse_world(b'''<world version="1"><area length="9m" width="9m"/>
@@ -37,22 +37,22 @@ from crs_cc.sim.geometry.terrain import Terrain, corners_m
 from crs_cc.sim.model.world import Cylinder, Thing
 
 STEP_M: Final = 0.02
-"""The highest step over which things can be pushed."""
+"""The highest step over which objects can be pushed."""
 
 CLIMB: Final = 1.0
-"""The steepest slope onto which things can be pushed from below: 45 degrees."""
+"""The steepest slope that objects can be pushed up: 45 degrees."""
 
 RIM_M: Final = 0.02
-"""How far the rim of a body hangs over what it stands on; more than it gets into a wall."""
+"""Width of a body's rim that may overhang; more than a body penetrates a wall."""
 
 _CIRCLE: Final = np.exp(2j * np.pi * np.arange(16) / 16)
 
 
 class Ledges:
-    """What the ground of a world blocks.
+    """The parts of the ground that can block bodies.
 
     Attributes:
-        patches: how many of the parts that can block are ramps and plateaus: the first ones.
+        patches: number of ramps and plateaus among these parts; they are the first ones.
     """
 
     def __init__(self, terrain: Terrain, scene: Scene) -> None:
@@ -76,17 +76,17 @@ class Ledges:
         self._highest_m = self._middle_m + np.abs(self._slope) * self._half_length_m
 
     def corners_m(self) -> FloatArray:
-        """Gives the corners of all that can block, counter-clockwise, (n, 4, 2)."""
+        """Return the corners of all parts that can block, counter-clockwise, (n, 4, 2)."""
         return corners_m(self._middle, self._along, self._half_length_m, self._half_width_m)
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
-        """Says where the bodies are at the start of a cycle."""
+        """Set the poses of the bodies at the start of a cycle."""
         self._place = position_m[:, 0] + 1j * position_m[:, 1]
         self._turn = np.exp(1j * angle_rad)
         self._ground_m: dict[int, float] = {}
 
     def blocks(self, body: int, patch: int, touches_m: Sequence[tuple[float, float]]) -> bool:
-        """Tells whether a patch blocks a body that touches it at some places."""
+        """Return whether a patch blocks a body that touches it at the given points."""
         middle, along, half_m = self._middle[patch], self._along[patch], self._half_length_m[patch]
         local = (self._place[body] - middle) * along.conjugate()
         if abs(local.real) <= half_m and abs(local.imag) <= self._half_width_m[patch]:
@@ -102,7 +102,7 @@ class Ledges:
         return top_m > self._stands_m(body) + self._step_m[body]
 
     def _stands_m(self, body: int) -> float:
-        """Gives how high the highest ground under a body is."""
+        """Return the height of the highest ground under a body."""
         if body not in self._ground_m:
             feet = self._place[body] + self._turn[body] * self._feet[body]
             self._ground_m[body] = float(self._terrain.height_m(feet.real, feet.imag).max())
@@ -110,7 +110,7 @@ class Ledges:
 
 
 def _steep_squares(terrain: Terrain, slope: float) -> tuple[ComplexArray, FloatArray, FloatArray]:
-    """Gives the parts of a picture that are steeper than a slope: middles, tops, slopes."""
+    """Return the parts of a height map steeper than a slope: centres, tops, slopes."""
     if terrain.heights is not None:
         return terrain.heights.steep(slope)
     return np.zeros(0, np.complex128), np.zeros(0), np.zeros(0)
@@ -121,7 +121,7 @@ def _round_feet(radius_m: float) -> ComplexArray:
 
 
 def _feet(thing: Thing) -> ComplexArray:
-    """Gives the middle of a thing, and its corners, a rim nearer to it."""
+    """Return the centre and the corners of an object, moved inwards by the rim."""
     if isinstance(thing, Cylinder):
         return _round_feet(thing.radius_m)
     corners = own_corners_m(thing)

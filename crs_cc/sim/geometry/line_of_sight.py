@@ -1,11 +1,11 @@
-"""How many things lie between two places: for what walls block or weaken.
+"""Line of sight: the number of objects between two points, for channels that walls attenuate.
 
-A thing lies between two places if the line from one to the other meets its outline, however often.
-The robots themselves are not in the way: what they send and receive with is above their shells.
+An object is between two points if the line from one to the other intersects its outline, however
+often. Robots do not count: their antennas are above their shells.
 
-Long lines are cut into pieces, so that a piece has to be tried only against what lies near it.
+Long lines are cut into pieces, so that each piece is tested only against shapes near it.
 
-Places in the plane are complex numbers, x + i y [m].
+Points in the plane are complex numbers, x + i y [m].
 
 >>> from crs_cc.sim.model.world import Area, Box, Pose, Wall, WorldModel
 >>> walls, boxes = (Wall("w", 2, 0, 2, 9),), (Box("b", Pose(4, 5), 1, 1),)
@@ -21,17 +21,18 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.scene import Outlines, Scene
 
 _PIECE_M: Final = 2.0
-_AT_ONCE: Final = 4096  # lines that are looked at together
+_AT_ONCE: Final = 4096  # lines in one block
 
 
 class Sight:
-    """The outlines of a scene, sorted by where they are."""
+    """The outlines of a scene, sorted by position."""
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
@@ -45,13 +46,13 @@ class Sight:
     def between(
         self, position_m: FloatArray, angle_rad: FloatArray, start: ComplexArray, end: ComplexArray
     ) -> IndexArray:
-        """Gives how many things lie between places.
+        """Return the number of objects between points.
 
         Args:
-            position_m: where the bodies that move are now, as for `Scene.moving`.
-            angle_rad: how they are turned.
-            start: one place of each pair, shape (k,).
-            end: the other.
+            position_m: the positions of the movable bodies, as for `Scene.moving`.
+            angle_rad: their headings.
+            start: one point of each pair, shape (k,).
+            end: the other one.
 
         Returns:
             shape (k,).
@@ -88,10 +89,10 @@ class Sight:
 
 
 def _near(middle: ComplexArray, shapes: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Gives pairs of piece and shape that moves; among them all that meet.
+    """Return pairs of piece and movable shape, including all that intersect.
 
     Args:
-        middle: the middles of the pieces.
+        middle: the centres of the pieces.
         shapes: segments, (n, 5), or circles, (n, 3).
     """
     if pairs := few_pairs(len(middle), len(shapes)):
@@ -106,7 +107,7 @@ def _near(middle: ComplexArray, shapes: FloatArray) -> tuple[IndexArray, IndexAr
 def _meet_segments(
     a: ComplexArray, step: ComplexArray, piece: IndexArray, shape: IndexArray, segments: FloatArray
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives those pairs of piece and segment that cross each other."""
+    """Return those pairs of piece and segment that intersect."""
     low = segments[shape, 0] + 1j * segments[shape, 1]
     high = segments[shape, 2] + 1j * segments[shape, 3]
     start, along, side = a[piece], step[piece], high - low
@@ -116,7 +117,7 @@ def _meet_segments(
 
 
 def _sides_differ(along: ComplexArray, one: ComplexArray, other: ComplexArray) -> BoolArray:
-    """Tells whether two places lie on different sides of a line through 0, or on it."""
+    """Return whether two points are on different sides of a line through 0, or on it."""
     turned = np.conjugate(along)
     return np.asarray(((turned * one).imag > 0.0) != ((turned * other).imag > 0.0))
 
@@ -124,10 +125,9 @@ def _sides_differ(along: ComplexArray, one: ComplexArray, other: ComplexArray) -
 def _meet_circles(
     a: ComplexArray, step: ComplexArray, piece: IndexArray, shape: IndexArray, circles: FloatArray
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives those pairs of piece and circle where the piece comes into the circle."""
+    """Return those pairs of piece and circle that intersect."""
     away = circles[shape, 0] + 1j * circles[shape, 1] - a[piece]
     along = step[piece]
-    length2 = np.maximum(along.real**2 + along.imag**2, np.finfo(np.float64).tiny)
-    share = np.clip((np.conjugate(along) * away).real / length2, 0.0, 1.0)
-    inside = np.abs(away - share * along) < circles[shape, 2]
+    distance_m = segment.distance(away.real, away.imag, along.real, along.imag)
+    inside = distance_m < circles[shape, 2]
     return piece[inside], shape[inside]

@@ -1,8 +1,8 @@
-"""Which outlines lie within reach of a robot, without looking at all of them.
+"""Outlines within reach of a robot, found with a uniform grid.
 
-What does not move lies in a uniform grid: each cell lists every shape within reach of any point of
-the cell, so that one look-up finds all that a robot there can measure. What moves is sorted anew
-each timestep (`neighbours.CellList`).
+Each cell of the grid lists every fixed shape within reach of any point of the cell, so that one
+look-up finds all that a robot there can measure. Movable shapes are sorted again in each timestep
+(`cell_list.CellList`).
 """
 
 from __future__ import annotations
@@ -13,30 +13,32 @@ from typing import Final, Self
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
 
 _MOST_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 8
-_SHAPES_AT_ONCE: Final = 64  # while the grid is made
+_SHAPES_AT_ONCE: Final = 64  # while the grid is built
+_MOST_LISTED: Final = 8_000_000  # limit of pairs of cell and shape; above it, cells are enlarged
 _SLACK_M: Final = 1e-6
 
 
 class Obstacles:
-    """Everything that a beam can hit at one instant.
+    """All outlines that beams can hit at one time.
 
-    Places are complex numbers, x + i y [m].
+    Points are complex numbers, x + i y [m].
     """
 
     def __init__(self, fixed: Outlines, moving: Outlines, reach_m: float, start_m: float) -> None:
-        """Sorts what does not move.
+        """Sort the fixed outlines.
 
         Args:
-            fixed: what does not move.
-            moving: what moves, where it is now.
-            reach_m: how far from its place any robot measures.
-            start_m: how far from its place any beam of a robot starts.
+            fixed: the fixed outlines.
+            moving: the movable outlines at their current poses.
+            reach_m: the maximum distance from its centre at which a robot measures.
+            start_m: the maximum distance from its centre at which a robot's beam starts.
         """
         circles = fixed.circles
         self._reach_m = reach_m
@@ -48,7 +50,7 @@ class Obstacles:
         self.place(moving)
 
     def place(self, moving: Outlines) -> None:
-        """Says where the bodies that move are now."""
+        """Update the movable outlines."""
         self._moving = _Places.of(moving)
         self._owners, self._segment_owners = moving.owners, moving.segment_owners
         self._segment_cells: CellList | None = None
@@ -57,10 +59,10 @@ class Obstacles:
     def segments_near(
         self, place: ComplexArray
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
-        """Gives pairs of robot and segment; among them all within reach.
+        """Return pairs of robot and segment, including all within reach.
 
         Args:
-            place: where the robots are.
+            place: the robots' positions.
 
         Returns:
             the robots, and both ends and the length [m] of the segments.
@@ -77,14 +79,14 @@ class Obstacles:
     def circles_near(
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-        """Gives pairs of robot and circle, without its own; among them all within reach.
+        """Return pairs of robot and circle, except its own, including all within reach.
 
         Args:
-            place: where the robots are.
+            place: the robots' positions.
             own: the body of each robot.
 
         Returns:
-            the robots, and middle and radius [m] of the circles.
+            the robots, and centre and radius [m] of the circles.
         """
         robots, shapes = self._circle_grid.near(place)
         others, movers = self._moving_circles(place, own)
@@ -93,14 +95,14 @@ class Obstacles:
         return np.concatenate([robots, others]), middle, radius_m
 
     def segment_things(self, place: ComplexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
         _, shapes = self._segment_grid.near(place)
         _, movers = self._moving_segments(place)
         fixed, moving = self._fixed_owners[1].take(shapes), self._segment_owners.take(movers)
         return np.concatenate([fixed, moving])
 
     def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        """Return the object, as in `Scene.names`, of each pair of `circles_near`."""
         _, shapes = self._circle_grid.near(place)
         _, movers = self._moving_circles(place, own)
         return np.concatenate([self._fixed_owners[0].take(shapes), self._owners.take(movers)])
@@ -136,7 +138,7 @@ class Obstacles:
 
 @dataclass(frozen=True, slots=True)
 class _Places:
-    """Outlines with places as complex numbers."""
+    """Outlines with points as complex numbers."""
 
     start: ComplexArray
     end: ComplexArray
@@ -163,10 +165,10 @@ class _Places:
 
 
 class Grid:
-    """Shapes that do not move, listed by the cells from which they are within reach.
+    """Fixed shapes, listed by the cells from which they are within reach.
 
-    A shape is everything within a radius of a line segment. Where `behind_m` is given, a place
-    further than that to the left of a segment does not see it.
+    A shape is the set of points within a radius of a line segment. If `behind_m` is given, shapes
+    are omitted for points further than that to the left of their segment.
     """
 
     def __init__(
@@ -184,6 +186,8 @@ class Grid:
         self._corner_m = low.min(axis=0, initial=np.inf) if self._count else np.zeros(2)
         extent_m = high.max(axis=0) - self._corner_m if self._count else np.zeros(2)
         self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS, 1e-3)
+        while self._listed(low, high) > _MOST_LISTED and self._cell_m < extent_m.max():
+            self._cell_m *= 2
         self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
         found = [
             self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self._count)), ends_m,
@@ -194,12 +198,12 @@ class Grid:
         cells = np.concatenate([nothing, *(cells for cells, _ in found)])
         shapes = np.concatenate([nothing, *(shapes for _, shapes in found)])
         self._shapes = shapes[np.argsort(cells, kind="stable")]
-        # One cell more than there are stands for all places outside of the grid.
+        # One more cell represents all points outside of the grid.
         self._counts = np.bincount(cells, minlength=int(self._size.prod()) + 1)
         self._starts = np.cumsum(self._counts) - self._counts
 
     def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of place and shape; among them all within reach."""
+        """Return pairs of point and shape, including all within reach."""
         if pairs := few_pairs(len(place), self._count):
             return pairs
         column = np.floor((place.real - self._corner_m[0]) / self._cell_m)
@@ -210,6 +214,11 @@ class Grid:
         points, members = expand(self._starts.take(cell), self._counts.take(cell))
         return points, self._shapes.take(members)
 
+    def _listed(self, low: FloatArray, high: FloatArray) -> int:
+        """Return an upper bound of the number of pairs of cell and shape."""
+        first, last = (np.floor((ends - self._corner_m) / self._cell_m) for ends in (low, high))
+        return int((last - first + 1.0).prod(axis=1).sum())
+
     def _cells_of(
         self,
         shapes: IndexArray,
@@ -218,7 +227,7 @@ class Grid:
         low: FloatArray,
         high: FloatArray,
     ) -> tuple[IndexArray, IndexArray]:
-        """Gives the cells from which some shapes are within reach, in pairs with the shapes."""
+        """Return the cells from which shapes are within reach, in pairs with the shapes."""
         first = ((low[shapes] - self._corner_m) / self._cell_m).astype(np.intp)
         last = np.minimum(((high[shapes] - self._corner_m) / self._cell_m), self._size - 1)
         span = last.astype(np.intp) - first + 1
@@ -235,12 +244,10 @@ class Grid:
 
 
 def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Gives how far points are from segments, and how far to the left of their lines."""
-    ax, ay, bx, by = ends[:, 0], ends[:, 1], ends[:, 2], ends[:, 3]
-    along_x, along_y = bx - ax, by - ay
+    """Return the distances from points to segments, and their offsets to the left of the lines."""
+    across_x, across_y = x - ends[:, 0], y - ends[:, 1]
+    along_x, along_y = ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1]
     length = np.hypot(along_x, along_y)
     length[length == 0.0] = 1.0
-    along_x, along_y, x, y = along_x / length, along_y / length, x - ax, y - ay
-    share = np.clip(x * along_x + y * along_y, 0.0, length)
-    distance = np.hypot(x - share * along_x, y - share * along_y)
-    return distance, along_x * y - along_y * x
+    left = (along_x * across_y - along_y * across_x) / length
+    return segment.distance(across_x, across_y, along_x, along_y), left

@@ -1,6 +1,6 @@
-"""What rays and echoes ask for: the outlines that lie within reach of robots.
+"""The interface through which rays and echoes query outlines within reach of robots.
 
-`obstacles.Obstacles` gives all of them, `outlook.Level` those that matter at a height.
+`obstacles.Obstacles` returns all of them, `height_occlusion.Outlook.at` those at a height.
 """
 
 from __future__ import annotations
@@ -11,20 +11,20 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 
 
 class Prospect(Protocol):
-    """Gives pairs of a robot and an outline; among them all within reach."""
+    """Returns pairs of a robot and an outline, including all within reach."""
 
     def segments_near(
         self, place: ComplexArray
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
-        """Gives the robots, and both ends and the length [m] of the segments."""
+        """Return the robots, and both ends and the length [m] of the segments."""
 
     def segment_things(self, place: ComplexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
 
     def circles_near(
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
-        """Gives the robots, and middle and radius [m] of the circles, but for their own bodies."""
+        """Return the robots, and centre and radius [m] of the circles, except their own bodies."""
 
     def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
-        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        """Return the object, as in `Scene.names`, of each pair of `circles_near`."""

@@ -1,8 +1,8 @@
-"""How deep two things overlap.
+"""Penetration depth of two objects.
 
-What is angular is cut into convex parts. Convex parts are apart if they are so along a normal of
-one of their sides (separating axis theorem; Gottschalk, "Separating axis theorem", 1996); else they
-overlap by the least of the overlaps along these.
+Polygons are decomposed into convex parts. Convex parts are disjoint if they are separated along the
+normal of one of their sides (separating axis theorem; Gottschalk, "Separating axis theorem",
+1996); else their depth is the least of the overlaps along these.
 
 >>> from crs_cc.sim.model.world import Box, Pose, Wall
 >>> crate = Box("crate", Pose(1.0, 1.0), 1.0, 1.0)
@@ -16,13 +16,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import convex_parts_of, corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 
 def overlap_m(thing: Solid, other: Solid) -> float:
-    """Gives how deep two things, not both of them walls, overlap; negative for a gap [m]."""
+    """Return the depth of overlap of two objects, at most one a wall; negative for a gap [m]."""
     return max(
         margin_m + other_margin_m - _gap_m(part, other_part)
         for part, margin_m in _convex(thing)
@@ -31,7 +32,7 @@ def overlap_m(thing: Solid, other: Solid) -> float:
 
 
 def _convex(solid: Solid) -> list[tuple[FloatArray, float]]:
-    """Gives corners of convex parts, counter-clockwise, and how far they reach beyond these [m]."""
+    """Return the corners of convex parts, counter-clockwise, and the margins around them [m]."""
     if isinstance(solid, Cylinder):
         return [(np.array([(solid.pose.x_m, solid.pose.y_m)]), solid.radius_m)]
     if isinstance(solid, Wall):
@@ -44,7 +45,7 @@ def _convex(solid: Solid) -> list[tuple[FloatArray, float]]:
 
 
 def _gap_m(one: FloatArray, other: FloatArray) -> float:
-    """Gives the distance of convex parts; negative by how deep they overlap."""
+    """Return the distance of convex parts; negative for the depth of their overlap."""
     apart_m = [_apart_m(one, other), _apart_m(other, one)]
     least_m = max(apart_m)
     if least_m > 0.0 or np.isinf(least_m):
@@ -53,7 +54,7 @@ def _gap_m(one: FloatArray, other: FloatArray) -> float:
 
 
 def _apart_m(one: FloatArray, other: FloatArray) -> float:
-    """Gives how far apart parts are along that normal of the first one's sides where it is most."""
+    """Return the largest separation along a normal of the first part's sides."""
     if len(one) < 2:
         return -np.inf
     sides = np.roll(one, -1, axis=0) - one
@@ -63,10 +64,6 @@ def _apart_m(one: FloatArray, other: FloatArray) -> float:
 
 
 def _distance_m(corners: FloatArray, other: FloatArray) -> float:
-    """Gives the shortest distance from corners to the sides of another part."""
-    sides = np.roll(other, -1, axis=0) - other
-    across = corners[:, None] - other
-    length2 = np.maximum((sides * sides).sum(axis=1), np.finfo(np.float64).tiny)
-    share = np.clip((across * sides).sum(axis=2) / length2, 0.0, 1.0)
-    off = across - share[..., None] * sides
-    return float(np.hypot(off[..., 0], off[..., 1]).min())
+    """Return the shortest distance from corners to the sides of another part."""
+    sides, across = np.roll(other, -1, axis=0) - other, corners[:, None] - other
+    return float(segment.distance(across[..., 0], across[..., 1], *sides.T).min())

@@ -1,14 +1,14 @@
-"""Who stands where nobody can stand: robots and things to be pushed inside of something else.
+"""Detection of initial overlaps between robots, movable objects and walls.
 
-Touching is allowed; an overlap of more than `TOLERANCE_M` is not. A robot that joins later may be
-in the way of other robots and of what can be pushed: until then these may have moved.
+Touching is allowed; an overlap of more than `TOLERANCE_M` is not. A robot that joins later may
+overlap other robots and movable objects: they may have moved by then.
 
 >>> from crs_cc.sim.model.world import Area, Pose, Robot, Wall, WorldModel
 >>> from crs_cc.sim.model.robot import Drive, RobotModel
 >>> scout = RobotModel("scout", 0.2, Drive(0.345))
 >>> misplaced(WorldModel("w", Area(0, 0, 4, 4), (Wall("screen", 1, 0, 1, 4),), robots=(
 ...     Robot("r1", scout, Pose(2.0, 2.0)), Robot("r2", scout, Pose(1.1, 2.0)))))
-[(1, "robot 'r2' stands inside wall 'screen'")]
+[(1, "robot 'r2' overlaps wall 'screen'")]
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.geometry.cell_list import Discs, overlapping
 from crs_cc.sim.geometry.overlap import overlap_m
@@ -31,11 +32,11 @@ TOLERANCE_M: Final = 1e-6
 
 
 def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str]]:
-    """Gives the index of each robot that stands where it cannot, and what is wrong.
+    """Return the index of each misplaced robot, and the error message.
 
     Args:
         world: the world.
-        most: how many complaints are enough; by default all are told.
+        most: maximum number of messages; by default unlimited.
     """
     robots = world.robots
     if not robots:
@@ -54,7 +55,7 @@ def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str
 
 
 def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
-    """Gives the id of each thing that can be pushed and overlaps something, and what is wrong."""
+    """Yield the id of each movable object that overlaps another, and the error message."""
     solids = world.solids()
     pushable = [number for number, solid in enumerate(solids) if is_pushable(solid)]
     if not pushable:
@@ -74,7 +75,7 @@ def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
 
 
 def distance_from_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-    """Gives how far points lie from a solid [m]; 0 or less inside."""
+    """Return the distances from points to a solid [m]; 0 or less inside."""
     if isinstance(solid, Wall):
         return _from_wall_m(solid, x_m, y_m)
     if isinstance(solid, Polygon):
@@ -87,12 +88,8 @@ def distance_from_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArra
 
 def _from_wall_m(wall: Wall, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
     along_x, along_y = wall.x2_m - wall.x1_m, wall.y2_m - wall.y1_m
-    length2 = along_x * along_x + along_y * along_y
-    share = ((x_m - wall.x1_m) * along_x + (y_m - wall.y1_m) * along_y) / (length2 or 1.0)
-    share = np.clip(share, 0.0, 1.0)
-    across_x = x_m - wall.x1_m - share * along_x
-    across_y = y_m - wall.y1_m - share * along_y
-    return np.asarray(np.hypot(across_x, across_y) - wall.thickness_m / 2)
+    middle_m = segment.distance(x_m - wall.x1_m, y_m - wall.y1_m, along_x, along_y)
+    return np.asarray(middle_m - wall.thickness_m / 2)
 
 
 def _from_box_m(box: Box, across_x: FloatArray, across_y: FloatArray) -> FloatArray:
@@ -116,7 +113,7 @@ def _outside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple
     inside = (x_m - reach_m >= area.x_min_m) & (x_m + reach_m <= area.x_max_m)
     inside &= (y_m - reach_m >= area.y_min_m) & (y_m + reach_m <= area.y_max_m)
     for robot in np.flatnonzero(~inside):
-        yield int(robot), f"robot {ids[robot]!r} stands outside the world or in its edge"
+        yield int(robot), f"robot {ids[robot]!r} is not completely inside the world"
 
 
 def _inside(
@@ -132,11 +129,11 @@ def _inside(
             room_m = distance_from_m(solid, robots.x_m[near], robots.y_m[near])
             inside = room_m < robots.radius_m[near] - TOLERANCE_M
             for robot in near[inside & there[near] if is_pushable(solid) else inside]:
-                yield int(robot), f"robot {ids[robot]!r} stands inside {_named(solid)}"
+                yield int(robot), f"robot {ids[robot]!r} overlaps {_named(solid)}"
 
 
 def _together(one: Solid, other: Solid) -> bool:
-    """Tells whether things are parts of the same object."""
+    """Return whether solids are parts of the same object."""
     if isinstance(one, Wall) or isinstance(other, Wall):
         return False
     return bool(one.part_of) and one.part_of == other.part_of
@@ -147,7 +144,7 @@ def _named(solid: Solid) -> str:
 
 
 def _disc_around(solid: Solid) -> tuple[float, float, float]:
-    """Gives x, y and radius [m] of a disc that covers a solid."""
+    """Return x, y and radius [m] of a disc that covers a solid."""
     if isinstance(solid, Wall):
         x_m, y_m = (solid.x1_m + solid.x2_m) / 2, (solid.y1_m + solid.y2_m) / 2
         length_m = math.hypot(solid.x2_m - solid.x1_m, solid.y2_m - solid.y1_m)
@@ -169,4 +166,4 @@ def _overlapping(ids: list[str], robots: Discs, there: BoolArray) -> Iterator[tu
         )
         overlap = distance_m < robots.radius_m[one] + robots.radius_m[other] - TOLERANCE_M
         for inner, outer in zip(other[overlap], one[overlap], strict=True):
-            yield int(inner), f"robot {ids[inner]!r} stands inside robot {ids[outer]!r}"
+            yield int(inner), f"robot {ids[inner]!r} overlaps robot {ids[outer]!r}"

@@ -1,16 +1,15 @@
-"""What beams hit first: one vectorised function for all robots and all beams of a kind.
+"""Ray casting against segments and circles, vectorised over all robots and beams of a kind.
 
-A beam is a cone with a half angle; a ray is a cone that has none. What it measures is the distance
-from its start to the nearest point of anything inside the cone: exact, where a handful of rays
-would look past a thin pillar. The nearest point of a segment is found by clipping the segment to
-the cone (Liang and Barsky, "A new concept and method for line clipping", 1984) and dropping the
-perpendicular on what is left; a circle's lies towards its centre, or on the nearer side of the
-cone.
+A beam is a cone with a half angle; a ray is a cone with half angle 0. A beam measures the distance
+from its start to the nearest point of any object inside the cone: exactly, where a few rays would
+miss a thin pillar. The nearest point of a segment is found by clipping the segment to the cone
+(Liang and Barsky, "A new concept and method for line clipping", 1984) and projecting the start on
+the rest; that of a circle is towards its centre, or on the nearer side of the cone.
 
-Most shapes are never looked at: `obstacles` gives those within reach of a robot, and of a robot's
-beams, sorted by direction, only those are tried that can point at the shape.
+Most shapes are never tested: `obstacles` returns those within reach of a robot, and of a robot's
+beams, sorted by direction, only those are tested that can point at the shape.
 
-Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+Points in the plane are complex numbers, x + i y [m], so that rotations are products.
 
 >>> from crs_cc.sim.model.world import Area, Cylinder, Pose, WorldModel
 >>> from crs_cc.sim.geometry.obstacles import Obstacles
@@ -35,14 +34,14 @@ from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.geometry.outline_query import Prospect
 
 NO_THING: Final = -1
-"""What a beam hits that hits nothing."""
+"""The object of a beam that hits nothing."""
 
 _TURN: Final = 2 * math.pi
-_THIN_RAD: Final = 1e-9  # a cone must have an inside
+_THIN_RAD: Final = 1e-9  # minimum half angle of a cone
 _BINS: Final = 360
 _NEAR_M: Final = 1e-9
-_CHUNK: Final = 512  # robots at a time: their pairs stay in the processor's cache
-_FEW: Final = 2_000  # so few pairs are all tried: choosing would cost more
+_CHUNK: Final = 512  # robots in one block: their pairs stay in the processor's cache
+_FEW: Final = 2_000  # fewer pairs than this are all tested: filtering would cost more
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,18 +49,18 @@ class Fan:
     """The beams of one kind of robot, in the robot frame, by rising direction.
 
     Attributes:
-        start: where each beam starts.
-        axis: where it points, of length 1.
+        start: the start of each beam.
+        axis: its direction, of length 1.
         side_cos: cosine of the angle between its axis and its side.
         side_sin: sine of that angle.
-        range_m: how far it measures.
-        behind: how many beams point before each of `_BINS` directions in a turn, for three turns.
-        order: the place of each beam in the list that the fan was made of.
+        range_m: its range.
+        behind: number of beams before each of `_BINS` directions in a turn, for three turns.
+        order: the index of each beam in the list that the fan was made from.
         widest_rad: the largest angle between an axis and a side.
         start_m: the largest distance of a beam's start from the robot's origin.
-        reach_m: how far from the robot's origin anything can be measured.
+        reach_m: the largest distance from the robot's origin that can be measured.
         aside_m: the largest distance at which a line inside a beam passes the origin.
-        z_m: how high above the ground the beams run.
+        z_m: the height of the beams above the ground.
     """
 
     start: ComplexArray
@@ -81,14 +80,14 @@ class Fan:
     def of(
         cls, beams: Iterable[tuple[float, float, float, float, float]], z_m: float = 0.0
     ) -> Self:
-        """Makes a fan of beams: x [m], y [m], direction, half angle [rad], range [m]."""
+        """Create a fan from beams: x [m], y [m], direction, half angle [rad], range [m]."""
         table = np.array(list(beams), dtype=np.float64).reshape(-1, 5)
         table[:, 2] %= _TURN
         order = np.argsort(table[:, 2], kind="stable")
         x_m, y_m, direction, half, range_m = np.ascontiguousarray(table[order].T)
         half = np.maximum(half, _THIN_RAD)
         away_m = np.hypot(x_m, y_m)
-        tilt = (np.arctan2(y_m, x_m) - direction) % math.pi  # of the axis against the origin
+        tilt = (np.arctan2(y_m, x_m) - direction) % math.pi  # of the axis relative to the origin
         tilt = np.minimum(tilt, math.pi - tilt) + half
         aside_m = away_m * np.sin(np.minimum(tilt, math.pi / 2))
         return cls(
@@ -117,22 +116,22 @@ def nearest(
     own: IndexArray | None = None,
     things: IndexArray | None = None,
 ) -> FloatArray:
-    """Gives what each beam of each robot measures.
+    """Return the measured distance of each beam of each robot.
 
     A beam that starts inside a circle measures 0. One that starts behind a segment, in its solid,
-    measures what is not there: see `covered`.
+    measures a wrong distance: see `contact_mask`.
 
     Args:
         fan: the robots' beams.
         poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-        obstacles: what there is to hit.
+        obstacles: the outlines.
         own: the number of each robot's own body, which its beams pass through.
-        things: takes which thing each beam hits, as in `Scene.names`, -1 where nothing is within
-            range; shape (k, beams). None when nobody wants to know.
+        things: receives the object that each beam hits, as in `Scene.names`, -1 if there is none
+            within range; shape (k, beams). None if they are not needed.
 
     Returns:
-        distances from the beams' starts [m], infinite where nothing is within range, shape
-        (k, beams), in the order of the list that the fan was made of.
+        distances from the beams' starts [m], infinite if there is no object within range, shape
+        (k, beams), in the order of the list that the fan was made from.
     """
     found = np.full((len(poses), len(fan)), np.inf)
     hit = None if things is None else np.full(found.shape, NO_THING, dtype=np.intp)
@@ -156,13 +155,13 @@ def nearest(
 
 @dataclass(frozen=True, slots=True)
 class _Hits:
-    """What the beams of all robots hit, in one row: how far away, and which thing, if wanted."""
+    """Nearest hits of the beams of all robots, in one row: distances and, if needed, objects."""
 
     distance_m: FloatArray
     thing: IndexArray | None
 
     def take(self, beam: IndexArray, distance_m: FloatArray, thing: IndexArray | None) -> None:
-        """Takes over what is nearer than all before."""
+        """Record hits that are nearer than those before."""
         np.minimum.at(self.distance_m, beam, distance_m)
         if self.thing is not None and thing is not None:
             nearer = np.flatnonzero(distance_m == self.distance_m.take(beam))
@@ -171,7 +170,7 @@ class _Hits:
 
 @dataclass(frozen=True, slots=True)
 class _Robots:
-    """Robots, and their beams seen from the robots' places; the beams of all robots in one row."""
+    """Robots, and their beams relative to their positions; the beams of all robots in one row."""
 
     place: ComplexArray
     heading_rad: FloatArray
@@ -187,7 +186,7 @@ class _Robots:
 
 
 def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -> None:
-    """Looks at the segments that beams hit."""
+    """Intersect beams with segments."""
     viewers, a, b, length = obstacles.segments_near(robots.place)
     things = None if hits.thing is None else obstacles.segment_things(robots.place)
     place = robots.place.take(viewers)
@@ -211,7 +210,7 @@ def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -
 def _try_circles(
     fan: Fan, robots: _Robots, obstacles: Prospect, own: IndexArray, hits: _Hits
 ) -> None:
-    """Looks at the circles that beams hit."""
+    """Intersect beams with circles."""
     viewers, middle, radius = obstacles.circles_near(robots.place, own)
     things = None if hits.thing is None else obstacles.circle_things(robots.place, own)
     middle = middle - robots.place.take(viewers)
@@ -230,7 +229,7 @@ def _try_circles(
     hits.take(numbers, _to_circle(fan, beams, middle, radius.take(pairs)), things)
 
 
-# -- which beams can hit what ----------------------------------------------------------------------
+# -- candidate pairs of beam and shape -------------------------------------------------------------
 
 
 def _all_beams(fan: Fan, shapes: int) -> tuple[IndexArray, IndexArray]:
@@ -240,12 +239,12 @@ def _all_beams(fan: Fan, shapes: int) -> tuple[IndexArray, IndexArray]:
 
 @dataclass(frozen=True, slots=True)
 class _Sectors:
-    """What shapes look like from robots.
+    """The angles that shapes subtend at robots.
 
     Attributes:
         begin: direction of the clockwise end [rad], in the world frame.
         spread: the angle that the shape covers [rad].
-        distance: how far away its nearest point is [m].
+        distance: the distance of its nearest point [m].
     """
 
     begin: FloatArray
@@ -256,9 +255,9 @@ class _Sectors:
 def _sectors_of_segments(
     fan: Fan, a: ComplexArray, b: ComplexArray, length: FloatArray
 ) -> tuple[IndexArray, _Sectors]:
-    """Gives which segments can be hit, and what these look like, from robots that stand at 0.
+    """Return which segments can be hit from robots at 0, and the angles that they subtend.
 
-    A segment that has all beams' starts to its left is the back of its solid.
+    A segment with all beams' starts to its left is the back of its solid.
     """
     product = np.conjugate(a) * b
     dot, cross = product.real, product.imag
@@ -276,11 +275,11 @@ def _sectors_of_segments(
 def _sectors_of_circles(
     fan: Fan, middle: ComplexArray, radius: FloatArray
 ) -> tuple[IndexArray, _Sectors]:
-    """Gives which circles can be hit, and what these look like, from robots that stand at 0."""
+    """Return which circles can be hit from robots at 0, and the angles that they subtend."""
     away = np.sqrt(middle.real**2 + middle.imag**2)
     keep = np.flatnonzero(away - radius <= fan.reach_m)
     away, radius, middle = away.take(keep), radius.take(keep), middle.take(keep)
-    # Half of what the circle covers, asin(radius / away), is less than its tangent.
+    # Half of the angle that the circle covers, asin(radius / away), is less than its tangent.
     tangent_m = np.sqrt(np.maximum((away - radius) * (away + radius), _NEAR_M))
     half = np.minimum(radius / tangent_m, math.pi)
     begin = np.arctan2(middle.imag, middle.real) - half
@@ -290,10 +289,10 @@ def _sectors_of_circles(
 def _beams_between(
     fan: Fan, heading_rad: FloatArray, sectors: _Sectors
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives the range of beams that may meet the shape in each sector.
+    """Return the range of beams that may hit the shape in each sector.
 
     Returns:
-        number of the first beam and how many; numbers go on beyond the last beam to the first.
+        index of the first beam and their number; indices wrap around after the last beam.
     """
     # A point at a distance d on a line that passes the origin at p is seen from the origin at an
     # angle asin(p / d) from the line's direction, which is at most pi / 2 times p / d.
@@ -312,15 +311,15 @@ def _beams_behind(direction: FloatArray) -> IndexArray:
     return np.searchsorted(directions, bins, side="left")
 
 
-# -- where they hit --------------------------------------------------------------------------------
+# -- exact intersections ---------------------------------------------------------------------------
 
 
 def _to_segment(fan: Fan, beam: IndexArray, a: ComplexArray, b: ComplexArray) -> FloatArray:
-    """Gives the distance from each beam's start to the part of a segment inside the beam.
+    """Return the distance from each beam's start to the part of a segment inside the beam.
 
     Args:
         fan: the beams.
-        beam: which beam of the fan.
+        beam: indices of the beams.
         a: one end of the segment in the frame of the beam, whose axis is x.
         b: the other end.
     """
@@ -342,12 +341,12 @@ def _to_segment(fan: Fan, beam: IndexArray, a: ComplexArray, b: ComplexArray) ->
 
 
 def _to_circle(fan: Fan, beam: IndexArray, middle: ComplexArray, radius: FloatArray) -> FloatArray:
-    """Gives the distance from each beam's start to the part of a circle inside the beam.
+    """Return the distance from each beam's start to the part of a circle inside the beam.
 
     Args:
         fan: the beams.
-        beam: which beam of the fan.
-        middle: the middle of the circle in the frame of the beam, whose axis is x.
+        beam: indices of the beams.
+        middle: the circle's centre in the frame of the beam, whose axis is x.
         radius: its radius.
     """
     side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)

@@ -1,10 +1,10 @@
-"""Everything that blocks a beam, as line segments and circles: the world's outlines.
+"""The outlines of a world: line segments and circles that block beams.
 
 A wall is two parallel segments with a circle at each end, a box or polygon its sides, a cylinder
-or a robot a circle. Segments run so that their solid lies to the left of them: seen from outside,
-only those that have the viewer to their right are in front.
+or a robot a circle. Segments have their solid to their left: seen from outside, only those with
+the viewer to their right are in front.
 
-Bodies that move are numbered in one order everywhere: the robots, then what can be pushed.
+Movable bodies are numbered in one order everywhere: the robots, then the movable objects.
 
 >>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
 >>> world = WorldModel("w", Area(0, 0, 4, 4, edge_m=0), boxes=(Box("b", Pose(1, 1), 2, 1),))
@@ -42,8 +42,8 @@ class Outlines:
     Attributes:
         segments: x1, y1, x2, y2, length [m], shape (s, 5).
         circles: x, y, radius [m], shape (c, 3).
-        owners: which thing each circle belongs to, as in `Scene.names`, shape (c,).
-        segment_owners: the same for segments, shape (s,).
+        owners: the object of each circle, as in `Scene.names`, shape (c,).
+        segment_owners: the object of each segment, shape (s,).
     """
 
     segments: FloatArray
@@ -53,35 +53,35 @@ class Outlines:
 
 
 GROUND: Final = "(ground)"
-"""What bodies run into where the ground is too high for them."""
+"""Name of the ground where it blocks bodies."""
 
 _NONE: Final = np.zeros(0, dtype=np.intp)
 _NO_SEGMENTS: Final = np.zeros((0, 5))
 NOTHING: Final = Outlines(_NO_SEGMENTS, np.zeros((0, 3)), _NONE, _NONE)
-"""No outlines at all."""
+"""Empty outlines."""
 
 
 class Scene:
-    """The outlines of a world: those that never move, and those that do, at each pose.
+    """The outlines of a world: fixed ones, and those of movable bodies at any poses.
 
     Attributes:
         world: the world.
-        robots: how many robots there are: the first bodies.
-        fixed: the outlines of what does not move.
-        pushables: what can be pushed, in the order of the bodies.
-        fixed_solids: what cannot.
-        things: all of them: the robots, what can be pushed, what cannot.
-        present: the robots that are in the world; the others are seen by nobody, (robots,).
-        names: the id of each thing, then `GROUND` where it is not flat.
-        start: the poses of all bodies at the start, shape (bodies, 3): x, y [m], heading [rad].
+        robots: number of robots: the first bodies.
+        fixed: the outlines of fixed solids.
+        pushables: the movable objects, in the order of the bodies.
+        fixed_solids: the fixed solids.
+        things: all of them: the robots, movable objects, fixed solids.
+        present: the robots that are in the world; the others are invisible, (robots,).
+        names: the id of each object, then `GROUND` if it is not flat.
+        start: the initial poses of all bodies, shape (bodies, 3): x, y [m], heading [rad].
     """
 
     def __init__(self, world: WorldModel, present: BoolArray | None = None) -> None:
-        """Takes the outlines of a world.
+        """Build the outlines of a world.
 
         Args:
             world: the world.
-            present: which of its robots are there; by default all.
+            present: which of its robots are in it; by default all.
         """
         solids = world.solids()
         self.world = world
@@ -109,11 +109,11 @@ class Scene:
         self._round_bodies = np.array(round_bodies, dtype=np.intp)
 
     def moving(self, position_m: FloatArray, angle_rad: FloatArray) -> Outlines:
-        """Gives the outlines of the bodies.
+        """Return the outlines of the bodies.
 
         Args:
-            position_m: where they are, shape (bodies, 2).
-            angle_rad: how they are turned, shape (bodies,).
+            position_m: their positions, shape (bodies, 2).
+            angle_rad: their headings, shape (bodies,).
         """
         circles = np.column_stack([position_m[self._round_bodies], self._radii_m])
         segments = self._sides.segments(position_m, angle_rad)
@@ -149,16 +149,16 @@ class _Sides:
 
 
 def own_corners_m(thing: Box | Polygon) -> FloatArray:
-    """Gives the corners of a thing in its own frame, counter-clockwise, shape (corners, 2)."""
+    """Return the corners of an object in its own frame, counter-clockwise, shape (corners, 2)."""
     if isinstance(thing, Polygon):
         return np.array(thing.corners_m)
     x, y = thing.length_m / 2, thing.width_m / 2
     return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
 
 
-@lru_cache(maxsize=4096)  # a scene is made anew with each obstacle that comes or goes
+@lru_cache(maxsize=4096)  # a scene is rebuilt whenever an obstacle is added or removed
 def corners_m(thing: Box | Polygon) -> FloatArray:
-    """Gives the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
+    """Return the corners of an object in the world frame, counter-clockwise, shape (corners, 2)."""
     corners = _thing_segments([thing])[:, :2]
     corners.flags.writeable = False
     return corners
@@ -166,19 +166,19 @@ def corners_m(thing: Box | Polygon) -> FloatArray:
 
 @lru_cache(maxsize=4096)
 def triangles_of(polygon: Polygon) -> IndexArray:
-    """Gives the triangles that a polygon is made of: numbers of three corners each, (n, 3)."""
+    """Return the triangles of a polygon: indices of three corners each, (n, 3)."""
     return triangles(own_corners_m(polygon))
 
 
 @lru_cache(maxsize=4096)
 def convex_parts_of(polygon: Polygon) -> IndexArray:
-    """Gives the convex parts of a polygon: itself, or its triangles; numbers of corners, (n, m)."""
+    """Return the convex parts of a polygon: itself, or triangles; indices of corners, (n, m)."""
     corners = own_corners_m(polygon)
     return np.arange(len(corners))[None] if is_convex(corners) else triangles_of(polygon)
 
 
 def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
-    """Gives the outlines of what does not move; the first of them is thing number `first`."""
+    """Return the outlines of fixed solids; the number of the first one is `first`."""
     segments: list[FloatArray] = [np.zeros((0, 5))]
     circles: list[tuple[float, float, float]] = []
     owners: list[int] = []

@@ -1,12 +1,12 @@
-"""The shapes of all things, and how far a point is from them.
+"""The shapes of all objects in arrays, and distances from points to them.
 
-A thing is a rectangle with a margin around it: of a box the margin is 0, of what is round the
-rectangle is a point and the margin its radius, of a wall it is a line. Polygons have corners.
+A shape is a rectangle with a margin around it: for a box the margin is 0, for a round object the
+rectangle is a point and the margin its radius, for a wall it is a line. Polygons have corners.
 
 >>> from crs_cc.sim.model.world import Area, Box, Cylinder, Pose, WorldModel
 >>> desk, bin = Box("desk", Pose(3.0, 0.0), 2.0, 1.0), Cylinder("bin", Pose(0.0, 4.0), 0.5)
 >>> area = Area(-5, -5, 10, 10, edge_m=0)
->>> things = Things.of(Scene(WorldModel("w", area, boxes=(desk,), cylinders=(bin,))))
+>>> things = ShapeTable.of(Scene(WorldModel("w", area, boxes=(desk,), cylinders=(bin,))))
 >>> things.distance_m(things.fixed, np.array([0, 1]), np.zeros(2), np.zeros(2)).tolist()
 [2.0, 3.5]
 """
@@ -26,11 +26,11 @@ from crs_cc.sim.model.world import Box, Cylinder, Polygon, Robot, Solid, Wall
 
 
 class Placed(Protocol):
-    """Bodies, as far as it matters where they are."""
+    """The poses of bodies."""
 
     @property
     def position_m(self) -> FloatArray:
-        """Their middles in the world frame, (bodies, 2)."""
+        """Their centres in the world frame, (bodies, 2)."""
 
     @property
     def angle_rad(self) -> FloatArray:
@@ -38,17 +38,17 @@ class Placed(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Things:
-    """The shapes of all things, in the order of `Scene.names`.
+class ShapeTable:
+    """The shapes of all objects, in the order of `Scene.names`.
 
     Attributes:
         half_m: half the length and width of the rectangle, (things, 2).
-        margin_m: how far the thing reaches beyond it, (things,).
+        margin_m: the margin around it, (things,).
         corners_m: the corners of all polygons in their own frames, one after the other, (n, 2).
-        first: the first corner of each thing, (things,).
-        corners: how many there are, 0 of what is no polygon, (things,).
-        spread_m: how far the heat of each spreads, infinite for everywhere, (things,).
-        fixed: x, y [m] and heading [rad] of the things that never move, the last ones, (fixed, 3).
+        first: the first corner of each object, (things,).
+        corners: number of its corners, 0 if it is not a polygon, (things,).
+        spread_m: the spread of its heat, infinite for everywhere, (things,).
+        fixed: x, y [m] and heading [rad] of the fixed objects, the last ones, (fixed, 3).
     """
 
     half_m: FloatArray
@@ -61,7 +61,7 @@ class Things:
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
-        """Gives the things in a scene."""
+        """Create the table of the objects in a scene."""
         things = scene.things
         shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)
         fixed = [_pose(thing) for thing in scene.fixed_solids]
@@ -79,24 +79,24 @@ class Things:
 
     @property
     def reach_m(self) -> FloatArray:
-        """How far each thing reaches from its middle, (things,)."""
+        """Maximum distance of each object's points from its centre, (things,)."""
         return np.hypot(self.half_m[:, 0], self.half_m[:, 1]) + self.margin_m
 
     def poses(self, bodies: Placed) -> FloatArray:
-        """Gives x, y [m] and heading [rad] of all things, (things, 3)."""
+        """Return x, y [m] and heading [rad] of all objects, (things, 3)."""
         moving = np.column_stack([bodies.position_m, bodies.angle_rad])
         return np.concatenate([moving, self.fixed])
 
     def distance_m(
         self, poses: FloatArray, things: IndexArray, x_m: FloatArray, y_m: FloatArray
     ) -> FloatArray:
-        """Gives the distance from points to the nearest point of things, 0 or less inside.
+        """Return the distances from points to objects, 0 or less inside.
 
         Args:
-            poses: of all things, see `poses`.
-            things: a thing for each point, (k,).
+            poses: of all objects, see `poses`.
+            things: the object for each point, (k,).
             x_m: the points, (k,).
-            y_m: the same.
+            y_m: the points, (k,).
         """
         pose = poses[things]
         east_m, north_m = x_m - pose[:, 0], y_m - pose[:, 1]
@@ -110,7 +110,7 @@ class Things:
         return distance_m
 
     def _from_polygons_m(self, own_m: FloatArray, things: IndexArray) -> FloatArray:
-        """Gives the distance of points from polygons, in whose frames they are."""
+        """Return the distances of points, in the frames of polygons, from these."""
         counts = self.corners[things]
         ends = np.cumsum(counts)
         corner = np.arange(ends[-1]) + np.repeat(self.first[things] - (ends - counts), counts)
@@ -118,7 +118,7 @@ class Things:
 
 
 def _shape(thing: Robot | Solid) -> tuple[float, float, float]:
-    """Gives half the length, half the width, and the margin [m]."""
+    """Return half the length, half the width, and the margin [m]."""
     match thing:
         case Box():
             return thing.length_m / 2, thing.width_m / 2, 0.0

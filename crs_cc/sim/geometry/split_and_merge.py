@@ -1,13 +1,12 @@
 """Line segments from points: split and merge.
 
-Points, in the order in which they were seen, are cut where two neighbours are further apart than
-the gap. A run of points is one segment while the mean square of its points' distances from their
-line is at most the threshold; else it is split at the point that is furthest from the chord
-between its ends (U. Ramer, "An iterative procedure for the polygonal approximation of plane
-curves", 1972), and so on. Neighbours that fit on one line all the same are merged (T. Pavlidis,
-S. L. Horowitz, "Segmentation of plane curves", 1974). The line is that of least squared distances;
-a segment's ends are its first and last point, dropped on it. Segments of too few points are left
-out.
+The points, in the order of measurement, are split where two neighbours are further apart than the
+gap. A run of points is one segment if the mean square of its points' distances from their line is
+at most the threshold; else it is split at the point that is furthest from the chord between its
+ends (U. Ramer, "An iterative procedure for the polygonal approximation of plane curves", 1972),
+recursively. Neighbours that fit on one line are merged (T. Pavlidis, S. L. Horowitz, "Segmentation
+of plane curves", 1974). The line is fitted by least squares; a segment's ends are the projections
+of its first and last point on it. Segments of too few points are dropped.
 
 >>> corner = np.array([[0, 0], [10, 0], [20, 0], [20, 10], [20, 20]], dtype=np.float64)
 >>> segments(corner, threshold=1.0, min_points=2, gap=15.0).tolist()
@@ -23,19 +22,19 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray
 
 Run = tuple[int, int]
-"""The first and the last point of a segment."""
+"""Indices of the first and the last point of a segment."""
 
-_FEWEST: Final = 2  # points that make a line
+_FEWEST: Final = 2  # points on a line
 _NEAR: Final = 1e-12
 
 
 def segments(points: FloatArray, threshold: float, min_points: int, gap: float) -> FloatArray:
-    """Gives the segments that points lie on.
+    """Return the segments through points.
 
     Args:
-        points: x and y of each, in the order in which they were seen, shape (n, 2).
+        points: x and y of each, in the order of measurement, shape (n, 2).
         threshold: the largest mean square of the points' distances from their line.
-        min_points: fewest points of a segment, at least 2.
+        min_points: minimum number of points of a segment, at least 2.
         gap: the largest distance between neighbours of a segment.
 
     Returns:
@@ -50,7 +49,7 @@ def segments(points: FloatArray, threshold: float, min_points: int, gap: float) 
 
 
 def _runs(points: FloatArray, gap: float) -> list[Run]:
-    """Cuts points where neighbours lie too far apart."""
+    """Split points where neighbours are too far apart."""
     if not len(points):
         return []
     steps = np.hypot(*np.diff(points, axis=0).T)
@@ -59,7 +58,7 @@ def _runs(points: FloatArray, gap: float) -> list[Run]:
 
 
 def _split(points: FloatArray, run: Run, threshold: float) -> list[Run]:
-    """Splits a run at corners; neighbours share the point at the corner."""
+    """Split a run at corners; neighbours share the point at the corner."""
     done: list[Run] = []
     waiting = [run]
     while waiting:
@@ -73,7 +72,7 @@ def _split(points: FloatArray, run: Run, threshold: float) -> list[Run]:
 
 
 def _merged(points: FloatArray, runs: list[Run], threshold: float) -> list[Run]:
-    """Joins neighbours that lie on one line."""
+    """Join neighbours that are on one line."""
     merged = runs[:1]
     for run in runs[1:]:
         together = (merged[-1][0], run[1])
@@ -85,7 +84,7 @@ def _merged(points: FloatArray, runs: list[Run], threshold: float) -> list[Run]:
 
 
 def _from_chord(points: FloatArray, run: Run) -> FloatArray:
-    """Gives how far the points between the ends of a run are from the chord."""
+    """Return the distances between the points inside a run and its chord."""
     start, end = points[run[0]], points[run[1]]
     along, inner = end - start, points[run[0] + 1 : run[1]] - start
     length = float(np.hypot(*along))
@@ -95,7 +94,7 @@ def _from_chord(points: FloatArray, run: Run) -> FloatArray:
 
 
 def _line(points: FloatArray, run: Run) -> tuple[FloatArray, FloatArray, float]:
-    """Gives the middle, the direction, and the mean square error of the line through a run."""
+    """Return the centroid, the direction, and the mean square error of the line through a run."""
     part = points[run[0] : run[1] + 1]
     middle = part.mean(axis=0)
     x, y = (part - middle).T

@@ -1,10 +1,10 @@
-"""What the surfaces of all things do to light and sound.
+"""Reflectance of all objects for light and sound.
 
-A surface that sends back a share R of the sound is heard up to R ** (1/4) times as far as one that
-sends back all: the power of an echo falls with the fourth power of the distance, as sound spreads
-on both ways, and the least power that is heard stays the same. That is the radar equation, solved
-for the range (M. I. Skolnik, "Introduction to Radar Systems", 1980, 1.2), with the share in place
-of the cross section.
+A surface that reflects a share R of the sound is heard up to R ** (1/4) times as far as one that
+reflects all of it: the power of an echo falls with the fourth power of the distance, as sound
+spreads in both directions, and the detection threshold is constant. That is the radar equation,
+solved for the range (M. I. Skolnik, "Introduction to Radar Systems", 1980, 1.2), with the share in
+place of the cross section.
 
 >>> from crs_cc.sim.model.world import Area, Cylinder, Material, Pose, WorldModel
 >>> red = Cylinder("red", Pose(1, 1), 0.1, material=Material((255, 0, 0)))
@@ -27,13 +27,13 @@ from crs_cc.sim.model.world import PLAIN
 
 @dataclass(frozen=True, slots=True)
 class Surfaces:
-    """The surfaces of all things, in the order of `Scene.names`; arrays have shape (things,).
+    """The surfaces of all objects, in the order of `Scene.names`; arrays have shape (things,).
 
     Attributes:
-        colour: what cameras see, 0xRRGGBB.
-        infrared: the share of infrared light that comes back, not a number where the sensor's
-            definition says what it takes surfaces for; None where it does for all.
-        hushed: how far each is heard, as a share of how far a hard one is; None when all are hard.
+        colour: the colour, 0xRRGGBB.
+        infrared: reflectance for infrared light, NaN for the value that the sensor's definition
+            assumes; None if that holds for all.
+        hushed: the distance at which each is heard, relative to a hard one; None if all are hard.
     """
 
     colour: Int32Array
@@ -42,7 +42,7 @@ class Surfaces:
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
-        """Gives the surfaces of all things in a scene."""
+        """Return the surfaces of all objects in a scene."""
         materials = [thing.material for thing in scene.things]
         materials += [PLAIN] * (len(scene.names) - len(scene.things))  # of the ground
         sonar = np.array([material.sonar for material in materials], dtype=np.float64)
@@ -56,6 +56,6 @@ class Surfaces:
 
 
 def packed(colour: tuple[int, int, int]) -> int:
-    """Gives a colour as 0xRRGGBB."""
+    """Return a colour as 0xRRGGBB."""
     red, green, blue = colour
     return red << 16 | green << 8 | blue

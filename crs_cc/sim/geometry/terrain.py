@@ -1,12 +1,12 @@
-"""How high the ground is, and how steep, at any places.
+"""Height and gradient of the ground.
 
-    height(p)   = max(0, from + (to - from) (u + length / 2) / length)  of all patches that p is in
-    gradient(p) = ((to - from) / length) (cos heading, sin heading)  of the patch that counts
+    height(p)   = max(0, from + (to - from) (u + length / 2) / length)  of all patches at p
+    gradient(p) = ((to - from) / length) (cos heading, sin heading)  of the highest patch
 
-where u is how far p lies ahead of the patch's middle, and 0 stands for the height of the picture
-below where there is one (`heightmap`). The gradient is in the world frame and points
-uphill; on the floor, and on plateaus, it is 0. Where patches are equally high, the first one of the
-world file counts. The edge of a patch belongs to it.
+where u is the distance of p ahead of the patch's centre, and 0 is replaced with the height of the
+height map, if there is one (`heightmap`). The gradient is in the world frame and points uphill; on
+the floor, and on plateaus, it is 0. Of patches of equal height, the first one of the world file
+counts. The edge of a patch belongs to it.
 
 >>> from crs_cc.sim.model.ground import Patch, Ground
 >>> ramp = Patch(2.0, 1.0, 0.0, length_m=2.0, width_m=1.0, from_m=0.0, to_m=0.5)
@@ -33,16 +33,16 @@ _ON_M: Final = 1e-9  # rounding must not leave a gap between patches that touch
 
 
 class Terrain:
-    """The heights of the ground of a world.
+    """The ground of a world.
 
     Attributes:
-        middle: the middle of each patch, x + i y [m], shape (patches,).
-        along: where each rises or falls, of length 1.
-        half_length_m: half its size along that.
+        middle: the centre of each patch, x + i y [m], shape (patches,).
+        along: the direction in which it rises or falls, of length 1.
+        half_length_m: half its size in that direction.
         half_width_m: half its size across.
-        middle_m: how high its middle is.
-        slope: by how much it rises with each metre along.
-        heights: what lies below the patches, None for the floor.
+        middle_m: the height of its centre.
+        slope: its rise with each metre in that direction.
+        heights: the ground below the patches, None for the floor.
     """
 
     def __init__(self, ground: Ground) -> None:
@@ -58,39 +58,39 @@ class Terrain:
         self.heights = None if ground.heightmap is None else Heights(ground.heightmap)
 
     def grid(self, reach_m: float) -> Grid:
-        """Gives the patches, sorted by where they are within reach."""
+        """Return the patches, sorted by the places from which they are within reach."""
         half = self.along * self.half_length_m
         ends = [self.middle - half, self.middle + half]
         columns = [part for end in ends for part in (end.real, end.imag)]
         return Grid(np.column_stack(columns), self.half_width_m, reach_m)
 
     def corners_m(self) -> FloatArray:
-        """Gives the corners of all patches, counter-clockwise, (patches, 4, 2)."""
+        """Return the corners of all patches, counter-clockwise, (patches, 4, 2)."""
         return corners_m(self.middle, self.along, self.half_length_m, self.half_width_m)
 
     def local(self, place: ComplexArray, patch: IndexArray) -> ComplexArray:
-        """Gives places as seen from patches: the middle is 0, x runs along them; shape (n,)."""
+        """Transform points to the frames of patches, shape (n,)."""
         return np.asarray((place - self.middle.take(patch)) * self.along.take(patch).conj())
 
     def height_m(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-        """Gives how high the ground is at places in the world frame [m], shape (n,)."""
+        """Return the height of the ground at points in the world frame [m], shape (n,)."""
         place = x_m + 1j * y_m
         return self._on(place)[0]
 
     def gradient(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-        """Gives by how much the ground rises along x and y at places [m/m], shape (n, 2)."""
+        """Return the gradient of the ground along x and y at points [m/m], shape (n, 2)."""
         place = x_m + 1j * y_m
         gradient = np.zeros(len(place), dtype=np.complex128)
         if self.heights is not None:
             gradient = self.heights.at(x_m, y_m)[1]
         height_m, point, patch, patch_m = self._on(place)
-        top = np.flatnonzero(patch_m == height_m.take(point))[::-1]  # the first is written last
+        top = np.flatnonzero(patch_m == height_m.take(point))[::-1]  # the first one wins
         steep = patch.take(top)
         gradient[point.take(top)] = self.slope.take(steep) * self.along.take(steep)
         return np.column_stack([gradient.real, gradient.imag])
 
     def _on(self, place: ComplexArray) -> tuple[FloatArray, IndexArray, IndexArray, FloatArray]:
-        """Gives the heights of places, and pairs of a place and a patch there with its height."""
+        """Return the heights of points, and pairs of a point and a patch there, with its height."""
         height_m = np.zeros(len(place))
         if self.heights is not None:
             height_m = self.heights.at(place.real, place.imag)[0]
@@ -108,7 +108,7 @@ class Terrain:
 def corners_m(
     middle: ComplexArray, along: ComplexArray, half_length_m: FloatArray, half_width_m: FloatArray
 ) -> FloatArray:
-    """Gives the corners of rectangles, as patches are told of, counter-clockwise, (n, 4, 2)."""
+    """Return the corners of rectangles, given as patches are, counter-clockwise, (n, 4, 2)."""
     ahead, left = along * half_length_m, 1j * along * half_width_m
     corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
     places = middle[:, None] + np.column_stack(corners)

@@ -1,1 +1,1 @@
-"""What a world and its robots are: constant data, independent of any file format."""
+"""World and robot models: immutable data, independent of any file format."""

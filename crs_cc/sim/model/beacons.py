@@ -1,7 +1,7 @@
-"""What shines and sounds, and what senses it: constant data, as world and robot files say.
+"""Light and sound sources, and the sensors for them.
 
-Brightness and level have no unit: they are what a sensor tells that is 1 m away from the only
-source, and looks at it.
+Brightness and level are dimensionless: the reading of a sensor that faces the only source from a
+distance of 1 m.
 """
 
 from __future__ import annotations
@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from typing import Final
 
 TONES: Final = 8
-"""How many tones there are: 0 to 7. Chosen by us."""
+"""Number of tones, 0 to 7; our choice."""
 
 MAX_LIGHT_SENSORS: Final = 32
-"""The most light sensors of a robot; chosen by us."""
+"""Maximum number of light sensors of a robot; our choice."""
 
 
 @dataclass(frozen=True, slots=True)
 class Light:
-    """A light that stands in the world, and is no body."""
+    """A light source at a fixed position; it is not a solid."""
 
     id: str
     x_m: float
@@ -28,7 +28,7 @@ class Light:
 
 @dataclass(frozen=True, slots=True)
 class Sound:
-    """A sound that comes from a place in the world all the time."""
+    """A continuous sound source at a fixed position."""
 
     id: str
     x_m: float
@@ -42,11 +42,11 @@ class LightSensors:
     """A ring of light sensors around the mount.
 
     Attributes:
-        number: how many there are, at equal angles, counter-clockwise.
-        first_rad: where the first one looks, from ahead.
-        range_m: how far away the farthest light is that they sense.
-        noise: standard deviation of a reading's error, as a share of the reading.
-        period_s: how often they measure by their timer; 0 for when they are asked.
+        number: number of sensors, at equal angles, counter-clockwise.
+        first_rad: direction of the first one, relative to the mount's heading.
+        range_m: maximum distance at which a light is detected.
+        noise: standard deviation of a reading's error, relative to the reading.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     number: int
@@ -58,12 +58,12 @@ class LightSensors:
 
 @dataclass(frozen=True, slots=True)
 class Microphones:
-    """What hears tones, and from where they come.
+    """Microphones that measure the level and direction of each tone.
 
     Attributes:
-        range_m: how far away the farthest sound is that they hear.
-        noise: standard deviation of a level's error, as a share of the level.
-        period_s: how often they measure by their timer; 0 for when they are asked.
+        range_m: maximum distance at which a sound is detected.
+        noise: standard deviation of a level's error, relative to the level.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     range_m: float

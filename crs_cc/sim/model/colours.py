@@ -4,8 +4,9 @@
 ((255, 0, 0), (128, 255, 0), (255, 165, 0))
 >>> rgb("reddish")
 Traceback (most recent call last):
-ValueError: 'reddish' is no colour: write #rrggbb, or one of aqua, black, blue, brown, fuchsia, \
-gray, green, grey, lime, maroon, navy, olive, orange, pink, purple, red, silver, teal, white, yellow
+ValueError: unknown colour 'reddish' (use #rrggbb or one of aqua, black, blue, brown, fuchsia, \
+gray, green, grey, lime, maroon, navy, olive, orange, pink, purple, red, silver, teal, white, \
+yellow)
 """
 
 from __future__ import annotations
@@ -23,29 +24,29 @@ NAMED: Final = {
     "orange": 0xFFA500, "pink": 0xFFC0CB, "purple": 0x800080, "red": 0xFF0000,
     "silver": 0xC0C0C0, "teal": 0x008080, "white": 0xFFFFFF, "yellow": 0xFFFF00,
 }  # fmt: skip
-"""The 16 names of HTML 4.01 (section 6.5), with four more of CSS that rooms need, as 0xrrggbb."""
+"""The 16 names of HTML 4.01 (section 6.5) and four common ones of CSS, as 0xrrggbb."""
 
 _NUMBER: Final = re.compile(r"#[0-9A-Fa-f]{6}")
 _LONGEST: Final = 40
 
 
 def rgb(text: str) -> Colour:
-    """Gives the colour that a text means.
+    """Parse a colour.
 
     Raises:
-        ValueError: it means none.
+        ValueError: the text is neither #rrggbb nor a known name.
     """
     name = text.strip()
     number = int(name[1:], 16) if _NUMBER.fullmatch(name) else NAMED.get(name.lower())
     if number is None:
         raise ValueError(
-            f"{name[:_LONGEST]!r} is no colour: write #rrggbb, or one of {', '.join(NAMED)}"
+            f"unknown colour {name[:_LONGEST]!r} (use #rrggbb or one of {', '.join(NAMED)})"
         )
     return number >> 16, number >> 8 & 0xFF, number & 0xFF
 
 
 def hexadecimal(colour: Colour) -> str:
-    """Gives a colour as #rrggbb.
+    """Format a colour as #rrggbb.
 
     >>> hexadecimal((255, 165, 0))
     '#ffa500'

@@ -1,16 +1,16 @@
-"""What a world says of messages between robots: its channels, and when they are shut.
+"""Communication between robots: channels and their outages.
 
-Three channels are always there. Nothing in them is random, and a world file changes them as it
-likes. Their numbers were chosen by us:
+Three channels are predefined. They are lossless, and a world file can change them. Their
+parameters are our choice:
 
-- `radio`: a serial radio modem of 115.2 kbit/s; indoors, a wall takes about 6 dB, which halves the
-  range of a wave whose power falls with the square of the distance;
-- `infrared`: a line of 9600 bit/s (IrDA's slowest rate) over a few metres, which needs sight;
-- `local`: the local broadcast of swarm simulators: whoever is near hears, at once and always.
+- `radio`: a serial radio modem of 115.2 kbit/s; indoors, a wall attenuates by about 6 dB, which
+  halves the range of a wave whose power falls with the square of the distance;
+- `infrared`: a 9600 bit/s link (IrDA's lowest rate) over a few metres; needs line of sight;
+- `local`: the local broadcast of swarm simulators: every robot in range receives without delay.
 
 >>> [channel.name for channel in Communication().channels]
 ['radio', 'infrared', 'local']
->>> Communication().channels[1].duration_s(108)         # of 120 bytes, with the head
+>>> Communication().channels[1].duration_s(108)         # 120 bytes with the header
 0.125
 """
 
@@ -21,10 +21,10 @@ from dataclasses import dataclass
 from typing import Final
 
 HEAD_BYTES: Final = 12
-"""What goes ahead of each message: sender, receiver and type, four bytes each."""
+"""Size of a message's header: sender, receiver and type, four bytes each."""
 
 ANY: Final = -1
-"""Any channel, any robot."""
+"""Any channel or robot."""
 
 MAX_CHANNELS: Final = 16
 LONGEST_QUEUE: Final = 64
@@ -32,23 +32,23 @@ LONGEST_QUEUE: Final = 64
 
 @dataclass(frozen=True, slots=True)
 class Channel:
-    """A way for messages to go.
+    """A communication channel.
 
     Attributes:
         name: its name, unique in the world.
-        range_m: how far it reaches.
-        walls: what share of the range is left behind each thing in the way, walls and boxes and so
-            on, robots apart: 1 where they do not matter, 0 where sight is needed.
-        delay_s: the time from the end of the transmission to the arrival.
-        jitter_s: up to how much longer it is, uniformly distributed.
-        bandwidth_bps: how many bytes each sender sends in a second.
-        queue: how many messages wait at most until the sender has sent those before them.
-        drops_oldest: which one is dropped when they are more: the oldest, else the newest.
-        loss: the share of messages that is lost, from 0 to 1.
-        burst_begin: how likely a burst of losses begins with a message.
-        burst_end: how likely it has ended with the next message.
-        burst_loss: the share of messages that is lost in a burst.
-        corruption: the share of bytes that arrive as others.
+        range_m: maximum distance between sender and receiver.
+        walls: factor on the range for each object between them (robots do not count): 1 for no
+            attenuation, 0 where line of sight is needed.
+        delay_s: latency from the end of the transmission to the arrival.
+        jitter_s: maximum additional latency, uniformly distributed.
+        bandwidth_bps: data rate of each sender [byte/s].
+        queue: capacity of each sender's queue, in messages.
+        drops_oldest: whether a full queue drops its oldest message instead of the new one.
+        loss: probability that a message is lost, 0 to 1.
+        burst_begin: probability that a burst of losses starts with a message.
+        burst_end: probability that it has ended with the next message.
+        burst_loss: probability that a message is lost during a burst.
+        corruption: probability that a byte is corrupted.
     """
 
     name: str
@@ -66,20 +66,20 @@ class Channel:
     corruption: float = 0.0
 
     def duration_s(self, size: int) -> float:
-        """Gives how long the transmission of a message of so many bytes takes."""
+        """Return the transmission time of a message with `size` bytes of data."""
         return (size + HEAD_BYTES) / self.bandwidth_bps
 
 
 @dataclass(frozen=True, slots=True)
 class Shut:
-    """Messages that cannot pass for a while: those that begin to be transmitted in it.
+    """An outage: messages whose transmission starts during it are lost.
 
     Attributes:
-        at_s: from when.
-        until_s: to when.
-        channel: on which channel, by number; `ANY` for all.
-        sender: from which robot, by number; `ANY` for all.
-        receiver: to which one; `ANY` for all.
+        at_s: its start.
+        until_s: its end.
+        channel: the channel's number; `ANY` for all.
+        sender: the sending robot's number; `ANY` for all.
+        receiver: the receiving robot's number; `ANY` for all.
     """
 
     at_s: float = 0.0
@@ -94,16 +94,16 @@ PREDEFINED: Final = (
     Channel("infrared", 3.0, walls=0.0, delay_s=0.001, bandwidth_bps=960.0, queue=4),
     Channel("local", 5.0),
 )
-"""The channels that every world has, in the order of their numbers."""
+"""The predefined channels, in the order of their numbers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Communication:
-    """All that a world says of messages."""
+    """All channels of a world and their outages."""
 
     channels: tuple[Channel, ...] = PREDEFINED
     shuts: tuple[Shut, ...] = ()
 
 
 PLAIN_COMMUNICATION: Final = Communication()
-"""Of a world that says nothing of it."""
+"""Default of a world without `<communication>`."""

@@ -1,24 +1,25 @@
-"""What a degradation is: plain data; and the table of all devices that can be degraded.
+"""Degradations of sensors and actuators, and the table of all devices that can be degraded.
 
-A degradation names a robot, one of its devices, and an element of it or all of them; says what is
-wrong with what comes from there (or, of an actuator, goes there), from when on, for how long, and
-how long the effect takes to fade then. `degradation` has the law. Values are in the unit of the
-device: metres, radians, seconds, volts.
+A degradation names a robot, one of its devices, and one element of it or all. It describes how
+the values that the device reports (or, for an actuator, receives) are distorted, its onset, its
+duration, and the time for which the effect then fades. `degradation` has the formula. Values are
+in the device's unit: metres, radians, seconds, volts.
 
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> scout = empty_world().robots[0].model
 >>> complaint(Degradation("robot0", "sonar", element=3, bias=0.5, onset_s=10.0), scout)
 ''
 >>> complaint(Degradation("robot0", "sonar", element=16, dead=True), scout)
-'sonar has no element 16; it has 0 to 15'
+'unknown element 16 of sonar (known: 0 to 15)'
 >>> complaint(Degradation("robot0", "compass", dead=True), scout)
 'the robot has no compass'
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Final, Literal
 
 from crs_cc.core.quantity import (
@@ -36,24 +37,26 @@ from crs_cc.core.quantity import (
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS, TONES
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.sensors import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
 from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
+    from crs_cc.sim.model.device import Device
     from crs_cc.sim.model.robot import RobotModel
 
 LONGEST_DELAY_S: Final = 60.0
 LONGEST_S: Final = 1e7
-"""The longest times that make sense."""
+"""Upper limits of times."""
 
 HOLD: Final = "hold"
-"""Stuck at what was told last."""
+"""Stuck at the last reported value."""
 
 MAX_MEMORY: Final = 2**23
-"""How many numbers all degradations of a world may remember (64 MiB)."""
+"""Maximum number of values that all degradations of a world may store (64 MiB)."""
 
-_DEEPEST: Final = 64  # values that a delay remembers of an element
-_LARGEST: Final = 4096  # and of all elements
+_DEEPEST: Final = 64  # values that a delay stores for one element
+_LARGEST: Final = 4096  # and for all elements
 _SHALLOWEST: Final = 8
 _SWITCHES: Final = 24
 _TURNING: Final = frozenset({"steering", "turret"})
@@ -61,25 +64,25 @@ _TURNING: Final = frozenset({"steering", "turret"})
 
 @dataclass(frozen=True, slots=True)
 class Degradation:
-    """What is wrong with a device; plain numbers and texts only.
+    """A fault of a device.
 
     Attributes:
         robot: the robot's id.
-        device: the device's name in `DEVICES`.
-        element: which of its elements, None for all of them.
-        bias: what is added, in the unit of the device.
-        gain: what values are multiplied with.
-        noise: standard deviation of what is added at random.
-        step: values are rounded to multiples of this; 0 for not at all.
-        stuck: the value that is told whatever the true one is; `HOLD` for the last one before the
-            onset; None for none.
-        delay_s: how old values are.
-        dropouts: probability that there is no value.
-        dead: whether there is none at all.
-        onset_s: when it begins, in simulated time.
-        duration_s: how long it has its whole effect; None for ever.
-        recovery_s: how long the effect takes to fade then.
-        id: its name; empty for one that the environment gives.
+        device: the device's name in `degradables()`.
+        element: the element's number; None for all.
+        bias: offset that is added, in the device's unit.
+        gain: factor.
+        noise: standard deviation of additive noise.
+        step: values are rounded to multiples of this; 0 for no rounding.
+        stuck: the value that is always reported; `HOLD` for the last one before the onset; None for
+            none.
+        delay_s: age of the reported values.
+        dropouts: probability that a value is missing.
+        dead: whether all values are missing.
+        onset_s: start, in simulated time.
+        duration_s: time for which it has its full effect; None for ever.
+        recovery_s: time for which the effect then fades.
+        id: its name; empty if it was set through the environment.
     """
 
     robot: str
@@ -99,7 +102,7 @@ class Degradation:
     id: str = ""
 
     def faults(self, kind: Kind) -> str:
-        """Gives what is wrong with values of a kind, for people: `bias 5deg, delay 1s`."""
+        """Describe the fault for values of a kind: `bias 5deg, delay 1s`."""
         words = [
             f"{name} {unit.show(value)}"
             for name, value, usual, unit in (
@@ -121,18 +124,18 @@ class Degradation:
 
 
 @dataclass(frozen=True, slots=True)
-class Device:
+class Degradable:
     """A sensor or actuator that can be degraded.
 
     Attributes:
-        name: what world files call it.
-        title: what it is.
-        kind: what its values are; in radians for an element that turns.
-        elements: gives the names of a robot's elements, by their numbers, empty for a number that
-            is not in use; none where the robot has no such device.
-        width: how many elements there can be.
-        nothing: what comes of no value at all.
-        unit: what stands for the unit in words, where the kind has none.
+        name: its name in world files.
+        title: short description.
+        kind: the quantity of its values; in radians for an element that turns.
+        elements: returns the names of a robot's elements by their numbers, with empty names for
+            unused numbers; an empty tuple if the robot has no such device.
+        width: maximum number of elements.
+        nothing: what a missing value is replaced with.
+        unit: the unit in words, where the kind has none.
         acts: whether it is an actuator.
     """
 
@@ -146,7 +149,7 @@ class Device:
     acts: bool = False
 
     def kind_of(self, element: str) -> Kind:
-        """Gives what the values of an element are."""
+        """Return the quantity of an element's values."""
         return TURN_RATE if self.kind is SPEED and element in _TURNING else self.kind
 
 
@@ -170,122 +173,131 @@ def _axes(model: RobotModel) -> tuple[str, ...]:
     return model.drive.axis_names
 
 
-DEVICES: Final = {
+_OTHERS: Final = {
     device.name: device
     for device in (
-        Device(
-            "sonar", "a sonar's distance", LENGTH,
+        Degradable(
+            "sonar", "distance measured by a sonar", LENGTH,
             lambda model: _at([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
         ),
-        Device(
-            "bumper", "a switch, by its bit: 1 when pressed, else 0; pressed from 0.5 on",
+        Degradable(
+            "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
             RATIO, lambda model: _at([switch.bit for switch in model.bumpers]), _SWITCHES,
             "not pressed",
         ),
-        Device(
-            "infrared", "an infrared sensor's distance", LENGTH,
+        Degradable(
+            "infrared", "distance measured by an infrared sensor", LENGTH,
             lambda model: _numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
-            "nothing seen, 15",
+            "nothing in range, 15",
         ),
-        Device(
-            "compass", "the direction", ANGLE, _single(lambda model: model.compass), 1,
-            "the reading stays",
+        Degradable(
+            "compass", "direction", ANGLE, _single(lambda model: model.compass), 1,
+            "the reading does not change",
         ),
-        Device(
-            "laser", "the distance of a point, from the right to the left", LENGTH,
+        Degradable(
+            "laser", "distance of a point, from right to left", LENGTH,
             lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
             "no point",
         ),
-        Device(
-            "camera", "how far away is what a column shows, from the left to the right", LENGTH,
+        Degradable(
+            "camera", "range of a column, from left to right", LENGTH,
             lambda model: _numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
-            "nothing is seen",
+            "background colour",
         ),
-        Device(
-            "gps", "where the robot is", LENGTH, _single(lambda model: model.gps, "x", "y"), 2,
-            "no fix: refused",
+        Degradable(
+            "heat", "heat", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
         ),
-        Device(
-            "tilt", "how the robot is tilted", ANGLE,
-            _single(lambda model: model.inclinometer, "pitch", "roll"), 2, "no reading: refused",
+        Degradable(
+            "odometry", "speed of an axis as counted by its encoder", SPEED, _axes, AXES,
+            "does not count",
         ),
-        Device(
-            "heat", "the heat around", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
-        ),
-        Device(
-            "odometry", "how fast the encoder of an axis counts", SPEED, _axes, AXES,
-            "counts nothing",
-        ),
-        Device(
-            "battery", "the voltage", VOLTAGE,
+        Degradable(
+            "battery", "voltage", VOLTAGE,
             _single(_always, "computers", "motors"), 2, "the lowest voltage",
         ),
-        Device(
-            "drive", "how fast the motor of an axis turns it", SPEED, _axes, AXES, "stands",
+        Degradable(
+            "drive", "speed at which a motor turns its axis", SPEED, _axes, AXES, "stops",
             acts=True,
         ),
-        Device(
-            "wheels", "how fast an axis moves the robot", SPEED, _axes, AXES, "slips on the spot",
-            acts=True,
+        Degradable(
+            "wheels", "speed at which an axis moves the robot", SPEED, _axes, AXES,
+            "slips in place", acts=True,
         ),
-        Device(
-            "tag", "how far heat is taken away", LENGTH,
-            _single(lambda model: model.heat.tag_range_m), 1, "takes nothing", acts=True,
+        Degradable(
+            "tag", "range of tagging", LENGTH,
+            _single(lambda model: model.heat.tag_range_m), 1, "no effect", acts=True,
         ),
-        Device(
-            "gripper", "what the gripper is told: 1 to close, from 0.5 on, else to open", RATIO,
-            _single(lambda model: model.gripper), 1, "not told", acts=True,
+        Degradable(
+            "gripper", "command of the gripper: 1 to close, from 0.5 on, otherwise to open", RATIO,
+            _single(lambda model: model.gripper), 1, "command not received", acts=True,
         ),
-        Device(
-            "arm", "the angle to which a joint is told to turn", ANGLE,
-            _single(lambda model: model.arm, "shoulder", "elbow"), 2, "not told", acts=True,
+        Degradable(
+            "arm", "commanded angle of a joint", ANGLE,
+            _single(lambda model: model.arm, "shoulder", "elbow"), 2,
+            "command not received", acts=True,
         ),
-        Device(
-            "light", "what a light sensor reads", BRIGHTNESS,
+        Degradable(
+            "light", "reading of a light sensor", BRIGHTNESS,
             lambda model: _numbered(model.light_sensors.number if model.light_sensors else 0),
             MAX_LIGHT_SENSORS, "0",
         ),
-        Device(
-            "sound", "how loud a tone is heard", LOUDNESS,
+        Degradable(
+            "sound", "level of a tone", LOUDNESS,
             lambda model: _numbered(TONES if model.microphones else 0), TONES, "0",
         ),
-        Device(
-            "lamp", "how bright it is told to shine", BRIGHTNESS,
+        Degradable(
+            "lamp", "commanded brightness", BRIGHTNESS,
             _single(lambda model: model.brightest), 1, "0", acts=True,
         ),
-        Device(
-            "speaker", "how loud it is told to sound", LOUDNESS,
+        Degradable(
+            "speaker", "commanded level", LOUDNESS,
             _single(lambda model: model.loudest), 1, "0", acts=True,
         ),
     )
 }  # fmt: skip
-"""Every device that can be degraded, by name."""
+"""Devices that can be degraded, by name, except those of the registry."""
+
+
+@cache
+def degradables() -> Mapping[str, Degradable]:
+    """Return every device that can be degraded, by name."""
+    return {**_OTHERS, **{device.name: _sensor(device) for device in devices()}}
+
+
+def _sensor(device: Device) -> Degradable:
+    names = [value.name for value in device.values]
+    elements = _single(lambda model: model.device(device.name) is not None, *names)
+    title = ", ".join(names)
+    return Degradable(device.name, title, device.kind, elements, len(names), device.nothing)
 
 
 def complaint(degradation: Degradation, model: RobotModel) -> str:
-    """Tells why a degradation cannot be used with a robot; empty when it can.
+    """Validate a degradation for a robot.
 
     Args:
-        degradation: what is asked for.
-        model: the kind of robot that it names.
+        degradation: the degradation.
+        model: the model of the robot that it names.
+
+    Returns:
+        the error message; empty if the degradation is valid.
     """
     texts = (degradation.robot, degradation.device, degradation.id)
     if not all(isinstance(text, str) for text in texts):
-        return "robot, device and id must be texts"
-    device = DEVICES.get(degradation.device)
+        return "robot, device and id must be strings"
+    device = degradables().get(degradation.device)
     if device is None:
-        return unknown("device", degradation.device, tuple(DEVICES))
+        return unknown("device", degradation.device, tuple(degradables()))
     names = device.elements(model)
     if not names:
         return f"the robot has no {device.name}"
     element = degradation.element
     if element is not None and not _names_one(element, names):
-        return f"{device.name} has no element {element!r}; it has {shown(names)}"
+        return f"unknown element {element!r} of {device.name} (known: {shown(names)})"
     return _out_of_range(degradation) or _ambiguous(degradation, device, names)
 
 
 def described(degradation: Degradation, model: RobotModel) -> str:
-    """Gives what is wrong with what, for people.
+    """Describe a degradation: the device, its element and the fault.
 
     >>> from crs_cc.sim.files.world_xml import empty_world
     >>> scout = empty_world().robots[0].model
@@ -294,19 +306,19 @@ def described(degradation: Degradation, model: RobotModel) -> str:
     >>> described(Degradation("robot0", "sonar", bias=0.3), scout)
     'sonar, bias 0.3m'
     """
-    device, element = DEVICES[degradation.device], degradation.element
+    device, element = degradables()[degradation.device], degradation.element
     names = device.elements(model)
     which = "" if element is None else f" {names[element]}"
     kind = device.kind_of(names[element or 0])
     return f"{device.name}{which}, {degradation.faults(kind)}"
 
 
-def element_of(device: Device, model: RobotModel, text: str) -> int | None:
-    """Gives the number of the element that a text names, by name or number; None for none.
+def element_of(device: Degradable, model: RobotModel, text: str) -> int | None:
+    """Return the number of the element with a name or number; None if there is none.
 
     >>> from crs_cc.sim.files.world_xml import empty_world
     >>> scout = empty_world().robots[0].model
-    >>> [element_of(DEVICES["drive"], scout, text) for text in ("left", "1", "2", "", "up")]
+    >>> [element_of(degradables()["drive"], scout, text) for text in ("left", "1", "2", "", "up")]
     [1, 1, None, None, None]
     """
     for number, name in enumerate(device.elements(model)):
@@ -316,7 +328,7 @@ def element_of(device: Device, model: RobotModel, text: str) -> int | None:
 
 
 def shown(names: tuple[str, ...]) -> str:
-    """Gives the elements of a device, for people: `0 to 15`, or `0 (right), 1 (left)`."""
+    """List the elements of a device: `0 to 15`, or `0 (right), 1 (left)`."""
     used = [number for number, name in enumerate(names) if name]
     whole = used == list(range(len(names))) and names == _numbered(len(names))
     if whole and len(names) > 1:
@@ -351,7 +363,7 @@ def _out_of_range(degradation: Degradation) -> str:
     if type(degradation.dead) is not bool:
         return f"dead must be True or False, not {degradation.dead!r}"
     if not degradation.faults(RATIO):
-        return "nothing is wrong: give gain, bias, noise, step, stuck, delay, dropouts or dead"
+        return "no fault given: set gain, bias, noise, step, stuck, delay, dropouts or dead"
     return ""
 
 
@@ -360,22 +372,22 @@ def _is_between(value: object, least: float, most: float) -> bool:
     return is_number and least <= value <= most  # type: ignore[operator]  # a number
 
 
-def _ambiguous(degradation: Degradation, device: Device, names: tuple[str, ...]) -> str:
-    """Refuses a value for elements of which some count in metres, others in radians."""
+def _ambiguous(degradation: Degradation, device: Degradable, names: tuple[str, ...]) -> str:
+    """Reject a value for elements with different units, metres and radians."""
     several = len({device.kind_of(name) for name in names}) > 1
     values = (degradation.bias, degradation.noise, degradation.step)
     given = any(values) or isinstance(degradation.stuck, int | float)
     if degradation.element is None and several and given:
-        return f"the elements of {device.name} differ in their units: name one, {shown(names)}"
+        return f"element is missing: those of {device.name} differ in unit (known: {shown(names)})"
     return ""
 
 
 def delay_depth(width: int) -> int:
-    """Return how many values of each of `width` elements a delay remembers."""
+    """Return the number of values of each of `width` elements that a delay stores."""
     return min(max(_LARGEST // width, _SHALLOWEST), _DEEPEST)
 
 
 def memory_size(degradation: Degradation) -> int:
-    """Return how many numbers a degradation remembers: values held, and those on their way."""
-    width = DEVICES[degradation.device].width if degradation.element is None else 1
+    """Return the number of values that a degradation stores: held and delayed ones."""
+    width = degradables()[degradation.device].width if degradation.element is None else 1
     return width * (3 + 2 * delay_depth(width)) if degradation.delay_s else width

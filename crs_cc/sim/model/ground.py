@@ -1,8 +1,8 @@
-"""What the ground of a world is: constant data, flat unless something lies on it.
+"""The ground of a world, flat by default.
 
 Rectangular blocks lie on a floor at height 0: the top of each is a plane that rises along its
-heading, or is level. Where several lie on each other, the highest one counts. `terrain` tells
-heights and slopes of it, `ground_elements` reads it from a world file.
+heading, or is level. Where several overlap, the highest one counts. `terrain` computes heights
+and slopes, `ground_elements` reads the blocks from a world file.
 
 Units: metres, radians, in the world frame; z upwards from the floor.
 
@@ -19,13 +19,13 @@ from typing import Final
 
 @dataclass(frozen=True, slots=True)
 class Patch:
-    """A ramp, or a plateau when both its ends are equally high.
+    """A ramp, or a plateau if both its ends have the same height.
 
     Attributes:
-        x_m: its middle.
-        y_m: the same.
+        x_m: its centre.
+        y_m: its centre.
         heading_rad: the direction in which it rises or falls.
-        length_m: its size along its heading, in the plane of the world.
+        length_m: its size along its heading, in the horizontal plane.
         width_m: its size across.
         from_m: the height of its rear end, 0 or more.
         to_m: the height of its front end, 0 or more.
@@ -41,20 +41,20 @@ class Patch:
 
     @property
     def slope(self) -> float:
-        """By how much it rises along its heading with each metre in the plane of the world."""
+        """The rise along its heading for each metre in the horizontal plane."""
         return (self.to_m - self.from_m) / self.length_m
 
 
 @dataclass(frozen=True, slots=True)
 class HeightMap:
-    """Ground whose height comes from a picture, see `heightmap`.
+    """Ground whose height comes from an image, see `heightmap`.
 
     Attributes:
-        x_m: where the lower left corner of the picture lies.
-        y_m: the same.
+        x_m: the lower left corner of the image.
+        y_m: the lower left corner of the image.
         pixel_m: the size of a pixel.
-        columns: how many pixels a row has, 2 or more.
-        heights_m: how high the middle of each pixel is, row after row from the lowest one up.
+        columns: pixels in a row, 2 or more.
+        heights_m: height at the centre of each pixel, row by row from the lowest one up.
     """
 
     x_m: float
@@ -70,7 +70,7 @@ class Ground:
 
     Attributes:
         patches: the ramps and plateaus on the floor.
-        heightmap: what lies below them, None for a flat floor.
+        heightmap: the ground below them; None for a flat floor.
     """
 
     patches: tuple[Patch, ...] = ()
@@ -78,9 +78,9 @@ class Ground:
 
     @property
     def is_flat(self) -> bool:
-        """Whether all of it is the floor."""
+        """True if the ground is a flat floor."""
         return not self.patches and self.heightmap is None
 
 
 FLAT: Final = Ground()
-"""A floor with nothing on it."""
+"""A flat floor."""

@@ -1,7 +1,7 @@
-"""What robots handle things with: constant data, as the robot's definition file says.
+"""Manipulators: grippers and arms.
 
-Places are in the frame of the mount: the turret, or the base of a robot without one; x ahead, y to
-the left. Units: metres, seconds, kilograms, newtons, radians.
+Positions are in the frame of the mount: the turret, or the base of a robot without one; x ahead,
+y to the left. Units: metres, seconds, kilograms, newtons, radians.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Gripper:
-    """Two fingers that close on what is between them.
+    """A gripper with two fingers.
 
     Attributes:
-        place_m: how far ahead of the mount's middle the palm is.
-        reach_m: how far the fingers reach from the palm.
-        opening_m: the distance between the fingers when they are open.
-        closing_s: how long they take to close altogether, or to open.
-        most_kg: the heaviest thing that they hold.
-        force_n: what pulls a thing out of them that another gripper holds too.
+        place_m: distance of the palm ahead of the mount's centre.
+        reach_m: length of the fingers from the palm.
+        opening_m: distance between the open fingers.
+        closing_s: time to close completely, or to open.
+        most_kg: mass of the heaviest object that it holds.
+        force_n: force that pulls out an object that another gripper holds too.
     """
 
     place_m: float
@@ -31,7 +31,7 @@ class Gripper:
 
     @property
     def middle_m(self) -> float:
-        """How far ahead of the mount's middle the middle of the fingers is."""
+        """Distance of the fingers' centre ahead of the mount's centre."""
         return self.place_m + self.reach_m / 2
 
 
@@ -40,9 +40,9 @@ class Joint:
     """A joint of an arm.
 
     Attributes:
-        least_rad: how far it turns clockwise; 0 is straight on.
-        most_rad: how far it turns counter-clockwise.
-        speed_radps: how fast.
+        least_rad: clockwise limit, negative; 0 is straight on.
+        most_rad: counter-clockwise limit.
+        speed_radps: speed.
     """
 
     least_rad: float
@@ -50,23 +50,23 @@ class Joint:
     speed_radps: float
 
     def within(self, angle_rad: float) -> float:
-        """Gives the angle that is nearest to one, of those to which it turns."""
+        """Clamp an angle to the limits."""
         return min(max(angle_rad, self.least_rad), self.most_rad)
 
 
 @dataclass(frozen=True, slots=True)
 class Arm:
-    """Two links in a plane above everything, and a hand at their end.
+    """Two links in a plane above all objects, with a hand at the end.
 
     Attributes:
-        x_m: where the shoulder is.
-        y_m: the same.
+        x_m: the shoulder's position.
+        y_m: the shoulder's position.
         upper_m: the length of the link between shoulder and elbow.
         fore_m: the length of the link between elbow and tip.
         shoulder: the joint between mount and upper link.
         elbow: the joint between both links.
-        hand_m: how far from the tip the hand takes hold of things.
-        most_kg: the heaviest thing that it lifts.
+        hand_m: maximum distance between the tip and an object that it grips.
+        most_kg: mass of the heaviest object that it lifts.
     """
 
     x_m: float

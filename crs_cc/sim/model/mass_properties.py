@@ -1,7 +1,7 @@
-"""The friction of the floor under things that can be pushed.
+"""Floor friction and moments of inertia of movable objects.
 
-A thing rubs with the force mu m g (Coulomb), and against turning with that force times the mean
-distance of the floor under it from its middle.
+Friction resists sliding with the force mu m g (Coulomb), and turning with that force times the
+mean distance of the contact area from the object's centre.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from crs_cc.sim.model.polygon import area_m2, second_moment_m4
 from crs_cc.sim.model.world import Box, Cylinder, Thing
 
 FLOOR_FRICTION: Final = 0.4
-"""Friction of things on the floor; chosen by us, about that of cardboard on linoleum."""
+"""Friction coefficient of objects on the floor; our choice: cardboard on linoleum."""
 
 GRAVITY_MPS2: Final = 9.80665
 """Standard gravity (3rd General Conference on Weights and Measures, 1901)."""
 
 
 def friction_n(thing: Thing) -> float:
-    """Gives the force below which a thing does not move."""
+    """Return the friction force, below which an object does not slide."""
     return FLOOR_FRICTION * GRAVITY_MPS2 * thing.mass_kg
 
 
 def floor_m2(thing: Thing) -> float:
-    """Gives the area of the floor under a thing."""
+    """Return the contact area of an object with the floor."""
     if isinstance(thing, Cylinder):
         return math.pi * thing.radius_m**2
     if isinstance(thing, Box):
@@ -36,10 +36,10 @@ def floor_m2(thing: Thing) -> float:
 
 
 def friction_nm(thing: Thing) -> float:
-    """Gives the torque below which a thing does not turn.
+    """Return the friction torque, below which an object does not turn.
 
-    The mean distance from the middle of a disc is two thirds of its radius; anything else is
-    taken for a disc of the same area.
+    The mean distance from the centre of a disc is two thirds of its radius; any other shape is
+    approximated by a disc of the same area.
     """
     if isinstance(thing, Cylinder):
         return friction_n(thing) * 2 / 3 * thing.radius_m
@@ -47,7 +47,7 @@ def friction_nm(thing: Thing) -> float:
 
 
 def moment_kgm2(thing: Thing) -> float:
-    """Gives a thing's moment of inertia about its middle: that of a disc or of a plate."""
+    """Return an object's moment of inertia about its centre: that of a disc or of a plate."""
     if isinstance(thing, Cylinder):
         return thing.mass_kg * thing.radius_m**2 / 2
     if isinstance(thing, Box):

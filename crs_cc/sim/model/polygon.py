@@ -1,8 +1,8 @@
-"""Polygons: whether corners make one, and the triangles that it is made of.
+"""Simple polygons: validity, area, moments, distances, and triangulation.
 
-A polygon is simple: its sides meet only where two neighbours share a corner. Triangles come by
-cutting off ears (Meisters, "Polygons have ears", 1975): every simple polygon has two corners whose
-neighbours see each other across the inside.
+A polygon is simple: its sides meet only where two neighbours share a corner. It is triangulated by
+ear clipping (Meisters, "Polygons have ears", 1975): every simple polygon has two corners whose
+neighbours see each other through the inside.
 
 >>> hook = np.array([(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)], dtype=float)
 >>> area_m2(hook), complaint(hook)
@@ -19,22 +19,23 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray, IndexArray
 
 SHORTEST_M: Final = 1e-3
-"""The shortest side, and the narrowest waist, that a polygon may have."""
+"""Minimum length of a side, and minimum distance between sides that are not neighbours."""
 
-_FLAT_M2: Final = 1e-12  # twice the area of a triangle without an inside
+_FLAT_M2: Final = 1e-12  # twice the area of a degenerate triangle
 
 
 def area_m2(corners_m: FloatArray) -> float:
-    """Gives the area, negative when the corners run clockwise (shoelace formula)."""
+    """Return the signed area, negative for clockwise corners (shoelace formula)."""
     x, y = (corners_m - corners_m[0]).T
     return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)
 
 
 def centroid_m(corners_m: FloatArray) -> FloatArray:
-    """Gives the middle of the area, shape (2,)."""
+    """Return the centroid, shape (2,)."""
     x, y = (corners_m - corners_m[0]).T
     next_x, next_y = np.roll(x, -1), np.roll(y, -1)
     cross = x * next_y - next_x * y
@@ -43,7 +44,7 @@ def centroid_m(corners_m: FloatArray) -> FloatArray:
 
 
 def second_moment_m4(corners_m: FloatArray) -> float:
-    """Gives the polar second moment of the area about the origin."""
+    """Return the polar second moment of the area about the origin."""
     x, y = corners_m.T
     next_x, next_y = np.roll(x, -1), np.roll(y, -1)
     cross = x * next_y - next_x * y
@@ -52,18 +53,18 @@ def second_moment_m4(corners_m: FloatArray) -> float:
 
 
 def distances_m(points_m: FloatArray, corners_m: FloatArray, counts: IndexArray) -> FloatArray:
-    """Gives how far points are from polygons, each from one of its own; negative inside.
+    """Return the signed distances from points to polygons, one polygon a point; negative inside.
 
-    A point is inside where a line to the right of it meets an odd number of sides (Shimrat,
-    "Algorithm 112: position of point relative to polygon", 1962).
+    A point is inside if a ray to its right meets an odd number of sides (Shimrat, "Algorithm 112:
+    position of point relative to polygon", 1962).
 
     Args:
         points_m: the points, (k, 2).
-        corners_m: the corners of each point's polygon, one polygon after the other, (n, 2).
-        counts: how many corners each of them has, (k,).
+        corners_m: the corners of all polygons, one polygon after the other, (n, 2).
+        counts: number of corners of each polygon, (k,).
 
     Returns:
-        the distances from the nearest side, (k,).
+        the distances to the nearest side, (k,).
     """
     if not len(points_m):
         return np.zeros(0)
@@ -72,9 +73,8 @@ def distances_m(points_m: FloatArray, corners_m: FloatArray, counts: IndexArray)
     after[ends - 1] = ends - counts
     side = corners_m[after] - corners_m
     across = np.repeat(points_m, counts, axis=0) - corners_m
-    share = (across * side).sum(axis=1) / (side * side).sum(axis=1)
-    off = across - np.clip(share, 0.0, 1.0)[:, None] * side
-    nearest_m = np.minimum.reduceat(np.hypot(off[:, 0], off[:, 1]), ends - counts)
+    sides_m = segment.distance(*across.T, *side.T)
+    nearest_m = np.minimum.reduceat(sides_m, ends - counts)
     spans = (across[:, 1] < 0.0) != (across[:, 1] < side[:, 1])
     rise = np.where(spans, side[:, 1], 1.0)
     meets = spans & (across[:, 0] < side[:, 0] * across[:, 1] / rise)
@@ -83,7 +83,7 @@ def distances_m(points_m: FloatArray, corners_m: FloatArray, counts: IndexArray)
 
 
 def complaint(corners_m: FloatArray) -> str:
-    """Says what keeps corners, in either order, from being a polygon; nothing if nothing does."""
+    """Return why corners, in either order, are not a valid polygon; empty if they are."""
     count = len(corners_m)
     if count < 3:
         return "fewer than 3 corners"
@@ -101,16 +101,16 @@ def complaint(corners_m: FloatArray) -> str:
 
 
 def is_convex(corners_m: FloatArray) -> bool:
-    """Tells whether a polygon whose corners run counter-clockwise has no dents."""
+    """Return whether a polygon with counter-clockwise corners is convex."""
     before, after = np.roll(corners_m, 1, axis=0), np.roll(corners_m, -1, axis=0)
     return bool((_turn(before, corners_m, after) >= 0.0).all())
 
 
 def triangles(corners_m: FloatArray) -> IndexArray:
-    """Gives the triangles of a polygon whose corners run counter-clockwise.
+    """Triangulate a polygon with counter-clockwise corners.
 
     Returns:
-        numbers of three corners each, counter-clockwise, shape (n, 3).
+        indices of three corners each, counter-clockwise, shape (n, 3).
     """
     left = list(range(len(corners_m)))
     found: list[list[int]] = []
@@ -129,14 +129,14 @@ def _next(corner: int, count: int) -> int:
 
 
 def _cut(corners_m: FloatArray, ear: list[int], found: list[list[int]]) -> None:
-    """Takes an ear that has an inside; corners on a straight side have none."""
+    """Clip an ear; an ear without area (collinear corners) yields no triangle."""
     a, b, c = corners_m[ear]
     if _turn(a, b, c) > _FLAT_M2:
         found.append(ear)
 
 
 def _ear(corners_m: FloatArray, start: int) -> int:
-    """Gives the first corner from `start` on that can be cut off."""
+    """Return the first corner from `start` on that is an ear."""
     before, after = np.roll(corners_m, 1, axis=0), np.roll(corners_m, -1, axis=0)
     turns = _turn(before, corners_m, after)
     around = np.roll(np.arange(len(corners_m)), -start)
@@ -145,11 +145,11 @@ def _ear(corners_m: FloatArray, start: int) -> int:
         a, b, c = before[corner], corners_m[corner], after[corner]
         if turns[corner] <= _FLAT_M2 or not _inside(dents, a, b, c):
             return int(corner)
-    return int(turns.argmax())  # only rounding can lead here
+    return int(turns.argmax())  # reached only through rounding
 
 
 def _inside(points: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
-    """Tells whether any point but its corners lies in or on a triangle."""
+    """Return whether any point, other than its corners, lies in or on a triangle."""
     within = (_turn(a, b, points) >= 0) & (_turn(b, c, points) >= 0) & (_turn(c, a, points) >= 0)
     for corner in (a, b, c):
         within &= (points != corner).any(axis=1)
@@ -157,13 +157,13 @@ def _inside(points: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray) -> 
 
 
 def _turn(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
-    """Gives twice the area of triangles, positive where a, b, c turn left."""
+    """Return twice the signed area of triangles, positive if a, b, c turn left."""
     ab, ac = b - a, c - a
     return np.asarray(ab[..., 0] * ac[..., 1] - ab[..., 1] * ac[..., 0])
 
 
 def _meeting(starts_m: FloatArray, ends_m: FloatArray) -> tuple[int, int] | None:
-    """Gives two sides that come too near to each other, neighbours at their common corner apart."""
+    """Return two sides that meet or are too close, other than neighbours at their common corner."""
     count = len(starts_m)
     for side in range(count):
         a, b, c = starts_m[side], ends_m[side], ends_m[_next(side, count)]
@@ -177,7 +177,7 @@ def _meeting(starts_m: FloatArray, ends_m: FloatArray) -> tuple[int, int] | None
 
 
 def _folds(a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
-    """Tells whether the sides from a to b and from b to c lie on each other."""
+    """Return whether the sides from a to b and from b to c fold back on each other."""
     if (a - b) @ (c - b) <= 0:
         return False
     ends = (a, c) if np.hypot(*(a - b)) < np.hypot(*(c - b)) else (c, a)
@@ -185,7 +185,7 @@ def _folds(a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
 
 
 def _apart_m(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> FloatArray:
-    """Gives the distance of the segment from a to b from those from c to d."""
+    """Return the distances between the segments from a to b and those from c to d."""
     crossing = (_turn(a, b, c) * _turn(a, b, d) < 0) & (_turn(c, d, a) * _turn(c, d, b) < 0)
     ends = [_to_segment_m(a, c, d), _to_segment_m(b, c, d)]
     ends += [_to_segment_m(c, a, b), _to_segment_m(d, a, b)]
@@ -194,6 +194,4 @@ def _apart_m(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> Floa
 
 def _to_segment_m(point: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     along, across = end - start, point - start
-    share = (along * across).sum(axis=-1) / (along * along).sum(axis=-1)
-    nearest = start + np.clip(share, 0.0, 1.0)[..., None] * along
-    return np.asarray(np.hypot(*np.moveaxis(point - nearest, -1, 0)))
+    return segment.distance(across[..., 0], across[..., 1], along[..., 0], along[..., 1])

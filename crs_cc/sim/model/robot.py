@@ -1,7 +1,7 @@
-"""What a kind of robot is made of: constant data, as its definition file says.
+"""Robot models: the constants of a kind of robot.
 
-A definition has a dataclass for each device. All of it is frozen, compares and hashes by content,
-and pickles. Units: metres, seconds, kilograms, radians. Robot frame: x ahead, y to the left, origin
+A model has a dataclass for each device. All of it is frozen, compares and hashes by content, and
+pickles. Units: metres, seconds, kilograms, radians. Robot frame: x ahead, y to the left, origin
 midway between the wheels.
 
 >>> RobotModel("scout", radius_m=0.2, drive=Drive(wheel_base_m=0.345)).drive.axis_names
@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.beacons import LightSensors, Microphones
@@ -24,8 +24,6 @@ from crs_cc.sim.model.sensors import (
     Battery,
     Camera,
     Compass,
-    Gps,
-    Inclinometer,
     Infrared,
     Laser,
     MotorBattery,
@@ -39,25 +37,24 @@ USUAL_WHEELS: Final = Axis(speed_limit=1.0, acceleration_limit=2.0, speed=0.3, a
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """A differential drive, or a synchro drive when there is a steering axis.
+    """A differential drive, or a synchro drive if there is a steering axis.
 
-    A differential drive has two driven wheels on one axle, and turns with all that is on it. The
+    A differential drive has two driven wheels on one axle, and turns with the whole robot. The
     wheels of a synchro drive all run and steer alike, and its base never turns.
 
     Attributes:
         wheel_base_m: distance between the wheels of a differential drive.
         wheels: each wheel, or the translation of a synchro drive [m].
-        steering: the direction of a synchro drive's wheels [rad].
-        turret: what turns the sensors above the base of a synchro drive [rad].
-        timeout_s: the axes stop when no command came for so long, until the program sets
-            another; 0 for never.
-        force_n: the force with which the motors push at most.
-        grip_n: the force that the wheels can hand over to the floor before they slip.
-        roll_out_mps2: how fast limp wheels lose their speed.
-        climb_rad: ramps that are steeper block the robot from below, see `ledges`.
+        steering: the steering of a synchro drive [rad].
+        turret: the turret of a synchro drive, which carries the sensors [rad].
+        timeout_s: default command timeout, after which the axes stop; 0 for none.
+        force_n: maximum force of the motors.
+        grip_n: traction limit: the force at which the wheels slip.
+        roll_out_mps2: deceleration of limp wheels.
+        climb_rad: maximum slope; steeper ramps block the robot from below, see `ledges`.
         step_m: the highest step that its wheels climb.
-        give_up_s: the motors stop when they have stalled for so long; infinite for never.
-        waits_forever: whether `ws` with a timeout of 0 waits without end, not at all otherwise.
+        give_up_s: time after which stalled motors stop; infinite for never.
+        waits_forever: whether `ws` with a timeout of 0 waits without end instead of not at all.
     """
 
     wheel_base_m: float = 0.0
@@ -75,14 +72,14 @@ class Drive:
 
     @property
     def axes(self) -> tuple[Axis | None, Axis | None, Axis | None]:
-        """The vendor's three axes; None for one that the robot does not have."""
+        """The vendor's three axes; None for a missing one."""
         if self.steering is None:
             return self.wheels, self.wheels, None
         return self.wheels, self.steering, self.turret
 
     @property
     def axis_names(self) -> tuple[str, ...]:
-        """What the axes are called, those that the robot has."""
+        """The names of the axes that the robot has."""
         if self.steering is None:
             return "right", "left"
         return ("translation", "steering", "turret")[: 2 if self.turret is None else 3]
@@ -90,18 +87,18 @@ class Drive:
 
 @dataclass(frozen=True, slots=True)
 class Odometry:
-    """The encoders, and how the wheels differ from what they are believed to be.
+    """Wheel encoders and systematic and random errors of the odometry.
 
     Attributes:
-        resolution_m: way of a wheel for one count of its encoder; 0 for any.
+        resolution_m: distance for one count of a wheel's encoder; 0 for unlimited resolution.
         resolution_rad: the same for steering and turret.
-        scale: true over believed way.
-        diameters: diameter of the right wheel over that of the left one.
-        wheel_base: true over believed distance of the wheels.
-        drift_radpm: by how much a synchro drive turns with each metre.
-        way_noise_m: standard deviation of the way after a metre.
-        turn_noise_rad: that of the direction after a metre.
-        spin_noise_rad: that of the direction after a full turn.
+        scale: ratio of true to assumed distance.
+        diameters: ratio of the right wheel's diameter to that of the left one.
+        wheel_base: ratio of true to assumed wheel base.
+        drift_radpm: rotation of a synchro drive for each metre.
+        way_noise_m: standard deviation of the distance after one metre.
+        turn_noise_rad: standard deviation of the heading after one metre.
+        spin_noise_rad: standard deviation of the heading after a full turn.
     """
 
     resolution_m: float = 0.0
@@ -117,12 +114,12 @@ class Odometry:
 
 @dataclass(frozen=True, slots=True)
 class Heat:
-    """What senses heat, and takes it away.
+    """A heat sensor and a tagging device, which removes heat.
 
     Attributes:
-        range_m: how far it senses, from the robot's middle; 0 when there is no such sensor.
-        tag_range_m: how far it takes heat away.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        range_m: sensing range from the robot's centre; 0 for no sensor.
+        tag_range_m: range of tagging.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     range_m: float = 0.0
@@ -132,12 +129,12 @@ class Heat:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """The serial line between the host and the robot, and the network to the simulator.
+    """The serial link between the host and the robot, and the network to the simulator.
 
     Attributes:
-        baud: its speed until the program sets another [bit/s].
-        byte_counts: bytes that each command and its reply take, by name; of a robot that is on the
-            network itself none.
+        baud: its default speed [bit/s].
+        byte_counts: size of each command with its reply, by name; empty for a robot that is on the
+            network itself.
         network_s: time that a request to the simulator and its reply take on the network.
     """
 
@@ -147,44 +144,43 @@ class Link:
 
 
 IDEAL_LINK: Final = Link(1)
-"""A line on which nothing takes time."""
+"""A link without delay."""
 
 
 @dataclass(frozen=True, slots=True)
 class RobotModel:
-    """What a kind of robot is made of, as its definition file says.
+    """All constants of a kind of robot.
 
     Attributes:
         name: the definition's name.
         radius_m: radius of its round body.
-        drive: its wheels.
-        odometry: its encoders, and what is wrong with its wheels.
+        drive: its drive.
+        odometry: its encoders and odometry errors.
         mass_kg: its mass.
         sonars: its sonars, by rising id.
-        sonar_board: what they have in common.
-        own_modes: the ways in which they can work; empty when there is but one.
+        sonar_board: properties common to all its sonars.
+        own_modes: its sonar modes; empty if there is only one.
         heat: its heat sensor.
         bumpers: the switches of its bumpers.
-        infrared: its infrared ring, None where there is none.
-        compass: its compass, None where there is none.
-        laser: its laser, None where there is none.
-        gps: its GPS receiver, None where there is none.
-        inclinometer: what tells how it is tilted, None where there is none.
-        camera: its camera, None where there is none.
-        gripper: its gripper, None where there is none.
-        arm: its arm, None where there is none.
-        light_sensors: its light sensors, None where there are none.
-        microphones: its microphones, None where there are none.
-        brightest: how bright its lamp can shine, 0 where there is none.
-        loudest: how loud its speaker can sound, 0 where there is none.
-        computer_battery: what feeds its computers.
-        motor_battery: what feeds its motors.
+        infrared: its infrared ring, or None.
+        compass: its compass, or None.
+        laser: its laser, or None.
+        camera: its camera, or None.
+        gripper: its gripper, or None.
+        arm: its arm, or None.
+        light_sensors: its light sensors, or None.
+        microphones: its microphones, or None.
+        brightest: maximum brightness of its lamp, 0 for no lamp.
+        loudest: maximum level of its speaker, 0 for no speaker.
+        computer_battery: supply of its computers.
+        motor_battery: supply of its motors.
         board: the computer that reads its sensors.
-        link: the line between host and robot.
-        host_speed_hz: how many IR instructions the host computer runs in a second.
-        vendor_model: number of the model, as the vendor's `connect_robot` takes it: 0 a Nomad 200,
-            1 a Nomad 150, 2 a Scout.
-        height_m: how high it is; infinite for as high as anything that looks at it.
+        link: the link between host and robot.
+        host_speed_hz: IR instructions that the host computer executes per second.
+        vendor_model: number of the model in the vendor's `connect_robot`: 0 for a Nomad 200, 1 for
+            a Nomad 150, 2 for a Scout.
+        height_m: its height; infinite for one that is visible at any height.
+        devices: names and models of its devices of `registry.devices()`.
     """
 
     name: str
@@ -200,8 +196,6 @@ class RobotModel:
     infrared: Infrared | None = None
     compass: Compass | None = None
     laser: Laser | None = None
-    gps: Gps | None = None
-    inclinometer: Inclinometer | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None
     arm: Arm | None = None
@@ -216,11 +210,16 @@ class RobotModel:
     host_speed_hz: float = 5e7
     vendor_model: int = 2
     height_m: float = math.inf
+    devices: tuple[tuple[str, Any], ...] = ()
 
     def __hash__(self) -> int:
-        return hash(self.name)  # robots are sorted by kind again and again
+        return hash(self.name)  # for speed: models are dictionary keys in inner loops
+
+    def device(self, name: str) -> Any | None:
+        """Return the model of a device of `registry.devices()`, None if the robot lacks it."""
+        return next((model for each, model in self.devices if each == name), None)
 
     @property
     def sonar_modes(self) -> tuple[SonarMode, ...]:
-        """The ways in which its sonars can work, at least one."""
+        """The sonar modes, at least one."""
         return self.own_modes or (SonarMode("", self.sonars, self.sonar_board),)

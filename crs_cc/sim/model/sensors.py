@@ -1,7 +1,7 @@
-"""What the sensors of a kind of robot are made of: constant data, as its definition file says.
+"""Sensors of a kind of robot.
 
-Sonars are in `sonar_model`, light sensors and microphones in `beacon_model`. Units: metres,
-seconds, radians; directions count counter-clockwise from ahead.
+Sonars are in `model.sonar`, light sensors and microphones in `model.beacons`. Units: metres,
+seconds, radians; directions are counter-clockwise from ahead.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from typing import Final
 
 MAX_INFRARED: Final = 16
-"""The vendor's `State` array has 16 places for them (vendor header `Nclient.h` 1.29)."""
+"""Number of readings in the vendor's `State` array (vendor header `Nclient.h` 1.29)."""
 
 NUM_LASER: Final = 482
-"""The most points that a laser can tell (vendor header `Nclient.h` 1.29)."""
+"""Maximum number of points of a laser (vendor header `Nclient.h` 1.29)."""
 
 MAX_COLUMNS: Final = 320
-"""The most columns of a camera; chosen by us."""
+"""Maximum number of columns of a camera; our choice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,8 +25,8 @@ class Switch:
     """One switch of a bumper.
 
     Attributes:
-        bit: which bit of the vendor's `State[33]` it sets.
-        bearing_rad: where its middle is.
+        bit: the bit of the vendor's `State[33]` that it sets.
+        bearing_rad: direction of its centre.
         span_rad: the angle that it covers, half of it to each side.
     """
 
@@ -40,15 +40,15 @@ class Infrared:
     """Sixteen infrared sensors around the mount, on the robot's shell.
 
     Attributes:
-        step_m: the distance of a white surface for each 1 of a reading.
+        step_m: the distance of a white surface for each unit of a reading.
         half_angle_rad: the angle between the axis of a beam and its side.
-        reflectance: how much light surfaces reflect, up to 1 for all of it.
-        rate_hz: how often they measure at most.
+        reflectance: assumed reflectance of surfaces, up to 1.
+        rate_hz: maximum measuring rate.
         noise_m: standard deviation of a distance's error.
-        share: how much of a reading stays in the next, until the program sets another.
-        order: the sensors that measure, until the program sets others.
-        z_m: how high above the ground its beams run.
-        period_s: how often they measure by their timer; 0 for when they are asked.
+        share: default weight of the previous reading in the next one.
+        order: default order of the sensors that measure.
+        z_m: height of its beams above the ground.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     step_m: float
@@ -67,13 +67,13 @@ class Compass:
     """A compass.
 
     Attributes:
-        offset_rad: what it shows of the world's x axis.
-        deviation_rad: the largest error that iron on the robot causes, until it is calibrated.
-        calibration_s: how long it takes to turn around for that.
-        rate_hz: how often it measures at most.
+        offset_rad: its reading in the direction of the world's x axis.
+        deviation_rad: the largest error through iron on the robot, before calibration.
+        calibration_s: time for the turn that calibrates it.
+        rate_hz: maximum measuring rate.
         noise_rad: standard deviation of a reading's error.
-        is_on: whether it is switched on at the start.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        is_on: whether it is on at the start.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     offset_rad: float
@@ -90,15 +90,15 @@ class Laser:
     """A laser that measures distances in its plane.
 
     Attributes:
-        points: how many there are at most.
+        points: maximum number of points.
         field_of_view_rad: the angle that they cover, half of it to each side.
-        range_m: how far it sees.
-        forward_m: where it sits, ahead of the middle of the mount.
-        rate_hz: how often it looks at most.
+        range_m: maximum range.
+        forward_m: its distance ahead of the mount's centre.
+        rate_hz: maximum measuring rate.
         noise_m: standard deviation of a distance's error at a distance of 1 m.
         mode: the vendor's mode at the start; 0 for off.
-        z_m: how high above the ground its beams run.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        z_m: height of its beams above the ground.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     points: int
@@ -113,51 +113,21 @@ class Laser:
 
 
 @dataclass(frozen=True, slots=True)
-class Gps:
-    """A receiver that tells where the robot is in the world.
-
-    Attributes:
-        rate_hz: how often it measures at most.
-        noise_m: standard deviation of the error along x and along y.
-        period_s: how often it measures by its timer; 0 for when it is asked.
-    """
-
-    rate_hz: float
-    noise_m: float
-    period_s: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Inclinometer:
-    """What tells how the robot is tilted.
-
-    Attributes:
-        rate_hz: how often it measures at most.
-        noise_rad: standard deviation of the error of pitch and of roll.
-        period_s: how often it measures by its timer; 0 for when it is asked.
-    """
-
-    rate_hz: float
-    noise_rad: float
-    period_s: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
 class Camera:
-    """A camera that sees a row of colours and ranges, on the mount.
+    """A camera on the mount that measures a row of colours and ranges.
 
     Attributes:
-        columns: how many pixels the row has.
+        columns: pixels in the row.
         field_of_view_rad: the angle that they cover, half of it to each side.
-        range_m: how far it sees.
-        x_m: where it sits, ahead of the middle of the mount.
-        y_m: the same, to the left.
-        direction_rad: where it looks.
-        rate_hz: how often it looks at most.
+        range_m: maximum range.
+        x_m: its position ahead of the mount's centre.
+        y_m: its position to the left of the mount's centre.
+        direction_rad: direction of its axis.
+        rate_hz: maximum measuring rate.
         noise_m: standard deviation of a range's error at a distance of 1 m.
-        background: red, green and blue of a column in which there is nothing, 0 to 255.
-        z_m: how high above the ground its beams run.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        background: red, green and blue of a column without an object, 0 to 255.
+        z_m: height of its beams above the ground.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
     columns: int
@@ -175,13 +145,13 @@ class Camera:
 
 @dataclass(frozen=True, slots=True)
 class Battery:
-    """A battery and what it feeds.
+    """A battery and its load.
 
     Attributes:
-        capacity_j: the energy in it when it is full; infinite for one that lasts for ever.
-        charge: the share of it that is there at the start, 0 to 1.
-        power_w: what is used all the time.
-        curve_v: its voltage, for charges from empty to full at equal distances.
+        capacity_j: energy when full; infinite for one that is never empty.
+        charge: state of charge at the start, 0 to 1.
+        power_w: constant load.
+        curve_v: voltage at equally spaced states of charge from empty to full.
     """
 
     capacity_j: float = math.inf
@@ -192,14 +162,14 @@ class Battery:
 
 @dataclass(frozen=True, slots=True)
 class MotorBattery(Battery):
-    """The battery that moves the robot: a `Battery` with more.
+    """The battery of the motors: a `Battery` with the load of the drive.
 
     Attributes:
-        friction_n: force that a wheel works against while it turns.
-        efficiency: the share of the energy used for moving that arrives at the wheels.
-        stall_w: what is used besides while something holds the robot back.
-        cutoff_v: below this voltage the motors have no force.
-        is_in_status: whether bits 2 and 3 of the motors' status tell its charge.
+        friction_n: rolling resistance of a turning wheel.
+        efficiency: efficiency of the drive.
+        stall_w: additional load while the robot is blocked.
+        cutoff_v: voltage below which the motors have no force.
+        is_in_status: whether bits 2 and 3 of the motors' status report its charge.
     """
 
     friction_n: float = 0.0
@@ -214,8 +184,8 @@ class SensorBoard:
     """The computer on the robot that reads the sensors.
 
     Attributes:
-        start_s: what its clock shows at the start.
-        tick_s: the step of its clock.
+        start_s: its clock at the start.
+        tick_s: the resolution of its clock.
     """
 
     start_s: float = 0.0
@@ -225,4 +195,4 @@ class SensorBoard:
 ENDLESS: Final = Battery()
 ENDLESS_MOTORS: Final = MotorBattery()
 USUAL_BOARD: Final = SensorBoard()
-"""What a robot has whose definition does not say."""
+"""Defaults of a robot definition."""

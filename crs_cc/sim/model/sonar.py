@@ -1,4 +1,4 @@
-"""What a robot's sonars are made of: constant data, as its definition file says.
+"""Sonars of a kind of robot.
 
 Units: metres, seconds, radians. Robot frame: x ahead, y to the left, origin midway between the
 wheels.
@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Final
 
 MAX_SONARS: Final = 16
-"""The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
+"""Number of sonars in the vendor's `State` array (vendor header `Nclient.h` 1.29)."""
 
 SONAR_TICK_S: Final = 0.004
 """The unit of `conf_sn`'s rate (vendor header `Nclient.h` 1.29)."""
@@ -30,11 +30,11 @@ class Sonar:
 
     Attributes:
         id: its number, the index of its reading among the vendor's `STATE_SONAR_0` to `_15`.
-        x_m: where it sits in the robot frame, ahead of the axle's middle.
-        y_m: the same, to the left.
-        direction_rad: where it points, counter-clockwise from ahead.
-        range_m: how far it hears.
-        radius_m: how wide the beam is at that distance.
+        x_m: its position in the robot frame, ahead of the axle's centre.
+        y_m: its position to the left of the axle's centre.
+        direction_rad: its direction, counter-clockwise from ahead.
+        range_m: maximum range.
+        radius_m: radius of the beam at that distance.
         z_m: its height above the floor.
     """
 
@@ -54,22 +54,22 @@ class Sonar:
 
 @dataclass(frozen=True, slots=True)
 class SonarBoard:
-    """What all sonars of a robot have in common; see `sensors.sonar` and the files it names.
+    """Properties common to all sonars of a robot; see `sensors.sonar` and the files it names.
 
     Attributes:
-        order: firing order until the program sets another.
-        interval_s: time from one firing to the next until the program sets another.
-        least_interval_s: the shortest that a program can set.
+        order: default firing order.
+        interval_s: default time from one firing to the next.
+        least_interval_s: the shortest interval that a program can set.
         lobe_rad: angle off the axis at which the sound pressure falls to one half; 0 for a cone
-            with the same pressure everywhere in it.
-        critical_rad: the largest angle of incidence at which a face answers.
-        blind_m: the distance below which the transducer still rings when the echo comes.
-        minimum_m: the smallest distance that is told.
+            with uniform pressure.
+        critical_rad: the largest angle of incidence at which a face returns an echo.
+        blind_m: the distance below which the transducer still rings when the echo arrives.
+        minimum_m: minimum reading.
         noise_m: standard deviation of a reading.
-        noise_share: the part of the standard deviation that grows with the distance, as its share.
+        noise_share: distance-proportional part of the standard deviation, relative to the distance.
         dropouts: probability of missing an echo.
-        crosstalk: probability of taking another robot's ping for an echo, when it comes in.
-        resolution_m: readings are multiples of it; 0 for any.
+        crosstalk: probability of taking another robot's ping for an echo, if it arrives in time.
+        resolution_m: resolution of readings; 0 for unlimited.
     """
 
     order: tuple[int, ...] = ()
@@ -87,17 +87,17 @@ class SonarBoard:
 
 
 NO_SONARS: Final = SonarBoard()
-"""What a robot without sonars has."""
+"""Properties of a robot without sonars."""
 
 
 @dataclass(frozen=True, slots=True)
 class SonarMode:
-    """A way in which a robot's sonars can work, such as far and coarse, or near and fine.
+    """A mode of a robot's sonars, such as far and coarse, or near and fine.
 
     Attributes:
-        name: what it is called.
+        name: its name.
         sonars: the sonars, with range and beam of the mode.
-        board: what they have in common; order and intervals are the same in all modes.
+        board: their common properties; order and intervals are the same in all modes.
     """
 
     name: str

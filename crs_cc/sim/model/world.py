@@ -1,10 +1,9 @@
-"""What a world is: constant data, apart from everything that changes while it runs.
+"""World models: the constant data of a world.
 
-A `WorldModel` says what stands where before the first timestep: walls, boxes, cylinders, polygons,
-lights, sounds, and robots, each with the `RobotModel` that says what it is made of; what the ground
-is like, by which channels messages go, and what is wrong with devices from when on. `world_xml`
-reads it from a file, `environment.Environment` is made from it and never changes it. All of it is
-frozen, compares and hashes by content, and pickles.
+A `WorldModel` has the initial state of everything: walls, boxes, cylinders, polygons, lights,
+sounds, and robots, each with its `RobotModel`; the ground, the communication channels, and the
+degradations of devices. `world_xml` reads it from a file; an `environment.Environment` is made
+from it and never changes it. All of it is frozen, compares and hashes by content, and pickles.
 
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
@@ -43,25 +42,25 @@ from crs_cc.sim.model.polygon import area_m2, centroid_m
 from crs_cc.sim.model.robot import IDEAL_LINK, RobotModel
 
 FIXED_KG: Final = math.inf
-"""The mass of what cannot be pushed."""
+"""Mass of a fixed object."""
 
 EVERYWHERE_M: Final = math.inf
-"""The spread of heat that is the same wherever it is sensed."""
+"""Spread of heat that is the same everywhere."""
 
 TALL_M: Final = math.inf
-"""The height of what is as high as anything that looks at it."""
+"""Height of an object that is visible at any height."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """A place and a heading in the world frame."""
+    """A position and a heading in the world frame."""
 
     x_m: float = 0.0
     y_m: float = 0.0
     heading_rad: float = 0.0
 
     def within(self, frame: Pose) -> Pose:
-        """Gives the pose in the world that is this one in a frame which has a pose there."""
+        """Transform this pose from a frame, given by its pose in the world, to the world frame."""
         cos, sin = math.cos(frame.heading_rad), math.sin(frame.heading_rad)
         return Pose(
             frame.x_m + cos * self.x_m - sin * self.y_m,
@@ -72,13 +71,13 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """What the surface of a thing is made of.
+    """The surface of an object.
 
     Attributes:
         colour: red, green and blue, 0 to 255, as cameras see it.
-        sonar: the share of sound that it reflects, 0 to 1.
-        infrared: the share of infrared light that it reflects, 0 to 1; None for what the sensor's
-            definition takes surfaces for.
+        sonar: its reflectance for sound, 0 to 1.
+        infrared: its reflectance for infrared light, 0 to 1; None for the value that the sensor's
+            definition assumes.
     """
 
     colour: tuple[int, int, int] = (128, 128, 128)
@@ -87,20 +86,20 @@ class Material:
 
 
 PLAIN: Final = Material()
-"""What things are made of that say nothing else."""
+"""The default material."""
 
 
 @dataclass(frozen=True, slots=True)
 class Area:
-    """The rectangle that the world is about.
+    """The rectangular area of a world.
 
     Attributes:
         x_min_m: its left edge.
         y_min_m: its lower edge.
         length_m: its size along x.
         width_m: its size along y.
-        edge_m: thickness of the walls around it, which stand outside of it; 0 when it is open.
-        material: what these walls are made of.
+        edge_m: thickness of the walls around it, which are outside of it; 0 for no walls.
+        material: the material of these walls.
     """
 
     x_min_m: float
@@ -123,7 +122,7 @@ class Area:
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """A fixed wall: a line segment with thickness, round at both ends; the rest as of a box."""
+    """A fixed wall: a line segment with thickness and round ends; the rest as of a box."""
 
     id: str
     x1_m: float
@@ -139,11 +138,11 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across.
+    """A rectangular object; `length_m` is along the heading of its pose, `width_m` across.
 
-    How hot it is at the start is `heat`, and how far that spreads `spread_m`, as `sensors.heat`
-    senses it; `height_m` is how far it rises above the ground that it stands on. `part_of` names
-    the object of the world file that it is a part of, and is empty for what stands alone.
+    `heat` is its initial heat and `spread_m` the distance over which it spreads, as `sensors.heat`
+    senses it; `height_m` is its height above the ground at its position. `part_of` is the name of
+    the composite object of the world file that it belongs to, and empty for a single object.
     """
 
     id: str
@@ -179,8 +178,8 @@ class Polygon:
 
     Attributes:
         id: its name.
-        pose: its place, the middle of its area, and how far it is turned.
-        corners_m: x and y of each corner from there as it stands when it is not turned,
+        pose: the centroid of its area, and its rotation.
+        corners_m: x and y of each corner relative to the centroid, before rotation,
             counter-clockwise.
         mass_kg: its mass.
         heat: as of a box.
@@ -204,7 +203,7 @@ class Polygon:
     def of(
         cls, name: str, corners_m: Sequence[tuple[float, float]], mass_kg: float = FIXED_KG
     ) -> Self:
-        """Makes a polygon of its corners in the world frame, in either order."""
+        """Create a polygon from its corners in the world frame, in either order."""
         corners = np.array(corners_m)
         if area_m2(corners) < 0.0:
             corners = corners[::-1]
@@ -214,14 +213,14 @@ class Polygon:
 
 
 Thing: TypeAlias = Box | Cylinder | Polygon
-"""What can be pushed, if it has a mass."""
+"""A movable object, if it has a mass."""
 
 Solid: TypeAlias = Wall | Thing
-"""What a robot can run into, other robots apart."""
+"""An object that a robot can collide with, except other robots."""
 
 
 def is_pushable(solid: Solid) -> bool:
-    """Tells whether a robot can push a thing away."""
+    """Return whether a robot can push an object."""
     return not isinstance(solid, Wall) and solid.mass_kg < FIXED_KG
 
 
@@ -231,18 +230,17 @@ class Robot:
 
     Attributes:
         id: its name, unique in the world.
-        model: what it is made of.
-        start: its pose at the start.
-        program: the C file that it runs, as a path that can be opened; empty when the world
-            does not say.
-        arguments: what the program gets in `argv`, behind its own name.
-        heat: how hot it is at the start, as of a box.
-        dialect: whose functions the program calls: the vendor's, `nomad`, or those of the CRS
-            report, `report`; None when the world does not say.
-        material: what its shell is made of.
-        join_s: when it comes into the world; 0 for one that is there from the start.
-        leave_s: when it leaves, infinite for one that stays.
-        spread_m: how far its heat spreads, as of a box.
+        model: its robot model.
+        start: its initial pose.
+        program: path of its C program; empty if the world does not set one.
+        arguments: the program's arguments, without its name.
+        heat: its initial heat, as of a box.
+        dialect: the library that the program calls: the vendor's, `nomad`, or that of the CRS
+            report, `report`; None if the world does not set one.
+        material: the material of its shell.
+        join_s: time at which it joins the world; 0 for the start.
+        leave_s: time at which it leaves; infinite for never.
+        spread_m: spread of its heat, as of a box.
     """
 
     id: str
@@ -259,16 +257,16 @@ class Robot:
 
     @property
     def height_m(self) -> float:
-        """How high it is, as of a box."""
+        """Its height, as of a box."""
         return self.model.height_m
 
 
 @dataclass(frozen=True, slots=True)
 class WorldModel:
-    """A whole world; the order within each tuple is that of the file, and is part of it.
+    """A world; the order within each tuple is that of the file, and is significant.
 
-    `duration_s` is how long a run lasts, and `seed` where its random numbers start; None where
-    whoever runs it has to say so.
+    `duration_s` is the length of a run, and `seed` its random seed; None if the world does not set
+    it.
     """
 
     name: str
@@ -288,14 +286,14 @@ class WorldModel:
     communication: Communication = PLAIN_COMMUNICATION
 
     def with_ideal_link(self) -> WorldModel:
-        """Gives the same world with commands that take no time on their way to the robot."""
+        """Return a copy in which commands have no delay on the link to the robot."""
         robots = tuple(
             replace(robot, model=replace(robot.model, link=IDEAL_LINK)) for robot in self.robots
         )
         return replace(self, robots=robots)
 
     def edge_walls(self) -> tuple[Wall, ...]:
-        """Gives the walls around the area; their inner sides lie on its edges."""
+        """Return the walls around the area; their inner sides are on its edges."""
         area, half_m = self.area, self.area.edge_m / 2
         if area.edge_m == 0.0:
             return ()
@@ -310,7 +308,7 @@ class WorldModel:
         )
 
     def solids(self) -> tuple[Solid, ...]:
-        """Gives everything that a robot can run into, other robots apart."""
+        """Return everything that a robot can collide with, except other robots."""
         return (
             *self.edge_walls(), *self.walls, *self.boxes, *self.cylinders, *self.polygons
         )  # fmt: skip

@@ -1,1 +1,1 @@
-"""Contacts: what happens when robots and things get in each other's way; alone knows pymunk."""
+"""Rigid-body physics: motion of bodies with contacts and friction. Only this folder uses pymunk."""

@@ -1,6 +1,6 @@
-"""All bodies' numbers into pymunk's space and out of it again, at once.
+"""Batched transfer of body states to and from a pymunk space.
 
-A set of buffers is made once for a world: pymunk never gives the memory of a buffer back.
+The buffers are created once for a world: pymunk never frees the memory of a buffer.
 """
 
 from __future__ import annotations
@@ -29,38 +29,38 @@ _NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
 
 
 class Batches:
-    """Writes and reads the bodies of one space after the other.
+    """Writes and reads the bodies of a sequence of spaces.
 
     Attributes:
         force_n: the forces on the bodies in the next substep, (bodies, 2); see `push`.
     """
 
     def __init__(self, names: int) -> None:
-        """Makes the buffers.
+        """Create the buffers.
 
         Args:
-            names: how many things there are, robots and what stands among them.
+            names: number of objects: robots and the solids between which they move.
         """
         self._read, self._touch = batch.Buffer(), batch.Buffer()
         self._write_motion, self._write_force = batch.Buffer(), batch.Buffer()
-        # Batches also write the bodies that are fixed, among them the floor; their rows stay 0.
+        # Batches also write the static bodies, among them the floor; their rows stay 0.
         self._motion = np.zeros((names + 1, 6))
         self.force_n = np.zeros((names + 1, 2))
         self._write_motion.set_float_buf(self._motion)
         self._write_force.set_float_buf(self.force_n)
 
     def learn(self, space: Space) -> None:
-        """Learns which of pymunk's ids is which of our bodies."""
+        """Map pymunk's ids of bodies to our numbers."""
         ids = [body.id for body in space.bodies]
         self._read.clear()
         batch.get_space_bodies(space.inner, batch.BodyFields.BODY_ID, self._read)
-        # Batches list the dynamic bodies, then the static ones, each as they were added.
+        # Batches list the dynamic bodies, then the static ones, each in the order of addition.
         assert np.frombuffer(self._read.int_buf(), dtype=np.uintp).tolist() == ids
         self._by_id = np.argsort(np.array(ids, dtype=np.uintp))
         self._ids = np.array(ids, dtype=np.uintp)[self._by_id]
 
     def write(self, space: Space, bodies: Bodies, rigid: Rigid) -> None:
-        """Puts the bodies of a space where bodies are, with their velocities."""
+        """Set the poses and velocities of a space's bodies."""
         motion = self._motion[: len(bodies.position_m)]
         motion[:, 0:2], motion[:, 2] = bodies.position_m, bodies.angle_rad
         motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
@@ -68,35 +68,35 @@ class Batches:
         batch.set_space_bodies(space.inner, _MOTION, self._write_motion)
 
     def push(self, space: Space) -> None:
-        """Lets `force_n` push the bodies in the next substep."""
+        """Apply `force_n` to the bodies in the next substep."""
         batch.set_space_bodies(space.inner, batch.BodyFields.FORCE, self._write_force)
 
     def read(self, space: Space, bodies: Bodies, rigid: Rigid) -> None:
-        """Writes where the bodies of a space got to, and their velocities, into bodies."""
+        """Read the poses and velocities of a space's bodies."""
         motion = self._body_fields(space.inner, _MOTION, 6)[: len(bodies.position_m)]
         bodies.position_m[:], bodies.angle_rad[:] = motion[:, 0:2], motion[:, 2]
         bodies.velocity_mps[:], bodies.spin_radps[:] = motion[:, 3:5], motion[:, 5]
         rigid.place(bodies)
 
     def velocity_mps(self, space: Space) -> FloatArray:
-        """Gives the velocities of the bodies, (bodies, 2); valid until the next reading."""
+        """Return the velocities of the bodies, (bodies, 2); valid until the next reading."""
         return self._body_fields(space.inner, batch.BodyFields.VELOCITY, 2)
 
     def position_m(self, space: Space) -> FloatArray:
-        """Gives the places of the bodies, (bodies, 2); valid until the next reading."""
+        """Return the positions of the bodies, (bodies, 2); valid until the next reading."""
         return self._body_fields(space.inner, batch.BodyFields.POSITION, 2)
 
     def touching(self, space: Space) -> tuple[IndexArray, FloatArray]:
-        """Gives the pairs of bodies in contact, and x, y, distance [m] of each."""
+        """Return the pairs of bodies in contact, and x, y, distance [m] of each."""
         self._touch.clear()
         batch.get_space_arbiters(space.inner, _CONTACT, self._touch)
         numbers = np.frombuffer(self._touch.int_buf(), dtype=np.uintp).reshape(-1, 3)
-        touch = numbers[:, 2] > 0  # what is over a patch that does not block it touches nothing
+        touch = numbers[:, 2] > 0  # no points: a body above a patch that does not block it
         if not touch.any():
             return _NO_PAIRS
         pairs = self._by_id[np.searchsorted(self._ids, numbers[touch, :2])]
         places = np.frombuffer(self._touch.float_buf()).reshape(-1, 3)[touch]
-        # pymunk lists the contacts of one body's shapes by where these lie in memory.
+        # pymunk orders the contacts of one body's shapes by their addresses in memory.
         order = np.lexsort((places[:, 1], places[:, 0], pairs[:, 1], pairs[:, 0]))
         return pairs[order], places[order]
 

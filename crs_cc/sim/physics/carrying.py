@@ -1,11 +1,11 @@
-"""How what robots hold moves with them, without pymunk: who carries what, and where it gets.
+"""Motion of held objects with their robots, computed without pymunk.
 
-- What one gripper holds is a part of its robot: it moves and turns with it, and its weight counts
-  for the robot's mass and for the grip of its wheels.
-- What several grippers hold is a body of its own that no floor rubs on, and each gripper holds it
-  at the middle of its fingers. There it may turn, so that each robot can; the weight is shared.
-- What is in the hand of an arm is lifted above everything: it touches nothing, and its weight
-  counts as that of what is in a gripper.
+- An object in a single gripper is a part of its robot: it moves and turns with it, and its weight
+  adds to the robot's mass and to the traction of its wheels.
+- An object in several grippers is a body of its own without floor friction, and each gripper holds
+  it at the centre of its fingers, with a pivot, so that each robot can turn; the weight is shared.
+- An object in the hand of an arm is above everything: it has no contacts, and its weight counts as
+  that of an object in a gripper.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.frames import compose, relative, wrapped
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.bodies import Bodies, Pull
 from crs_cc.sim.state.holds import GRIPPER, HAND, Holds
@@ -28,28 +28,28 @@ if TYPE_CHECKING:
 
 
 _OWN_M: Final = 0.01
-"""A contact that is further than this from a robot's body is its load's."""
+"""A contact further than this from a robot's body is one of its load."""
 
 
 @dataclass(frozen=True, slots=True)
 class Load:
-    """What the robots of a world carry; things are numbered among those that can be pushed.
+    """The loads of all robots; objects are numbered among the movable ones.
 
     Attributes:
-        carriers: robots whose grippers alone hold something, rising, c of them.
-        carried: what each of them holds, (c,).
-        grasp: where it is in the frame of the robot's mount, (c, 3).
-        sharers: robots that hold something together with others, rising, s of them.
-        shared: what each of them holds, (s,).
-        grip_m: where it holds that, ahead of the middle of its mount, (s,).
-        point_m: the same place in the frame of the thing, (s, 2).
-        lifters: robots that have something in their hand, rising.
-        lifted: what each of them has.
-        lift: where it is in the frame of the hand.
-        weight_kg: what each robot bears the weight of, (robots,).
-        mass_kg: what moves with each robot as a part of it, (robots,).
-        reach_m: how far from the middle of any robot what it carries reaches.
-        robots: how many robots there are.
+        carriers: robots that are the only ones to grip an object, rising, c of them.
+        carried: the object of each, (c,).
+        grasp: its pose in the frame of the robot's mount, (c, 3).
+        sharers: robots that grip an object together with others, rising, s of them.
+        shared: the object of each, (s,).
+        grip_m: the distance of the grip point ahead of the mount's centre, (s,).
+        point_m: the grip point in the frame of the object, (s, 2).
+        lifters: robots with an object in their hand, rising.
+        lifted: the object of each.
+        lift: its pose in the frame of the hand.
+        weight_kg: the mass whose weight each robot bears, (robots,).
+        mass_kg: the mass that moves with each robot as a part of it, (robots,).
+        reach_m: the largest extent of a carried object from a robot's centre.
+        robots: number of robots.
         radius_m: their radii, (robots,).
     """
 
@@ -71,7 +71,7 @@ class Load:
 
     @classmethod
     def of(cls, world: WorldModel, scene: Scene, holds: Holds) -> Self:
-        """Gives the load of robots that hold something."""
+        """Return the load of robots that hold objects."""
         rows, things = holds.in_grippers()
         hands, lifted = holds.in_hands()
         together = np.bincount(things, minlength=len(scene.pushables))
@@ -86,7 +86,7 @@ class Load:
         weight_kg[hands] += thing_kg[lifted]
         mass_kg[hands] += thing_kg[lifted]
         grasp = holds.grasp[rows[alone], GRIPPER]
-        size_m = Things.of(scene).reach_m[len(world.robots) + things[alone]]
+        size_m = ShapeTable.of(scene).reach_m[len(world.robots) + things[alone]]
         return cls(
             rows[alone],
             things[alone],
@@ -109,7 +109,7 @@ class Load:
         return bool(len(self.carriers) + len(self.sharers) + len(self.lifters))
 
     def spin_radps(self, bodies: Bodies, pull: Pull, timestep_s: float) -> FloatArray:
-        """Gives how fast the mounts of robots turn in a cycle, 0 for those with empty fingers."""
+        """Return the turn rates of mounts in a cycle, 0 for robots with empty grippers."""
         spin_radps = np.zeros(self.robots)
         if pull.mount_rad is not None:
             for rows in (self.carriers, self.sharers):
@@ -118,11 +118,11 @@ class Load:
         return spin_radps
 
     def place(self, bodies: Bodies, pull: Pull) -> None:
-        """Puts what robots carry where it is at the end of a cycle.
+        """Move carried objects to their poses at the end of a cycle.
 
         Args:
-            bodies: changed in place; the robots are there already.
-            pull: what their drives did in the cycle.
+            bodies: changed in place; the robots have been moved already.
+            pull: the motion of the drives in the cycle.
         """
         assert pull.mount_rad is not None
         robots = slice(self.robots)
@@ -136,7 +136,7 @@ class Load:
             self._put(bodies, self.lifted, compose(hands, self.lift))
 
     def stretch_m(self, bodies: Bodies) -> FloatArray:
-        """Gives how far what sharers hold has slipped out of the middle of their fingers, (s,)."""
+        """Return how far shared objects have slipped from the centre of the fingers, (s,)."""
         mounts = np.column_stack([bodies.position_m, bodies.angle_rad])
         fingers, points = np.zeros((2, len(self.sharers), 3))
         fingers[:, 0], points[:, :2] = self.grip_m, self.point_m
@@ -147,15 +147,15 @@ class Load:
     def owned(
         self, pairs: IndexArray, places: FloatArray, position_m: FloatArray
     ) -> tuple[IndexArray, IndexArray]:
-        """Tells contacts of robots from those of what is a part of them.
+        """Assign contacts of robots' bodies to the objects that they carry.
 
         Args:
-            pairs: the bodies that touch, (contacts, 2).
+            pairs: the bodies in contact, (contacts, 2).
             places: x, y and distance [m] of each contact.
-            position_m: where all bodies are.
+            position_m: the positions of all bodies.
 
         Returns:
-            the pairs with the carried things in place of their carriers, and in which rows one is.
+            the pairs with carried objects in place of their carriers, and the rows that have one.
         """
         carries = np.full(len(position_m) + 1, -1, dtype=np.intp)
         carries[self.carriers] = self.robots + self.carried
@@ -177,9 +177,9 @@ class Load:
 
 
 def release(state: EnvState, rows: IndexArray) -> None:
-    """Takes everything out of the fingers and hands of robots; it rests where it is.
+    """Release all objects from the grippers and hands of robots, at rest.
 
-    The physics must start from there.
+    The physics must be restarted from this state.
     """
     holds = state.bodies.holds
     things = holds.thing[rows]
@@ -189,7 +189,7 @@ def release(state: EnvState, rows: IndexArray) -> None:
 
 
 def grasp_anew(state: EnvState, things: IndexArray) -> None:
-    """Notes how grippers hold things, as robots and things stand now."""
+    """Recompute the grasps of objects from the current poses."""
     bodies, holds = state.bodies, state.bodies.holds
     rows, held = holds.in_grippers()
     rows, held = rows[np.isin(held, things)], held[np.isin(held, things)]

@@ -1,4 +1,4 @@
-"""What the contacts of a cycle mean: who touched what, and what robots lose by it."""
+"""Evaluation of a cycle's contacts: touched objects, and loads that are lost."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from crs_cc.sim.physics.space import SLOP_M
 from crs_cc.sim.state.bodies import NO_CONTACTS, Bodies, Contacts
 
 TORN_M: Final = 0.02
-"""How deep a load gets into something before it is torn out of the fingers; chosen by us."""
+"""Penetration depth at which a load is torn from the fingers; our choice."""
 
 STRETCH_M: Final = 0.05
-"""How far a load that several hold slips out of one's fingers before it is lost; chosen by us."""
+"""Slip of a shared load at which a gripper loses it; our choice."""
 
 
 def first_contacts(scene: Scene, found: list[tuple[IndexArray, FloatArray]]) -> Contacts:
-    """Gives the first place at which each robot touched each thing.
+    """Return the first contact point of each robot with each object.
 
     Args:
-        scene: its names number what touches.
+        scene: its names number the objects.
         found: for each substep the pairs in contact, and x, y, distance [m] of each.
     """
     pairs = np.concatenate([pairs for pairs, _ in found])
@@ -43,17 +43,17 @@ def first_contacts(scene: Scene, found: list[tuple[IndexArray, FloatArray]]) -> 
 def told_apart(
     load: Load, pairs: IndexArray, places: FloatArray, position_m: FloatArray
 ) -> tuple[IndexArray, IndexArray]:
-    """Tells contacts of loads from their carriers'.
+    """Separate contacts of loads from those of their carriers.
 
     Args:
-        load: what robots carry.
+        load: the robots' loads.
         pairs: the bodies in contact, (k, 2).
         places: x, y, distance [m] of each contact, (k, 3).
-        position_m: where the bodies are, (bodies, 2).
+        position_m: the positions of the bodies, (bodies, 2).
 
     Returns:
-        the pairs, with loads in their carriers' stead; and the carriers of loads that are so deep
-        in something that they are torn out.
+        the pairs, with loads in place of their carriers; and the carriers of loads that penetrate
+        an object so deeply that they are torn out.
     """
     owned, rows = load.owned(pairs, places, position_m)
     rows = rows[places[rows, 2] < -TORN_M]
@@ -62,12 +62,12 @@ def told_apart(
 
 
 def with_slipped(contacts: Contacts, load: Load, bodies: Bodies) -> Contacts:
-    """Adds the robots out of whose fingers slipped what they hold with others."""
+    """Add the robots whose shared loads have slipped from their fingers."""
     slipped = load.sharers[load.stretch_m(bodies) > STRETCH_M]
     return replace(contacts, torn=np.union1d(contacts.torn, slipped))
 
 
 def is_settled(scene: Scene, pairs: IndexArray, places: FloatArray) -> bool:
-    """Tells whether no thing presses into anything; arguments as in `told_apart`."""
+    """Return whether no object presses on another; arguments as for `told_apart`."""
     things = ((pairs >= scene.robots) & (pairs < len(scene.start))).any(axis=1)
     return bool((places[things, 2] >= -2 * SLOP_M).all())

@@ -1,8 +1,9 @@
-"""What draws robots to the velocity of their wheels, and what holds them.
+"""Drive forces of robots: traction limits and brakes.
 
-What draws a robot is the smaller of its motors' force and its wheels' grip; the whole grip holds
-one that stands. Limp wheels hold the robot across, and hardly along. A robot that stands and
-touches something hangs on a joint with the force of its grip: a force alone would let it creep.
+The force that accelerates a robot to the velocity of its wheels is limited by its motors and by
+traction; the brakes of a stationary robot hold it with its full traction. Limp wheels resist
+sideways motion, but hardly motion along them. A stationary robot in contact is held by a joint with
+a limited force: a force alone would let it creep.
 """
 
 from __future__ import annotations
@@ -21,18 +22,18 @@ from crs_cc.sim.physics.inclines import Incline
 from crs_cc.sim.physics.space import Space
 from crs_cc.sim.state.bodies import Bodies, Pull
 
-_SAME_N: Final = 1e-9  # a smaller force needs no limit
+_SAME_N: Final = 1e-9  # smaller forces need no limit
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """What draws the robots in a cycle.
+    """The drive forces of a cycle.
 
     Attributes:
-        pull: what their drives do.
-        wanted_mps: the velocity that they are drawn to, (robots, 2).
-        limit_n: the force that there is for it, (robots,).
-        jointed: the robots that hang on joints.
+        pull: the motion of the drives.
+        wanted_mps: the target velocities, (robots, 2).
+        limit_n: the maximum forces, (robots,).
+        jointed: the robots held by joints.
         incline: the slope under them, None in a flat world.
     """
 
@@ -44,7 +45,7 @@ class Drawn:
 
 
 class DriveForce:
-    """The force of all robots' drives.
+    """The drives of all robots.
 
     Attributes:
         borne_kg: the mass that presses on each robot's wheels, (robots,).
@@ -60,7 +61,7 @@ class DriveForce:
         self.bear(None)
 
     def bear(self, load: Load | None) -> None:
-        """Takes over what robots carry: what they weigh then, and what their wheels hold."""
+        """Update the masses on the wheels for the robots' loads."""
         self.borne_kg = self._own_kg + (load.weight_kg if load else 0.0)
         self.mass_kg = self._own_kg + (load.mass_kg if load else 0.0)
         self._grip_n = self._own_grip_n * (self.borne_kg / self._own_kg)
@@ -75,12 +76,12 @@ class DriveForce:
         wanted_mps: FloatArray,
         incline: Incline | None,
     ) -> Drawn:
-        """Gives what draws the robots in a cycle, and hangs those on joints that stand.
+        """Return the drive forces of a cycle, and hold stationary robots with joints.
 
         Args:
-            space: takes the joints.
-            bodies: where they are.
-            pull: what the drives do.
+            space: receives the joints.
+            bodies: the bodies.
+            pull: the motion of the drives.
             wanted_mps: the velocities of the wheels, (robots, 2).
             incline: the slope under the bodies.
         """
@@ -88,8 +89,8 @@ class DriveForce:
         limit_n = np.where(stands | pull.limp, self._grip_n, self._drive_n)
         jointed = np.flatnonzero(bodies.touching & (stands | pull.limp))
         limit_n[jointed] = np.where(pull.limp[jointed], self._roll_n[jointed], 0.0)
-        # Made anew in each cycle: where a robot stands, and what of its grip a slope leaves,
-        # changes, and a joint that stays would go on with the impulse of the cycle before.
+        # Created anew in each cycle: the robot's position and its traction on a slope change, and
+        # a joint that is kept would start with the impulse of the cycle before.
         space.hold([self._joint(space, bodies, pull, robot) for robot in jointed.tolist()])
         if incline is not None:
             for robot, joint in zip(jointed.tolist(), space.joints, strict=True):
@@ -104,13 +105,13 @@ class DriveForce:
     def write(
         self, force_n: FloatArray, drawn: Drawn, velocity_mps: FloatArray, substep_s: float
     ) -> None:
-        """Writes the forces of the next substep.
+        """Write the forces of the next substep.
 
         Args:
-            force_n: takes them, (bodies, 2).
-            drawn: what draws the robots.
-            velocity_mps: the velocities that they have, (robots, 2).
-            substep_s: how long the forces act.
+            force_n: receives the forces, (bodies, 2).
+            drawn: the drive forces of the cycle.
+            velocity_mps: the current velocities, (robots, 2).
+            substep_s: duration of the forces.
         """
         lag_mps = drawn.wanted_mps - velocity_mps
         if drawn.incline is not None:
@@ -135,7 +136,7 @@ class DriveForce:
         lag_mps: FloatArray,
         substep_s: float,
     ) -> None:
-        """Does what `write` does where the ground may slope, and lets it pull everything down."""
+        """Write the forces on sloping ground, including the pull of gravity; see `write`."""
         robots = len(self.mass_kg)
         needs_n = lag_mps * (self.mass_kg / substep_s)[:, None]
         across = np.zeros(robots, dtype=np.bool_)
@@ -144,7 +145,7 @@ class DriveForce:
         force_n[:robots] += incline.drawn_n(needs_n, drawn.limit_n, self._grip_n, across)
 
     def _joint(self, space: Space, bodies: Bodies, pull: Pull, robot: int) -> pymunk.Constraint:
-        """Gives the joint that holds a robot as its grip does, a limp one across only."""
+        """Return the joint that holds a robot by traction; a limp one only sideways."""
         joint: pymunk.Constraint
         body = space.bodies[robot]
         if not pull.limp[robot]:
@@ -158,7 +159,7 @@ class DriveForce:
         return joint
 
     def _limp_n(self, pull: Pull, lagging: IndexArray, needs_n: FloatArray) -> FloatArray:
-        """Gives the force that limp wheels, because they roll, do not have along them."""
+        """Return the force that limp wheels do not transmit along them, because they roll."""
         facing_rad, roll_n = pull.facing_rad.take(lagging), self._roll_n.take(lagging)
         ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
         along_n = (needs_n * ahead).sum(axis=1)

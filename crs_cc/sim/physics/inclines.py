@@ -1,21 +1,22 @@
-"""Inclines: what the slope under bodies does to them.
+"""Inclines: forces on bodies on sloping ground.
 
 On ground that rises by tan a, a body of mass m is pulled down the slope by m g sin a, and presses
-on the ground with m g cos a only: its friction, or the grip of its wheels, is that much less. So a
-thing slides where tan a is larger than its friction, and a robot with the force F climbs up to
-sin a = F / (m g). Places are kept as seen from above, where a way along a direction in which the
-ground rises by tan b is shorter by cos b, and so is every acceleration. Hence, seen from above,
+on the ground with m g cos a only: its friction, or the traction of its wheels, is reduced by that
+factor. So an object slides if tan a is larger than its friction coefficient, and a robot with the
+force F climbs up to sin a = F / (m g). Positions are projected on the horizontal plane, where a
+distance along a direction in which the ground rises by tan b is shorter by the factor cos b, and so
+is every acceleration. Hence, in the horizontal plane,
 
-    pull of a thing                    m g tan a cos^2 a           down the gradient
+    pull on an object                  m g tan a cos^2 a           down the gradient
     its friction at most               mu m g cos^2 a
-    pull of a robot, along its wheels  m g tan b cos^2 b           b is the slope along its wheels
+    pull on a robot, along its wheels  m g tan b cos^2 b           b is the slope along its wheels
     across them                        m g tan c cos^2 a           c is the slope across them
     force of its motors at most        F cos b
     grip at most                       (grip cos a) cos b along, (grip cos a) cos a / cos b across
 
-The slope is that under the middle of a body at the start of a cycle. That a body tips over, that
-its load shifts, and that pushes have an upward part, is left out: all pushes are level. Plain
-mechanics; what is left out was chosen by us.
+The slope is that under the centre of a body at the start of a cycle. Ignored are tipping over,
+shifting loads, and the vertical part of pushes: all pushes are horizontal. The rest is plain
+mechanics; the simplifications are our choice.
 
 >>> from crs_cc.sim.files.world_xml import parse_world
 >>> world = parse_world(b'''<world version="1"><area length="9m" width="9m"/>
@@ -50,15 +51,15 @@ class Incline:
     """The slope under all bodies in a cycle.
 
     Attributes:
-        pull_n: what draws them down, as seen from above, (bodies, 2).
-        grip: the share of friction that is left, as seen from above: cos^2 a, (bodies,).
-        hold: what brakes hold on the slope over what they hold on level ground, as seen from above,
-            (robots,).
-        ahead: where the wheels of robots roll, of length 1, (robots, 2).
-        along: the share of a way along the wheels that is left, seen from above, (robots,).
+        pull_n: the pull of gravity, in the horizontal plane, (bodies, 2).
+        grip: the remaining factor of friction, in the horizontal plane: cos^2 a, (bodies,).
+        hold: ratio of the brakes' holding force on the slope to that on level ground, in the
+            horizontal plane, (robots,).
+        ahead: the rolling direction of the robots' wheels, of length 1, (robots, 2).
+        along: the factor on distances along the wheels, in the horizontal plane, (robots,).
         across: the same across them.
-        sloping: robots that do not stand on level ground, (robots,).
-        quiet: whether no robot is on or near a patch, and no thing slides.
+        sloping: robots on sloping ground, (robots,).
+        quiet: whether no robot is on or near a patch, and no object slides.
     """
 
     pull_n: FloatArray
@@ -73,13 +74,14 @@ class Incline:
     def drawn_n(
         self, needed_n: FloatArray, along_n: FloatArray, grip_n: FloatArray, held: BoolArray
     ) -> FloatArray:
-        """Gives the forces of wheels, as seen from above, (robots, 2).
+        """Return the forces of wheels, in the horizontal plane, (robots, 2).
 
         Args:
-            needed_n: what it takes to run as fast as the wheels turn, seen from above, (robots, 2).
-            along_n: what wheels can do along them, (robots,).
-            grip_n: what they can hold on level ground, (robots,).
-            held: robots that are held across their wheels by something else.
+            needed_n: the force needed to reach the velocity of the wheels, in the horizontal plane,
+                (robots, 2).
+            along_n: the maximum force along the wheels, (robots,).
+            grip_n: the traction limit on level ground, (robots,).
+            held: robots that are held sideways by joints.
         """
         left = np.column_stack([-self.ahead[:, 1], self.ahead[:, 0]])
         robots = len(self.ahead)
@@ -102,7 +104,7 @@ class Inclines:
     """
 
     def __init__(self, world: WorldModel, scene: Scene) -> None:
-        """Takes what it needs of the bodies in a scene."""
+        """Collect the constants of the bodies in a scene."""
         self.terrain = Terrain(world.surface)
         self._robots = scene.robots
         drives = [robot.model.drive for robot in world.robots]
@@ -112,12 +114,12 @@ class Inclines:
         self._near = self.terrain.grid(self._reach_m)
 
     def under(self, position_m: FloatArray, facing_rad: FloatArray, mass_kg: FloatArray) -> Incline:
-        """Gives the slope under bodies.
+        """Return the slope under bodies.
 
         Args:
-            position_m: where they are, (bodies, 2).
-            facing_rad: where the wheels of the robots roll, (robots,).
-            mass_kg: what rests on the ground with each body, (bodies,).
+            position_m: the positions, (bodies, 2).
+            facing_rad: the rolling directions of the robots' wheels, (robots,).
+            mass_kg: the mass on the ground for each body, (bodies,).
         """
         weight_n = mass_kg * GRAVITY_MPS2
         gradient = self.terrain.gradient(position_m[:, 0], position_m[:, 1])
@@ -143,12 +145,12 @@ class Inclines:
     def shortened(
         self, position_m: FloatArray, x_m: FloatArray, y_m: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Gives ways along the ground as seen from above.
+        """Project displacements along the ground on the horizontal plane.
 
         Args:
-            position_m: where they begin, (k, 2).
-            x_m: how far they would go along x if the ground were level, (k,).
-            y_m: the same along y.
+            position_m: their starts, (k, 2).
+            x_m: their lengths along x on level ground, (k,).
+            y_m: their lengths along y on level ground, (k,).
         """
         gradient = self.terrain.gradient(position_m[:, 0], position_m[:, 1])
         way_m = np.hypot(x_m, y_m)
@@ -157,11 +159,11 @@ class Inclines:
         return x_m * share, y_m * share
 
     def longer(self, position_m: FloatArray, direction: FloatArray) -> FloatArray:
-        """Gives by how much ways are longer along the ground than they look from above.
+        """Return the ratios of lengths along the ground to those in the horizontal plane.
 
         Args:
-            position_m: where they begin, (k, 2).
-            direction: where they go, of length 1, (k, 2).
+            position_m: the starts of the displacements, (k, 2).
+            direction: their directions, of length 1, (k, 2).
         """
         gradient = self.terrain.gradient(position_m[:, 0], position_m[:, 1])
         return np.asarray(np.hypot(1.0, (gradient * direction).sum(axis=1)))

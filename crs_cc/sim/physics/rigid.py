@@ -1,11 +1,11 @@
-"""Things that move as one body: the parts of an object that can be pushed.
+"""Composite bodies: the parts of a movable object as one rigid body.
 
-Each part is a body of its own for all that looks at it, but in the physics the first part's body
-has the shapes, the mass and the friction of them all, and lies in their centre of mass. The others'
-have no shapes. After a cycle every part is put where that body took it. No gripper takes a part.
+Everywhere else each part is a body of its own, but in the physics the first part's body has the
+shapes, the mass and the friction of all parts, and is at their centre of mass. The others' have no
+shapes. After a cycle every part is moved with that body. No gripper grips a part.
 
-A part's share of the mass presses on the floor where the part stands. So an object's friction
-against turning is that of its parts, each with the lever of its distance from the centre of mass.
+A part's share of the mass presses on the floor under the part. So an object's friction torque is
+the sum over its parts, each with the lever of its distance from the centre of mass.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ from crs_cc.sim.state.bodies import Bodies
 
 @dataclass(frozen=True, slots=True)
 class Whole:
-    """What the body of an object is made of.
+    """The body of a composite object.
 
     Attributes:
-        parts: the parts, and where each lies in its frame: x, y [m], direction [rad].
+        parts: the parts, and their poses in its frame: x, y [m], direction [rad].
         mass_kg: its mass.
         moment_kgm2: its moment of inertia about the centre of mass.
-        friction_n: the force below which it does not move.
-        friction_nm: the torque below which it does not turn.
+        friction_n: the friction force, below which it does not slide.
+        friction_nm: the friction torque, below which it does not turn.
     """
 
     parts: tuple[tuple[Thing, FloatArray], ...]
@@ -44,7 +44,7 @@ class Whole:
 
     @classmethod
     def of(cls, parts: list[tuple[Thing, FloatArray]]) -> Self:
-        """Adds up parts, which are where they are in the frame of the centre of mass."""
+        """Combine parts, given with their poses in the frame of the centre of mass."""
         off_m = [math.hypot(place[0], place[1]) for _, place in parts]
         pairs = [(thing, away_m) for (thing, _), away_m in zip(parts, off_m, strict=True)]
         return cls(
@@ -60,11 +60,11 @@ class Whole:
 
 
 class Rigid:
-    """The objects of a scene that can be pushed.
+    """The movable objects of a scene.
 
     Attributes:
-        wholes: what the body of each pushable is made of: all parts of its object at the first
-            part, itself at what is no part, nothing more than a mass at other parts.
+        wholes: the contents of each movable body: all parts of its object for the first part, the
+            body itself for a single object, only a mass for the other parts.
         others: the numbers of the other parts.
     """
 
@@ -96,7 +96,7 @@ class Rigid:
         self._poses = np.zeros((0, 3))
 
     def load(self, motion: FloatArray) -> None:
-        """Puts the bodies of objects into their centres of mass.
+        """Move the bodies of objects to their centres of mass.
 
         Args:
             motion: x, y [m], angle [rad], velocity [m/s] and spin [rad/s] of all bodies, (n, 6);
@@ -110,10 +110,10 @@ class Rigid:
         motion[self._rows, :3] = self._loaded = frames
 
     def place(self, bodies: Bodies) -> None:
-        """Puts all parts where the bodies of their objects are; what did not move stays as it was.
+        """Move all parts with the bodies of their objects; those that did not move are unchanged.
 
         Args:
-            bodies: as the physics left them; changed in place.
+            bodies: the result of the physics; changed in place.
         """
         if not len(self._rows):
             return

@@ -1,4 +1,4 @@
-"""What pymunk is told of a world: the shapes of bodies, the friction of the floor, the ground."""
+"""Conversion of a world to pymunk: shapes of bodies, floor friction, the ground."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from crs_cc.sim.physics.rigid import Whole
 from crs_cc.sim.state.bodies import Bodies
 
 SURFACE_FRICTION: Final = 0.5
-"""Friction of each surface; where two touch their product counts. Chosen by us."""
+"""Friction of each surface; for a contact the product of two counts. Our choice."""
 
 _PATCH: Final = 1  # collision type of the ground
-_LEAVES_MPS: Final = 1e-3  # what moves away from the ground faster is not blocked by it
+_LEAVES_MPS: Final = 1e-3  # a body that moves away from the ground faster is not blocked by it
 _AS_IT_IS: Final = np.zeros(3)
 
 
 def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
-    """Adds a body with its shapes."""
+    """Add a body with its shapes."""
     for shape in shapes:
         shape.friction = SURFACE_FRICTION
     space.add(body, *shapes)
@@ -33,23 +33,23 @@ def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
 def floor_friction(
     floor: pymunk.Body, body: pymunk.Body, whole: Whole
 ) -> tuple[pymunk.Constraint, pymunk.Constraint]:
-    """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
+    """Return joints that model an object's friction on the floor."""
     slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
     turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
     slide.max_force, turn.max_force = whole.friction_n, whole.friction_nm
-    slide.max_bias = turn.max_bias = 0.0  # they hold no place: what was pushed stays there
+    slide.max_bias = turn.max_bias = 0.0  # no position correction: a pushed object stays there
     return slide, turn
 
 
 def shapes_of(body: pymunk.Body, whole: Whole) -> list[pymunk.Shape]:
-    """Gives the shapes of all parts of what moves as one body."""
+    """Return the shapes of all parts of a composite body."""
     return [shape for thing, place in whole.parts for shape in thing_shapes(body, thing, place)]
 
 
 def thing_shapes(
     body: pymunk.Body, thing: Thing, pose: FloatArray = _AS_IT_IS
 ) -> list[pymunk.Shape]:
-    """Gives the shapes of what can be pushed, at a pose in the frame of a body."""
+    """Return the shapes of a movable object, at a pose in the frame of a body."""
     if isinstance(thing, Cylinder):
         return [pymunk.Circle(body, thing.radius_m, (float(pose[0]), float(pose[1])))]
     corners = np.column_stack([own_corners_m(thing), np.zeros(len(own_corners_m(thing)))])
@@ -58,7 +58,7 @@ def thing_shapes(
 
 
 def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
-    """Gives the shapes of what stands, in the world frame."""
+    """Return the shapes of a fixed solid, in the world frame."""
     if isinstance(solid, Wall):
         ends = (solid.x1_m, solid.y1_m), (solid.x2_m, solid.y2_m)
         return [pymunk.Segment(body, *ends, solid.thickness_m / 2)]
@@ -70,7 +70,7 @@ def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
 def _straight_shapes(
     body: pymunk.Body, thing: Box | Polygon, corners: FloatArray
 ) -> list[pymunk.Shape]:
-    """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
+    """Return the shapes of a box or polygon; pymunk's polygons are convex."""
     if isinstance(thing, Box):
         return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
     pieces = corners[convex_parts_of(thing)].tolist()
@@ -78,13 +78,13 @@ def _straight_shapes(
 
 
 def add_ground(space: pymunk.Space, bodies: list[pymunk.Body], ledges: Ledges) -> pymunk.Body:
-    """Adds all of the ground that can block; whether it does, `ledges` tells at each touch."""
+    """Add all blocking parts of the ground; `ledges` decides at each contact whether they block."""
     ground = pymunk.Body(body_type=pymunk.Body.STATIC)
     numbers = {shape: n for n, body in enumerate(bodies) for shape in body.shapes}
     shapes: list[pymunk.Shape] = []
     for number, corners in enumerate(ledges.corners_m().tolist()):
         made: list[pymunk.Shape] = [pymunk.Poly(ground, corners)]
-        if number < ledges.patches:  # only their edges: what stands on one would always touch it
+        if number < ledges.patches:  # only their edges: a body on one would always be in contact
             ends = zip(corners, [*corners[1:], corners[0]], strict=True)
             made = [pymunk.Segment(ground, tuple(a), tuple(b), 0.0) for a, b in ends]
         numbers.update(dict.fromkeys(made, number))
@@ -92,7 +92,7 @@ def add_ground(space: pymunk.Space, bodies: list[pymunk.Body], ledges: Ledges) -
     add(space, ground, *shapes)
     for shape in shapes:
         shape.collision_type = _PATCH
-    # The space must not know who keeps it: neither could ever be freed.
+    # The space must hold no reference to its owner: neither could ever be freed.
     space.on_collision(_PATCH, 0, pre_solve=_meet_patch, data=(ledges, numbers))
     return ground
 
@@ -100,7 +100,7 @@ def add_ground(space: pymunk.Space, bodies: list[pymunk.Body], ledges: Ledges) -
 def _meet_patch(
     arbiter: pymunk.Arbiter, _: pymunk.Space, data: tuple[Ledges, dict[pymunk.Shape, int]]
 ) -> None:
-    """Lets a body pass over a patch that does not block it."""
+    """Disable contacts of a body with a patch that does not block it."""
     ledges, numbers = data
     patch, other = arbiter.shapes
     if other.body is not None and other.body.velocity.dot(arbiter.normal) > _LEAVES_MPS:
@@ -111,8 +111,8 @@ def _meet_patch(
 
 
 def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
-    """Tells whether two things, as in `Scene.names`, overlap or touch where they are now."""
-    space = pymunk.Space()  # pymunk's comparison of two shapes fails where they do not meet
+    """Return whether two objects, as in `Scene.names`, overlap or touch at their current poses."""
+    space = pymunk.Space()  # pymunk's comparison of two shapes fails if they do not meet
     body, theirs = _standing(scene, bodies, other)
     space.add(body, *theirs)
     _, shapes = _standing(scene, bodies, one)
@@ -120,7 +120,7 @@ def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
 
 
 def _standing(scene: Scene, bodies: Bodies, thing: int) -> tuple[pymunk.Body, list[pymunk.Shape]]:
-    """Gives the body and the shapes of a thing where it is now, in no space."""
+    """Return the body and the shapes of an object at its current pose, in no space."""
     moving = len(scene.start)
     body = pymunk.Body(body_type=pymunk.Body.STATIC)
     shapes: list[pymunk.Shape]

@@ -1,24 +1,23 @@
-"""Moves bodies through the cycles of a world.
+"""Simulation of bodies through the cycles of a world.
 
-Seen from above, bodies do not fall. A robot is drawn to the velocity of its wheels (`drive_force`),
-a thing rests with at most the friction of the floor (`friction`), and contacts push back. Contacts
-never turn a robot. The cycle is cut into substeps so short that nothing gets deep into anything.
+The simulation is in the horizontal plane. A robot is accelerated to the velocity of its wheels
+(`drive_force`), floor friction brakes objects (`mass_properties`), and contacts push back. Contacts
+never turn a robot. The cycle is divided into substeps that are short enough to limit penetration.
 
-The arrays of `Bodies` are the only truth about positions and velocities; pymunk's space is loaded
-with them at the start of each cycle. A robot that nothing hindered is put exactly where its wheels
-took it, so robots that never meet never change each other's results, not even in the last bit.
+The arrays of `Bodies` are the only state of positions and velocities; pymunk's space is loaded
+from them at the start of each cycle. A robot without contacts is placed exactly where its wheels
+move it, so robots that never meet do not affect each other's results, not even in the last bit.
 
-What a robot carries is a part of it (`carrying`): where that touches something, the robot is held
-up or pushed aside, and still not turned. So a load that is turned into a wall slides along it with
-its robot; one that cannot, and gets deeper into something than `TORN_M`, is torn out of the
-fingers.
+A load is a part of its robot (`carrying`): its contacts stop the robot or push it aside, but do not
+turn it. So a load that is turned into a wall slides along it with its robot; one that cannot, and
+penetrates an object by more than `TORN_M`, is torn from the gripper.
 
-What is left inside pymunk, and cannot be read, is the history of its search tree and of its
-contacts. It matters where several bodies touch at once. So the space is made anew from the arrays
-every `REBUILD` cycles, and a snapshot is the arrays of that moment and the ways of the cycles since
-in which it ran: to restore is to make the space anew and to run these cycles again, to the same
-bits. As nothing else depends on the space, it is made, and these are run, when it is to run next:
-while nothing is near, there is none.
+The only state inside pymunk that cannot be read is the history of its search tree and of its
+contacts. It matters if several bodies touch at the same time. So the space is rebuilt from the
+arrays every `REBUILD` cycles, and a snapshot is the arrays of that time and the drives' motions in
+the cycles since then in which the space was stepped: restoring rebuilds the space and repeats these
+cycles, which gives the same bits. As nothing else depends on the space, this is done when the space
+is next needed: while no bodies are near each other, there is none.
 """
 
 from __future__ import annotations
@@ -53,20 +52,20 @@ from crs_cc.sim.state.bodies import (
 )
 
 REBUILD: Final = 100
-"""Cycles after which the space is made anew."""
+"""Number of cycles after which the space is rebuilt."""
 
 SUBSTEP_M: Final = 0.008
-"""The furthest that a robot gets in a substep, and so into a wall."""
+"""Maximum displacement of a robot in a substep, which limits its penetration of a wall."""
 
 MOST_SUBSTEPS: Final = 256
-"""How many substeps a cycle has for loads that are swung around."""
+"""Maximum number of substeps of a cycle with turning loads."""
 
 _SAME: Final = 1e-9  # [m], [m/s]: smaller differences are rounding errors
-_FEW_BODIES: Final = 64  # for so few it pays to look first whether anything is near
+_FEW_BODIES: Final = 64  # up to this number it pays to check first whether any are near
 
 
 class Physics:
-    """Moves the bodies of a world through its cycles."""
+    """Simulates the bodies of a world."""
 
     def __init__(self, world: WorldModel, scene: Scene, bodies: Bodies) -> None:
         self._world = world
@@ -78,10 +77,10 @@ class Physics:
         if not world.surface.is_flat:
             self._inclines = Inclines(world, scene)
             self._ledges = Ledges(self._inclines.terrain, scene)
-        self._absent = np.flatnonzero(~scene.present)  # slopes move what touches nothing, too
+        self._absent = np.flatnonzero(~scene.present)  # slopes move bodies without contacts, too
         self._batches, self._drive_force = Batches(len(scene.names)), DriveForce(world)
         self._builder = SpaceBuilder(world, scene, self._rigid, self._ledges)
-        # pymunk cannot free a space while Python shuts down: it must be gone before.
+        # pymunk cannot free a space during the shutdown of Python: it must be freed before.
         self._spaces: list[Space] = []
         weakref.finalize(self, self._spaces.clear)
         self.start_from(bodies)
@@ -94,14 +93,14 @@ class Physics:
         return self._spaces[0]
 
     def step(self, bodies: Bodies, pull: Pull) -> Contacts:
-        """Moves bodies through one cycle.
+        """Move bodies through one cycle.
 
         Args:
             bodies: moved in place.
-            pull: what the drives do; kept.
+            pull: the motion of the drives; kept.
 
         Returns:
-            what the robots touched.
+            the contacts of the robots.
         """
         if self._cycles == REBUILD:
             self.start_from(bodies)
@@ -110,19 +109,19 @@ class Physics:
         return contacts
 
     def start_from(self, bodies: Bodies) -> None:
-        """Makes the space anew from bodies, which may be elsewhere than they were."""
+        """Rebuild the space from bodies, whose poses may have changed."""
         self._begin(PhysicsSnapshot(bodies.copy(), 0, (), 0.0))
 
     def snapshot(self) -> PhysicsSnapshot:
-        """Gives all that is needed to come back to here, but for the bodies."""
+        """Return the state apart from the bodies."""
         return PhysicsSnapshot(self._start, self._cycles, tuple(self._ran), self._room_m)
 
     def restore(self, snapshot: PhysicsSnapshot) -> None:
-        """Goes back to a snapshot; the bodies are what they were then."""
+        """Restore a snapshot; the bodies must be those of that time."""
         self._begin(snapshot)
 
     def _begin(self, snapshot: PhysicsSnapshot) -> None:
-        """Gives up the space, to make it anew from a snapshot when it is to run."""
+        """Discard the space; it is rebuilt from a snapshot when it is next needed."""
         self._spaces.clear()
         self._start, self._cycles = snapshot.start, snapshot.cycles
         self._ran, self._room_m = list(snapshot.ran), snapshot.room_m
@@ -131,7 +130,7 @@ class Physics:
         self._drive_force.bear(self._load)
 
     def _catch_up(self) -> None:
-        """Lets a new space run through the cycles in which the one before it ran."""
+        """Repeat in a new space the cycles in which the one before it was stepped."""
         room_m, bodies = self._room_m, self._start
         for ran in self._ran:
             if ran.bodies is not None:
@@ -156,7 +155,7 @@ class Physics:
         return contacts
 
     def _run(self, bodies: Bodies, pull: Pull, incline: Incline | None) -> Contacts:
-        """Lets the space move the bodies."""
+        """Step the space, which moves the bodies."""
         robots, way_m = slice(self._robots), pull.way_m
         free_m = bodies.position_m[robots] + way_m
         wanted_mps = way_m / self._world.timestep_s
@@ -177,7 +176,7 @@ class Physics:
         return with_slipped(contacts, self._load, bodies)
 
     def _incline(self, bodies: Bodies, pull: Pull) -> Incline | None:
-        """Gives the slope under the bodies, None in a flat world."""
+        """Return the slope under the bodies, None in a flat world."""
         if self._inclines is None or self._ledges is None:
             return None
         pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.thing_kg])
@@ -185,9 +184,9 @@ class Physics:
         return self._inclines.under(bodies.position_m, pull.facing_rad, pulled_kg)
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
-        """Tells whether nothing can touch in this cycle, so that the space need not run.
+        """Return whether no contact is possible in this cycle, so that no step is needed.
 
-        `_room_m` is a distance that no robot can have used up since it was measured.
+        `_room_m` is a distance that no robot can have moved since it was measured.
         """
         if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
             return False
@@ -195,7 +194,7 @@ class Physics:
             return False
         if not bodies.settled[0] or bodies.velocity_mps[self._robots :].any():
             return False
-        # Two robots may come towards each other, each by the longest way.
+        # Two robots may approach each other, each by the longest displacement.
         need_m = 2 * float(np.abs(way_m).sum(axis=1).max(initial=0.0)) + SLOP_M
         if self._room_m < need_m:
             self._room_m = clearance_m(self._scene, bodies.position_m, bodies.angle_rad)
@@ -211,7 +210,7 @@ class Physics:
     def _run_space(
         self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray, incline: Incline | None
     ) -> tuple[Contacts, BoolArray]:
-        """Lets pymunk move the bodies; gives the contacts, and which robots' bodies had any."""
+        """Step pymunk's space; return the contacts, and which robots' bodies had any."""
         space, batches, load = self._space, self._batches, self._load
         substeps = self._swing(bodies, pull)
         substep_s = self._world.timestep_s / substeps
@@ -237,11 +236,11 @@ class Physics:
         self._room_m = 0.0
         contacts = replace(first_contacts(self._scene, found), torn=torn)
         if load is not None:
-            touched[load.sharers] = True  # what they hold pulls at them as contacts do
+            touched[load.sharers] = True  # shared loads pull at them as contacts do
         return contacts, touched[: self._robots]
 
     def _swing(self, bodies: Bodies, pull: Pull) -> int:
-        """Turns robots that carry something; gives how many substeps that takes."""
+        """Turn robots with loads; return the number of substeps that this needs."""
         substeps = self._fewest_substeps
         if self._load is not None:
             timestep_s = self._world.timestep_s
@@ -254,7 +253,7 @@ class Physics:
         return substeps
 
     def _bring_to_rest(self, bodies: Bodies) -> None:
-        """Takes away what rounding left of the velocity of things that stand."""
+        """Clear the velocities of resting objects that are rounding errors."""
         velocity_mps = bodies.velocity_mps[self._robots :]
         spin_radps = bodies.spin_radps[self._robots :]
         rest = (np.abs(velocity_mps) < _SAME).all(axis=1) & (np.abs(spin_radps) < _SAME)

@@ -1,8 +1,8 @@
-"""The space of a world's bodies, as pymunk has it: how it is made.
+"""Construction of the pymunk space of a world's bodies.
 
-What a robot carries is a part of its body; what several hold hangs on joints between them. Objects
-of several parts are one body (`rigid`). All things that nobody bears rub on the floor. The order in
-which bodies are added is part of the world.
+A load is a part of its robot's body; a shared load is attached to joints between the robots.
+Composite objects are one body (`rigid`). All objects that no robot bears have floor friction. The
+order in which bodies are added is significant.
 """
 
 from __future__ import annotations
@@ -31,25 +31,26 @@ from crs_cc.sim.physics.shapes import (
 )
 
 SLOP_M: Final = 0.0005
-"""Overlap that is left alone, so that things at rest stay in contact."""
+"""Overlap that is not corrected, so that resting objects stay in contact."""
 
-_BIAS: Final = 1e-6  # share of a deeper overlap that is left after a second
+_BIAS: Final = 1e-6  # fraction of a deeper overlap that is left after a second
 
 
 @dataclass(slots=True)
 class Space:
-    """A space and what it is made of.
+    """A space and its contents.
 
     Attributes:
         inner: pymunk's space.
-        bodies: the bodies in it: the robots, what can be pushed, what stands, the ground where it
-            is not flat, the floor.
-        robots: how many robots there are.
-        rubs: the joints by which the floor rubs on things, with their force [N] or torque [N m] on
-            level ground, by the number of the thing.
+        bodies: the bodies in it: the robots, movable objects, fixed solids, the ground if it is not
+            flat, the floor.
+        robots: number of robots.
+        rubs: the joints that model floor friction, with their force [N] or torque [N m] on level
+            ground, by the number of the object.
         joints: those that hold robots, in this cycle.
-        grip: the share of the friction that a slope leaves to each thing, (things,).
-        thing_kg: the mass of each thing that nobody bears and that is no part, else 0, (things,).
+        grip: the factor on the friction of each object on a slope, (things,).
+        thing_kg: the mass of each object that no robot bears and that is not a part, else 0,
+            (things,).
     """
 
     inner: pymunk.Space
@@ -66,13 +67,13 @@ class Space:
         return self.bodies[-1]
 
     def hold(self, joints: list[pymunk.Constraint]) -> None:
-        """Holds robots by joints, instead of those of the cycle before."""
+        """Hold robots with joints, which replace those of the cycle before."""
         self.inner.remove(*self.joints)
         self.joints = joints
         self.inner.add(*joints)
 
     def rub(self, grip: FloatArray) -> None:
-        """Takes from each thing's friction all but a share, (things,)."""
+        """Scale the friction of each object by a factor, (things,)."""
         for number in np.flatnonzero(grip != self.grip).tolist():
             for joint, most in self.rubs.get(number, ()):
                 joint.max_force = most * float(grip[number])
@@ -80,7 +81,7 @@ class Space:
 
 
 class SpaceBuilder:
-    """Makes the spaces of a world."""
+    """Builds the spaces of a world."""
 
     def __init__(
         self, world: WorldModel, scene: Scene, rigid: Rigid, ledges: Ledges | None
@@ -88,18 +89,19 @@ class SpaceBuilder:
         self._world, self._scene, self._rigid, self._ledges = world, scene, rigid, ledges
 
     def build(self, position_m: FloatArray, mass_kg: FloatArray, load: Load | None) -> Space:
-        """Makes the space.
+        """Create the space.
 
         Args:
-            position_m: where about the bodies are, (bodies, 2); poses are loaded in each cycle.
-            mass_kg: what each robot weighs with what it carries, (robots,).
-            load: what robots carry.
+            position_m: approximate positions of the bodies, (bodies, 2); poses are loaded in each
+                cycle.
+            mass_kg: the mass of each robot with its load, (robots,).
+            load: the robots' loads.
         """
         inner = pymunk.Space()
         inner.collision_slop = SLOP_M
         inner.collision_bias = _BIAS
-        inner.collision_persistence = 1  # with 0 contacts are forgotten before they can be read
-        places = iter(position_m.tolist())  # all in one place would be O(n^2)
+        inner.collision_persistence = 1  # with 0, contacts are forgotten before they can be read
+        places = iter(position_m.tolist())  # all at one position would be O(n^2)
         parts, borne, apart = self._parts(load)
         bodies = self._add_robots(inner, places, mass_kg, parts)
         for number, whole in enumerate(self._rigid.wholes):
@@ -125,10 +127,10 @@ class SpaceBuilder:
         mass_kg: FloatArray,
         parts: dict[int, tuple[Thing, FloatArray]],
     ) -> list[pymunk.Body]:
-        """Adds the robots, with what they carry; those that are not there have no shape."""
+        """Add the robots with their loads; absent ones have no shape."""
         bodies = []
         for number, robot in enumerate(self._world.robots):
-            body = pymunk.Body(float(mass_kg[number]), math.inf)  # only its wheels turn it
+            body = pymunk.Body(float(mass_kg[number]), math.inf)  # contacts do not turn it
             x_m, y_m = next(places)
             body.position = x_m, y_m
             bodies.append(body)
@@ -139,7 +141,7 @@ class SpaceBuilder:
         return bodies
 
     def _on_floor(self, inner: pymunk.Space, bodies: list[pymunk.Body], borne: set[int]) -> Space:
-        """Adds the floor, which rubs on all things that nobody bears."""
+        """Add the floor, with friction on all objects that no robot bears."""
         floor, robots = pymunk.Body(body_type=pymunk.Body.STATIC), self._scene.robots
         bodies.append(floor)
         inner.add(floor)
@@ -156,11 +158,11 @@ class SpaceBuilder:
     def _parts(
         self, load: Load | None
     ) -> tuple[dict[int, tuple[Thing, FloatArray]], set[int], set[int]]:
-        """Gives how things are attached to robots.
+        """Return how objects are attached to robots.
 
         Returns:
-            what each robot carries as a part of itself, and where; the things that no floor rubs
-            on; and those of them that are not there for themselves.
+            the parts of each robot's body and their poses; the objects without floor friction; and
+            those of them that have no body of their own.
         """
         others = self._rigid.others
         if load is None:
@@ -171,7 +173,7 @@ class SpaceBuilder:
         return parts, apart | set(load.shared.tolist()), apart
 
     def _shared_grips(self, bodies: list[pymunk.Body], load: Load) -> list[pymunk.Constraint]:
-        """Gives the joints between robots and what several of them hold."""
+        """Return the joints between robots and their shared loads."""
         joints: list[pymunk.Constraint] = []
         rows = zip(load.sharers, load.shared, load.grip_m, load.point_m.tolist(), strict=True)
         for robot, thing, grip_m, point_m in rows:

@@ -1,1 +1,1 @@
-"""Everything that changes while a world runs, as arrays; `env_state.EnvState` holds it all."""
+"""The state of a running world as arrays; `env_state.EnvState` contains all of it."""

@@ -1,8 +1,8 @@
-"""A state with room for one more robot: old rows stay, the new one is as at the start of a run.
+"""Adding a robot to a state: existing rows are kept, the new one has its initial values.
 
 Every part of the state has a row for each robot, or for each that has some device, in the order of
-the robots. So what the new robot needs is what the start of a run with it has behind what the start
-without it has. The arrays that list the robots and then other things get their row in between.
+the robots. So the rows of the new robot are those by which the initial state with it is longer than
+that without it. Arrays that list the robots and then other objects get their row in between.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from crs_cc.sim.state.env_state import EnvState
 
 
 def grown(state: EnvState, world: WorldModel) -> EnvState:
-    """Gives a state of a world whose last robot is new, and has not joined yet.
+    """Return a state extended by a world's last robot, which is new and has not joined yet.
 
     Args:
-        state: the state without it; arrays may be shared with it.
+        state: the state without it; the result may share arrays with it.
         world: the world with it.
     """
     robots, robot = len(world.robots) - 1, world.robots[-1]
@@ -36,11 +36,11 @@ def grown(state: EnvState, world: WorldModel) -> EnvState:
 
 
 def _grown(value: Any, before: Any, after: Any) -> Any:
-    """Gives a value, behind it what one has after that the other did not have before."""
+    """Return a value, followed by the rows of `after` that `before` lacks."""
     if is_dataclass(value) and not isinstance(value, type):
+        three = (value, before, after)
         names = [field.name for field in fields(value)]
-        parts = ([getattr(each, name) for each in (value, before, after)] for name in names)
-        return type(value)(*(_grown(*three) for three in parts))
+        return type(value)(**{name: _grown(*(getattr(e, name) for e in three)) for name in names})
     if isinstance(value, np.ndarray):
         more = after[len(before) :]
         return np.concatenate([value, more]) if len(more) else value

@@ -1,4 +1,4 @@
-"""Where the joints of arms are, and where they are going."""
+"""Positions and targets of arm joints."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class ArmState:
-    """The arms; arrays have a row for each robot that has one, n of them.
+    """The arms; arrays have a row for each robot with an arm, n of them.
 
     Attributes:
-        from_rad: shoulder and elbow when they were told last where to go, (n, 2).
-        to_rad: where they go, (n, 2).
-        since_s: when they were told, (n,).
-        closed: whether the hand is closed, or is to be, (n,).
-        acts: whether it has still to do so, or to open, (n,).
+        from_rad: angles of shoulder and elbow at the last command, (n, 2).
+        to_rad: commanded angles, (n, 2).
+        since_s: time of the last command, (n,).
+        closed: commanded state of the hand: whether it is closed, (n,).
+        acts: whether the hand has still to close or open, (n,).
     """
 
     from_rad: FloatArray
@@ -31,7 +31,7 @@ class ArmState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives arms that are stretched out as far as their joints allow, hands open."""
+        """Return arms that are stretched out as far as their joints allow, with open hands."""
         found = [arm for robot in world.robots if (arm := robot.model.arm) is not None]
         start = [[joint.within(0.0) for joint in (arm.shoulder, arm.elbow)] for arm in found]
         start_rad = np.array(start, dtype=np.float64).reshape(-1, 2)

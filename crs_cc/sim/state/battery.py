@@ -1,4 +1,4 @@
-"""What the motors took from their battery."""
+"""Energy used by the motors."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class BatteryState:
-    """The motors' batteries of all robots; what is used all the time follows from the time.
+    """The motor batteries of all robots; their constant load follows from the time.
 
     Attributes:
-        moved_j: the energy that moving has used, (robots,).
-        speed_mps: the axes' speeds when this was counted last, (robots, 3).
+        moved_j: energy used for moving, (robots,).
+        speed_mps: the axes' speeds at the last update, (robots, 3).
     """
 
     moved_j: FloatArray
@@ -26,6 +26,6 @@ class BatteryState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives batteries of robots that have not moved yet."""
+        """Return batteries of robots that have not moved yet."""
         count = len(world.robots)
         return cls(np.zeros(count), np.zeros((count, AXES)))

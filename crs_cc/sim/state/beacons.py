@@ -1,4 +1,4 @@
-"""How bright robots shine and how loud they sound."""
+"""Lamps and speakers of robots."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ class BeaconState:
     """Lamps and speakers; arrays have a row for each robot.
 
     Attributes:
-        brightness: how bright its lamp shines, 0 for none, (robots,).
-        level: how loud its speaker sounds, 0 for none, (robots,).
-        tone: its tone, (robots,).
+        brightness: brightness of its lamp, 0 for off, (robots,).
+        level: level of its speaker, 0 for off, (robots,).
+        tone: tone of its speaker, (robots,).
     """
 
     brightness: FloatArray
@@ -27,6 +27,6 @@ class BeaconState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives robots that are dark and silent."""
+        """Return lamps and speakers that are off."""
         count = len(world.robots)
         return cls(np.zeros(count), np.zeros(count), np.zeros(count, dtype=np.int64))

@@ -1,4 +1,4 @@
-"""What the physics works on: bodies, what drives them in a cycle, and what they touched in it."""
+"""State of the physics: bodies, the drives' motion in a cycle, and contacts."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from crs_cc.sim.state.holds import Holds
 
 @dataclass(slots=True)
 class Bodies:
-    """Everything that moves, in the order of `Scene`: the robots, then what can be pushed.
+    """All movable bodies, in the order of `Scene`: the robots, then the movable objects.
 
     Attributes:
         position_m: shape (bodies, 2).
-        angle_rad: shape (bodies,); that of a robot, which is round, is where its mount pointed when
-            any robot held something last.
+        angle_rad: shape (bodies,); for a robot, which is round, the mount's direction when any
+            robot last held an object.
         velocity_mps: shape (bodies, 2).
         spin_radps: shape (bodies,).
-        slipping: robots that something held back from the velocity of their wheels, (robots,).
-        touching: robots that touched anything in the last cycle, (robots,).
-        settled: whether things rest without pressing into anything, shape (1,).
-        holds: which things robots hold.
+        slipping: robots that contacts keep from the velocity of their wheels, (robots,).
+        touching: robots with a contact in the last cycle, (robots,).
+        settled: whether objects are at rest without pressing on others, shape (1,).
+        holds: the objects that robots hold.
     """
 
     position_m: FloatArray
@@ -40,7 +40,7 @@ class Bodies:
 
     @classmethod
     def at_start(cls, scene: Scene) -> Self:
-        """Gives the bodies of a world before the first cycle."""
+        """Return the bodies of a world before the first cycle."""
         count = len(scene.start)
         return cls(
             scene.start[:, :2].copy(),
@@ -54,7 +54,7 @@ class Bodies:
         )
 
     def take(self, rows: IndexArray) -> Self:
-        """Gives some of the bodies, all robots among them; the others are gone."""
+        """Return a selection of the bodies, including all robots."""
         robots = len(self.slipping)
         return type(self)(
             self.position_m[rows],
@@ -68,7 +68,7 @@ class Bodies:
         )
 
     def with_robot(self, start: Pose) -> Self:
-        """Gives the same with a further robot, which rests."""
+        """Return a copy with one more robot, which is at rest."""
         robots = len(self.slipping)
         return type(self)(
             np.insert(self.position_m, robots, (start.x_m, start.y_m), axis=0),
@@ -82,27 +82,27 @@ class Bodies:
         )
 
     def stop(self, robots: IndexArray) -> None:
-        """Takes from robots what motion and contacts they have."""
+        """Clear the velocities and contacts of robots."""
         self.velocity_mps[robots] = 0.0
         self.slipping[robots] = self.touching[robots] = False
 
     def copy(self) -> Self:
-        """Gives a copy that shares nothing."""
+        """Return a deep copy."""
         return type(self)(*(getattr(self, field.name).copy() for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True)
 class Pull:
-    """What the drives of the robots do in a cycle; never changed.
+    """The motion commanded by the robots' drives in a cycle; immutable.
 
     Attributes:
-        way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
-        facing_rad: the direction in which its wheels roll, (robots,).
-        limp: whether nothing drives or holds them, (robots,).
-        mount_rad: where their mounts point at the end of the cycle, (robots,); None when nobody
-            holds anything.
+        way_m: displacement of each robot by its wheels, in the world frame, (robots, 2).
+        facing_rad: the rolling direction of its wheels, (robots,).
+        limp: whether the motors are off, (robots,).
+        mount_rad: direction of their mounts at the end of the cycle, (robots,); None if no robot
+            holds an object.
         hand: x, y [m] and direction [rad] of their hands in the frame of the mount at the end of
-            the cycle, (robots, 3); None when no robot has one.
+            the cycle, (robots, 3); None if no robot has one.
     """
 
     way_m: FloatArray
@@ -114,14 +114,14 @@ class Pull:
 
 @dataclass(frozen=True, slots=True)
 class Contacts:
-    """What robots touched in a cycle, one row for each robot and thing, sorted by both.
+    """Contacts of robots in a cycle, one row for each robot and object, sorted by both.
 
     Attributes:
         robot: number of the robot.
-        other: what it touched, an index into `Scene.names`.
-        x_m: where, in the world frame.
-        y_m: the same.
-        torn: robots out of whose fingers something was torn, rising.
+        other: the touched object, an index into `Scene.names`.
+        x_m: the contact point in the world frame.
+        y_m: the contact point in the world frame.
+        torn: robots from whose grippers an object was torn, rising.
     """
 
     robot: IndexArray
@@ -137,12 +137,12 @@ NO_CONTACTS: Final = Contacts(_NOBODY, _NOBODY, np.zeros(0), np.zeros(0), _NOBOD
 
 @dataclass(frozen=True, slots=True)
 class Ran:
-    """A cycle in which something was near enough to touch, so that the space ran; never changed.
+    """A cycle in which objects were near enough to touch, so that the space was stepped; immutable.
 
     Attributes:
-        cycle: how many cycles after the space was made it was.
-        pull: what the drives did.
-        bodies: as they were before; None where they were as the run of the cycle before left them.
+        cycle: its number, counted from the creation of the space.
+        pull: the motion of the drives.
+        bodies: the bodies before it; None if they were as the run of the cycle before left them.
     """
 
     cycle: int
@@ -152,13 +152,13 @@ class Ran:
 
 @dataclass(frozen=True, slots=True)
 class PhysicsSnapshot:
-    """What there is to know of a space beside the bodies.
+    """The state of a physics space apart from the bodies.
 
     Attributes:
-        start: the bodies when it was made.
-        cycles: how many cycles ago.
-        ran: those in which it ran.
-        room_m: a distance that no robot can use up before something is near it.
+        start: the bodies at its creation.
+        cycles: number of cycles since then.
+        ran: those in which it was stepped.
+        room_m: a distance that every robot can move without coming near an object.
     """
 
     start: Bodies

@@ -1,4 +1,4 @@
-"""Which switches are pressed, and when the last one was."""
+"""Bumper switches, and the time of the last contact."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from crs_cc.core.arrays import Int32Array
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.last_measurement import Moments
+from crs_cc.sim.state.last_measurement import LastMeasurement
 
 
 @dataclass(slots=True)
@@ -17,15 +17,15 @@ class BumperState:
     """The switches of all robots.
 
     Attributes:
-        pressed: which are pressed, bit by bit as in `State[33]`, (robots,).
-        hit: when a switch was pressed last that was not pressed before.
+        pressed: the pressed ones, as bits as in `State[33]`, (robots,).
+        hit: the last time at which another switch was pressed.
     """
 
     pressed: Int32Array
-    hit: Moments
+    hit: LastMeasurement
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives switches that nothing presses."""
+        """Return released switches."""
         count = len(world.robots)
-        return cls(np.zeros(count, dtype=np.int32), Moments.never(count))
+        return cls(np.zeros(count, dtype=np.int32), LastMeasurement.never(count))

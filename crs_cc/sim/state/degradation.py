@@ -1,33 +1,30 @@
-"""What is wrong with the devices of robots, and what the law of degradation remembers."""
+"""Degradations of devices, and the values that they store."""
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, Final, Literal, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
-from crs_cc.sim.model.degradation import DEVICES, HOLD, Degradation, delay_depth
+from crs_cc.sim.model.degradation import HOLD, Degradation, degradables, delay_depth
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
 
-NUMBER: Final = {name: number for number, name in enumerate(DEVICES)}
-"""The number of each device in arrays."""
-
 WAITS, ACTS, FADES, OVER = range(4)
-"""Phases of a degradation: before its onset, for its duration, while it fades, and then."""
+"""Phases of a degradation: before its onset, at full effect, fading, and ended."""
 
 MOTIONS: Final = frozenset({"odometry", "drive", "wheels"})
-"""Devices whose values are speeds all along a time, not readings at instants."""
+"""Devices whose values are speeds during an interval, not readings at one time."""
 
 ALL_ELEMENTS: Final = -1
 FREE, HOLDS, FIXED = range(3)
-_WIDTHS: Final = np.array([device.width for device in DEVICES.values()])
 _NUMBERS: Final = (
     "bias", "gain", "noise", "step", "delay_s", "dropouts", "onset_s", "recovery_s",
 )  # fmt: skip
@@ -44,22 +41,22 @@ _FORM: Final = np.dtype(
 
 @dataclass(slots=True)
 class DegradationState:
-    """All degradations of a world, in the order in which they work; n of them.
+    """All degradations of a world, in the order in which they are applied; n of them.
 
     Attributes:
-        table: one record for each: what a `Degradation` has, with its robot and device as numbers
-            (all elements are -1, for ever is infinite; `stuck` tells whether there is a value,
-            0 none, 1 the last one, 2 `stuck_at`), and: `serial`, its number among those that
-            its robot ever had; `count`, how often it was asked; `phase`; `begin`, where its part of
-            `memory` begins; `depth`, how many values of each element a delay remembers, 0 for none.
-        memory: what they remember, one after the other. Each has, for each of its elements: the
-            value that it is stuck at, NaN for none yet; then, if it delays: how many values it has
-            kept, the sum of ways, `depth` instants for each element, infinite for none yet, and
-            `depth` values for each.
-        made: how many degradations each robot ever had, (robots,).
-        present: which devices have any that is not over, (devices,); never changed in place, so
-            that it tells whether the table is another one.
-        next_s: when the next one begins, fades or is over; infinite for never.
+        table: one record for each: the values of a `Degradation`, with its robot and device as
+            numbers (-1 for all elements, infinite for ever; `stuck` is 0 for no value, 1 for the
+            last one, 2 for `stuck_at`), and: `serial`, its number among all of its robot so far;
+            `count`, the number of its evaluations; `phase`; `begin`, the start of its part of
+            `memory`; `depth`, the number of values of each element that a delay stores, 0 for none.
+        memory: the stored values, one degradation after the other. Each has, for each of its
+            elements: the value that it is stuck at, NaN for none yet; then, with a delay: the
+            number of stored values, the sum of displacements, `depth` times for each element,
+            infinite for none yet, and `depth` values for each.
+        made: number of degradations that each robot ever had, (robots,).
+        present: devices with any degradation that has not ended, (devices,); never changed in
+            place, so that its identity shows whether the table was changed.
+        next_s: the next time at which one begins, fades or ends; infinite for never.
     """
 
     table: Records
@@ -70,12 +67,12 @@ class DegradationState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the degradations of a world file, none of which has begun."""
+        """Return the degradations of a world file, none of which has begun."""
         state = cls(
             np.zeros(0, _FORM),
             np.zeros(0),
             np.zeros(len(world.robots), dtype=np.int64),
-            np.zeros(len(DEVICES), dtype=np.bool_),
+            np.zeros(len(degradables()), dtype=np.bool_),
             np.inf,
         )
         numbers = {robot.id: number for number, robot in enumerate(world.robots)}
@@ -88,23 +85,23 @@ class DegradationState:
         return state
 
     def append(self, records: Sequence[Any]) -> None:
-        """Adds degradations behind the others, each with an empty memory."""
+        """Append degradations, each with an empty memory."""
         self._assemble([*self._pairs(), *((row, empty_memory(row)) for row in records)])
 
     def remove(self, place: int) -> None:
-        """Takes a degradation out."""
+        """Remove a degradation."""
         pairs = self._pairs()
         del pairs[place]
         self._assemble(pairs)
 
     def replace(self, place: int, new: Any) -> None:
-        """Puts another degradation in the place of one; it begins with an empty memory."""
+        """Replace a degradation; the new one has an empty memory."""
         pairs = self._pairs()
         pairs[place] = (new, empty_memory(new))
         self._assemble(pairs)
 
     def _pairs(self) -> list[tuple[Any, FloatArray]]:
-        """Gives each degradation with what it remembers."""
+        """Return each degradation with its stored values."""
         ends = [*self.table["begin"].tolist(), len(self.memory)]
         parts = (self.memory[begin:end] for begin, end in itertools.pairwise(ends))
         return list(zip(self.table, parts, strict=True))
@@ -117,21 +114,21 @@ class DegradationState:
         self.refresh()
 
     def refresh(self, *, others: bool = True) -> None:
-        """Takes note that the table or a phase has changed.
+        """Update the derived values after a change of the table or of a phase.
 
         Args:
-            others: whether other degradations than before work from now on.
+            others: whether the set of active degradations has changed.
         """
         table = self.table
         if others:
-            present = np.zeros(len(DEVICES), dtype=np.bool_)
+            present = np.zeros(len(degradables()), dtype=np.bool_)
             present[table["device"][table["phase"] != OVER]] = True
             self.present = present
         self.next_s = float(np.min(turns_s(table), initial=np.inf))
 
 
 def turns_s(table: Records) -> FloatArray:
-    """Gives when degradations come to their next phase, infinite for never, shape (n,)."""
+    """Return the times at which degradations enter their next phase, infinite for never, (n,)."""
     end_s = table["onset_s"] + table["duration_s"]
     never_s = np.full(len(table), np.inf)
     choices = np.stack([table["onset_s"], end_s, end_s + table["recovery_s"], never_s])
@@ -139,18 +136,18 @@ def turns_s(table: Records) -> FloatArray:
 
 
 def record(degradation: Degradation, robot: int, serial: int) -> Records:
-    """Gives a degradation as a record of the table.
+    """Return a degradation as a record of the table.
 
     Args:
-        degradation: the degradation, which `complaint` has found nothing wrong with.
+        degradation: the degradation, validated by `complaint`.
         robot: its robot's number.
         serial: its number among those of its robot.
     """
-    device, stuck = DEVICES[degradation.device], degradation.stuck
+    device, stuck = degradables()[degradation.device], degradation.stuck
     width = device.width if degradation.element is None else 1
     row = np.zeros((), _FORM)
     row["id"], row["robot"], row["serial"] = degradation.id, robot, serial
-    row["device"] = NUMBER[device.name]
+    row["device"] = number_of(device.name)
     row["element"] = ALL_ELEMENTS if degradation.element is None else degradation.element
     for name in ("dead", *_NUMBERS):
         row[name] = getattr(degradation, name)
@@ -164,7 +161,7 @@ def record(degradation: Degradation, robot: int, serial: int) -> Records:
 
 
 def degradation_of(row: Any, robot: str) -> Degradation:
-    """Gives a record as plain data; `robot` is the id of its robot."""
+    """Return the degradation of a record; `robot` is the id of its robot."""
     stuck: float | Literal["hold"] | None = None
     if row["stuck"] != FREE:
         stuck = HOLD if row["stuck"] == HOLDS else float(row["stuck_at"])
@@ -172,7 +169,7 @@ def degradation_of(row: Any, robot: str) -> Degradation:
     values = {name: float(row[name]) for name in _NUMBERS}
     return Degradation(
         robot,
-        list(DEVICES)[row["device"]],
+        list(degradables())[row["device"]],
         None if row["element"] == ALL_ELEMENTS else int(row["element"]),
         stuck=stuck,
         dead=bool(row["dead"]),
@@ -183,7 +180,7 @@ def degradation_of(row: Any, robot: str) -> Degradation:
 
 
 def empty_memory(row: Any) -> FloatArray:
-    """Gives what a degradation remembers at first, see `DegradationState`."""
+    """Return the initial memory of a degradation, see `DegradationState`."""
     width = width_of(row["device"], row["element"])
     depth = int(row["depth"])
     held = np.full(width, np.nan)
@@ -194,5 +191,20 @@ def empty_memory(row: Any) -> FloatArray:
 
 
 def width_of(device: Any, element: Any) -> Any:
-    """Gives of how many elements degradations remember values; numbers or arrays."""
-    return np.where(element == ALL_ELEMENTS, _WIDTHS[device], 1)
+    """Return the number of elements for which degradations store values; numbers or arrays."""
+    return np.where(element == ALL_ELEMENTS, _widths()[device], 1)
+
+
+def number_of(device: str) -> int:
+    """Return the number of a device in arrays."""
+    return _numbers_of_devices()[device]
+
+
+@cache
+def _numbers_of_devices() -> dict[str, int]:
+    return {name: number for number, name in enumerate(degradables())}
+
+
+@cache
+def _widths() -> Int64Array:
+    return np.array([device.width for device in degradables().values()])

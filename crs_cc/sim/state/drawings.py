@@ -1,4 +1,4 @@
-"""What programs have drawn into the simulator's window."""
+"""Drawings of programs in the simulator's window."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from crs_cc.core.arrays import Int32Array, Int64Array
 
 @dataclass(slots=True)
 class DrawingState:
-    """All that is in the picture, the later above the earlier.
+    """All drawings, later ones on top.
 
     Attributes:
-        marks: each as `drawings.Drawing.of` takes it, shape (marks, 8).
-        robots: whose program drew it, (marks,).
+        marks: each in the form of `drawings.Drawing.of`, shape (marks, 8).
+        robots: the robot whose program drew it, (marks,).
     """
 
     marks: Int32Array
@@ -24,5 +24,5 @@ class DrawingState:
 
     @classmethod
     def at_start(cls) -> Self:
-        """Gives an empty picture."""
+        """Return an empty picture."""
         return cls(np.zeros((0, 8), dtype=np.int32), np.zeros(0, dtype=np.int64))

@@ -19,23 +19,23 @@ class DriveState:
 
     Attributes:
         axes: the axes' profiles, shape (robots, 3) each.
-        clock_s: the instant to which each robot's axes have been turned.
-        moved_m: where the wheels took each robot in this cycle, world frame, (robots, 2).
-        facing_rad: the direction of the wheels that this led to.
-        turret_rad: the direction of the turret that this led to; of use where there is one.
-        slice: the way of each axis in this cycle, (robots, 3): the slice so far.
+        clock_s: the time to which each robot's axes have been advanced.
+        moved_m: displacement of each robot by its wheels in this cycle, world frame, (robots, 2).
+        facing_rad: the resulting direction of the wheels.
+        turret_rad: the resulting direction of the turret, if there is one.
+        slice: distance of each axis in this cycle so far, (robots, 3).
         move_speed: speed of relative moves (`sp`), (robots, 3).
         ramp: acceleration (`ac`), (robots, 3).
-        command: request code of the motion command that runs; 0 before the first.
-        command_cycle: the cycle in which it came.
-        timeout_s: the axes stop when no command came for so long (`conf_tm`), infinite for never.
-        deadline_s: when they will.
-        limp: the axes that nothing drives or holds, (robots, 3).
-        hindered: whether contact made the wheels turn otherwise than the motors would.
-        forward_mps: how fast these robots went, along their wheels.
-        ahead_m: how much further they would have gone in this cycle, by their motors, than their
-            encoders have counted.
-        stalled_s: for how long they have stood in spite of their motors.
+        command: request code of the current motion command; 0 before the first.
+        command_cycle: the cycle in which it was received.
+        timeout_s: command timeout after which the axes stop (`conf_tm`), infinite for never.
+        deadline_s: the time at which it expires.
+        limp: axes with motors off, (robots, 3).
+        hindered: whether a contact made the wheels turn otherwise than the motors would.
+        forward_mps: the speed of these robots along their wheels.
+        ahead_m: distance in this cycle that the motors would have added to that counted by the
+            encoders.
+        stalled_s: the time for which they have been stalled.
     """
 
     axes: Axes
@@ -58,7 +58,7 @@ class DriveState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives axes that rest."""
+        """Return axes at rest."""
         count = len(world.robots)
         drives = [robot.model.drive for robot in world.robots]
         axes = [[axis or STILL for axis in drive.axes] for drive in drives]
@@ -84,7 +84,7 @@ class DriveState:
         )
 
     def stop(self, rows: IndexArray) -> None:
-        """Lets axes stand still at once, without any command."""
+        """Stop axes immediately, without a command."""
         for part in fields(self.axes):
             getattr(self.axes, part.name)[rows] = 0.0
         self.moved_m[rows] = self.slice[rows] = 0.0

@@ -1,8 +1,8 @@
-"""What changes while a world runs: arrays, one row for each robot.
+"""The state of a world: arrays with one row for each robot.
 
-Everything that a later cycle depends on is here, so its SHA-256 tells whether two runs are the
-same. A snapshot is this, packed (`packing`), with the history that `physics.Physics` keeps, and
-with what the current cycle has to tell when it ends: requests that were served, and events.
+It contains everything that later cycles depend on, so its SHA-256 shows whether two runs are
+equal. A snapshot is a packed state (`snapshot_codec`), with the history of `physics.Physics`, and
+with the pending results of the current cycle: served requests, and events.
 
 >>> from crs_cc.sim.geometry.scene import Scene
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -36,7 +36,6 @@ from crs_cc.sim.state.compass import CompassState
 from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
-from crs_cc.sim.state.gps import GpsState
 from crs_cc.sim.state.gripper import GripperState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.heat_sensor import HeatSensorState
@@ -50,61 +49,60 @@ from crs_cc.sim.state.obstacles import ObstacleState
 from crs_cc.sim.state.odometry import OdometryState
 from crs_cc.sim.state.pos_data import PosDataState
 from crs_cc.sim.state.presence import PresenceState
+from crs_cc.sim.state.sensors import sensor_states
 from crs_cc.sim.state.sonar import SonarState
 from crs_cc.sim.state.sound import SoundState
-from crs_cc.sim.state.tilt import TiltState
 from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class EnvState:
-    """The state of a world at an instant; arrays have a row for each robot unless said otherwise.
+    """The state of a world at one time; arrays have a row for each robot unless noted otherwise.
 
-    What belongs to one device is in a dataclass of its own, see `states`.
+    The state of each device is in a dataclass of its own.
 
     Attributes:
         cycle: number of the current cycle.
-        presence: which robots are in the world.
-        bodies: what moves, the robots first.
-        heading_rad: the robots' true headings at the start of the cycle: where their wheels roll.
-        mount_rad: where the mount of their sonars, infrared sensors and laser points: the heading,
+        presence: the robots that are in the world.
+        bodies: the movable bodies, the robots first.
+        heading_rad: the robots' true headings at the start of the cycle: the rolling direction.
+        mount_rad: direction of the mount of their sonars, infrared sensors and laser: the heading,
             or the turret, or the base of a synchro drive without a turret.
-        base_rad: where the mount of their bumpers points: the heading, or the base of a synchro
+        base_rad: direction of the mount of their bumpers: the heading, or the base of a synchro
             drive, which never turns.
         drive: the motion of the axes.
-        odometry: where each robot believes to be.
-        sonar: the sonars' timetables and readings.
-        bumpers: the switches that are pressed.
+        odometry: the estimated pose of each robot.
+        sonar: the sonars' schedules and readings.
+        bumpers: the bumper switches.
         infrared: the infrared sensors' readings.
         compass: the compasses' readings.
-        laser: what the lasers saw and told.
-        gps: what GPS receivers told.
-        tilt: what inclinometers told.
-        camera: what cameras saw and told.
-        heat_sensor: what heat sensors told.
-        light: what light sensors read.
-        sound: what microphones heard.
-        timers: when sensors measure by themselves.
-        degradation: what is wrong with all of these, and with the drive.
-        gripper: where the fingers of grippers are; what they hold is in `bodies`.
-        arm: where the joints of arms are; what their hands hold is in `bodies`.
-        beacons: how bright robots shine and how loud they sound.
-        mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
-        pos_data: where and when sensors were read, for those who ask.
-        battery: what the motors took from theirs.
-        heat: how hot things are.
-        link: the serial lines to the robots.
-        obstacles: what programs have put into the world, and taken out of it.
-        drawings: what they have drawn.
+        laser: the lasers' scans, and the reported ones.
+        sensors: the `Readings` of each device of `registry.devices()`, by its name.
+        camera: the cameras' images, and the reported ones.
+        heat_sensor: the heat sensors' readings.
+        light: the light sensors' readings.
+        sound: the microphones' readings.
+        timers: the timers of sensors.
+        degradation: the degradations of these devices, and of the drive.
+        gripper: the fingers of grippers; held objects are in `bodies`.
+        arm: the joints of arms; held objects are in `bodies`.
+        beacons: lamps and speakers.
+        mask: the parts of `State` that the program requests (`Smask`), (robots, 44).
+        pos_data: positions and times of sensor readings, for programs that request them.
+        battery: the energy used by the motors.
+        heat: the heat of objects.
+        link: the serial links to the robots.
+        obstacles: objects that programs added to the world and removed from it.
+        drawings: drawings of programs.
         connected: whether the program has connected.
-        messages: those that robots send each other.
-        waits: which robots wait, and for what.
-        contacts_before: what robots touched in the last cycle: robot times names plus thing,
+        messages: messages between robots.
+        waits: the robots that wait, and their requests.
+        contacts_before: contacts of the last cycle: robot times number of names plus object,
             sorted; shape (contacts,).
-        distance_m: how far each robot has really moved.
-        collisions: how many contacts began.
-        commands: how many requests were served.
+        distance_m: true distance that each robot has moved.
+        collisions: number of contacts that began.
+        commands: number of requests served.
     """
 
     cycle: int
@@ -120,8 +118,7 @@ class EnvState:
     infrared: InfraredState
     compass: CompassState
     laser: LaserState
-    gps: GpsState
-    tilt: TiltState
+    sensors: Any
     camera: CameraState
     heat_sensor: HeatSensorState
     light: LightState
@@ -148,7 +145,7 @@ class EnvState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the state before the first cycle: everything rests, odometry at 0."""
+        """Return the state before the first cycle: everything at rest, odometry at 0."""
         count = len(world.robots)
         scene = Scene(world)
         bodies = Bodies.at_start(scene)
@@ -167,8 +164,7 @@ class EnvState:
             infrared=InfraredState.at_start(world),
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
-            gps=GpsState.at_start(world),
-            tilt=TiltState.at_start(world),
+            sensors=sensor_states(world),
             camera=CameraState.at_start(world),
             heat_sensor=HeatSensorState.at_start(world),
             light=LightState.at_start(world),
@@ -196,20 +192,20 @@ class EnvState:
 
     @property
     def x_m(self) -> FloatArray:
-        """Where the robots are, x in the world frame, at the start of the cycle."""
+        """The robots' x in the world frame, at the start of the cycle."""
         return self.bodies.position_m[: len(self.heading_rad), 0]
 
     @property
     def y_m(self) -> FloatArray:
-        """Where the robots are, y in the world frame, at the start of the cycle."""
+        """The robots' y in the world frame, at the start of the cycle."""
         return self.bodies.position_m[: len(self.heading_rad), 1]
 
     def renumber(self, before: Sequence[str], now: Sequence[str]) -> None:
-        """Takes over what belongs to things that still stand, when others have come or gone.
+        """Renumber objects after some were added or removed, keeping the state of the others.
 
         Args:
-            before: the names of all things, as in `Scene.names`.
-            now: the same, as they are from now on.
+            before: the names of all objects so far, as in `Scene.names`.
+            now: the new names.
         """
         places = {name: place for place, name in enumerate(now)}
         place = np.array([places.get(name, -1) for name in before], dtype=np.intp)
@@ -222,7 +218,7 @@ class EnvState:
         self.contacts_before = np.sort(robot * len(now) + thing)
 
     def sha256(self) -> str:
-        """Gives a digest of the whole state."""
+        """Return a digest of the whole state."""
         digest = hashlib.sha256()
         for name, value in _leaves(self, ""):
             digest.update(f"{name} {np.shape(value)}\n".encode())

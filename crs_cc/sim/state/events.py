@@ -1,4 +1,4 @@
-"""What happens in a world besides motion: said by whoever does it, heard with the cycle's `Step`.
+"""Events in a world besides motion: recorded when they happen, reported in the cycle's `Step`.
 
 >>> log = EventLog()
 >>> log.say(0.05, "message", "lost: out of range", robot=2)
@@ -15,27 +15,27 @@ from dataclasses import dataclass
 from typing import Final
 
 KINDS: Final = {
-    "message": "one was sent, arrived or got lost; a way of messages was shut or opened",
+    "message": "one was sent, arrived or was lost; an outage began or ended",
     "degradation": "one was added, changed or removed; it began, began to fade or ended",
-    "join": "a robot joined, or had to wait because its place was taken",
+    "join": "a robot joined, or had to wait because its place was occupied",
     "leave": "a robot left",
     "fall": "the ground under a robot dropped away",
-    "grip": "a gripper or a hand took hold of a thing",
-    "release": "a gripper or a hand let go of a thing",
-    "lost": "a thing was torn from a gripper",
+    "grip": "a gripper or a hand took hold of an object",
+    "release": "a gripper or a hand released an object",
+    "lost": "an object was torn from a gripper",
 }
-"""The kinds of events, and what they tell."""
+"""The kinds of events, with descriptions."""
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened at an instant.
+    """An event.
 
     Attributes:
-        time_s: when.
+        time_s: its time.
         kind: one of `KINDS`.
-        text: what happened, for people, in the past tense.
-        robot: whom it happened to, -1 for none.
+        text: a description in the past tense.
+        robot: the robot concerned, -1 for none.
     """
 
     time_s: float
@@ -45,26 +45,26 @@ class Event:
 
 
 class EventLog:
-    """The events of the current cycle, in the order in which they were said."""
+    """The events of the current cycle, in the order of recording."""
 
     def __init__(self) -> None:
         self._events: list[Event] = []
 
     def say(self, time_s: float, kind: str, text: str, robot: int = -1) -> None:
-        """Adds an event, see `Event`."""
+        """Record an event, see `Event`."""
         assert kind in KINDS, kind
         self._events.append(Event(float(time_s), kind, text, int(robot)))
 
     def take(self, until_s: float = math.inf) -> tuple[Event, ...]:
-        """Gives the events up to an instant, and forgets them."""
+        """Return and remove the events up to a time."""
         events = tuple(event for event in self._events if event.time_s <= until_s)
         self._events[:] = [event for event in self._events if event.time_s > until_s]
         return events
 
     def snapshot(self) -> tuple[Event, ...]:
-        """Gives all events."""
+        """Return all events."""
         return tuple(self._events)
 
     def restore(self, events: tuple[Event, ...]) -> None:
-        """Goes back to a snapshot."""
+        """Restore a snapshot."""
         self._events[:] = events

@@ -1,4 +1,4 @@
-"""Where the fingers of grippers are, and where they are going."""
+"""Positions and targets of gripper fingers."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class GripperState:
-    """The grippers; arrays have a row for each robot that has one, n of them.
+    """The grippers; arrays have a row for each robot with a gripper, n of them.
 
     Attributes:
-        from_m: the distance between the fingers when they were told last to open or to close, (n,).
-        since_s: when that was, (n,).
-        closing: whether to close, (n,).
+        from_m: distance between the fingers at the last command to open or close, (n,).
+        since_s: time of that command, (n,).
+        closing: whether it was to close, (n,).
         before_m: the distance at the end of the last cycle, (n,).
-        width_m: the width of what they hold; 0 when they hold nothing, (n,).
+        width_m: the width of the held object; 0 for none, (n,).
     """
 
     from_m: FloatArray
@@ -31,7 +31,7 @@ class GripperState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives grippers that are open."""
+        """Return open grippers."""
         found = [gripper for robot in world.robots if (gripper := robot.model.gripper) is not None]
         open_m = np.array([gripper.opening_m for gripper in found], dtype=np.float64)
         nothing, no = np.zeros(len(found)), np.zeros(len(found), dtype=np.bool_)

@@ -1,4 +1,4 @@
-"""How hot things are."""
+"""The heat of objects."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class HeatState:
-    """How hot all things are.
+    """The heat of all objects.
 
     Attributes:
-        left: the heat of each thing, in the order of `Scene.names`: robots, what can be pushed,
-            what cannot, the ground; shape (names,).
+        left: the heat of each object, in the order of `Scene.names`: robots, movable objects,
+            fixed ones, the ground; shape (names,).
     """
 
     left: FloatArray
 
     @classmethod
     def at_start(cls, world: WorldModel, scene: Scene) -> Self:
-        """Gives the heat that the world file gives to each thing; robots to come have none yet."""
+        """Return the heat of each object in the world file; robots that join later have none."""
         left = np.zeros(len(scene.names))
         left[: len(scene.things)] = [thing.heat for thing in scene.things]
         left[: scene.robots] *= [robot.join_s <= 0.0 for robot in world.robots]

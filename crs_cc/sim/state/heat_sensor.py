@@ -1,4 +1,4 @@
-"""What heat sensors told last."""
+"""Heat sensor readings."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class HeatSensorState:
-    """The heat sensors; arrays have a row for each robot that has one, n of them.
+    """The heat sensors; arrays have a row for each robot with a heat sensor, n of them.
 
     Attributes:
-        reading: the heat around, before it is rounded, (n,).
-        at_s: when that was measured; below 0 for never, (n,).
+        reading: the measured heat, before rounding, (n,).
+        at_s: time of the measurement; negative for none, (n,).
     """
 
     reading: FloatArray
@@ -25,6 +25,6 @@ class HeatSensorState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sensors that have not measured yet."""
+        """Return sensors that have not measured yet."""
         count = sum(robot.model.heat.range_m > 0.0 for robot in world.robots)
         return cls(np.zeros(count), np.full(count, -1.0))

@@ -1,4 +1,4 @@
-"""What robots hold: in the fingers of a gripper, or in the hand of an arm.
+"""Objects held by robots: in a gripper, or in the hand of an arm.
 
 >>> holds = Holds.nothing(robots=2)
 >>> holds.take(np.array([1]), GRIPPER, np.array([5]), np.array([[0.3, 0.0, 0.0]]))
@@ -25,12 +25,12 @@ _KINDS: Final = 2
 
 @dataclass(slots=True)
 class Holds:
-    """Which things robots hold; arrays have a column for the gripper and one for the hand.
+    """The objects that robots hold; arrays have a column for the gripper and one for the hand.
 
     Attributes:
-        thing: number of the thing among those that can be pushed, -1 for nothing, (robots, 2).
-        grasp: where it is held: x, y [m] and direction [rad], of what is in a gripper in the frame
-            of the mount, of what is in a hand in the frame of the hand, (robots, 2, 3).
+        thing: number of the object among the movable ones, -1 for none, (robots, 2).
+        grasp: its pose: x, y [m] and direction [rad], for a gripper in the frame of the mount, for
+            a hand in the frame of the hand, (robots, 2, 3).
     """
 
     thing: Int64Array
@@ -38,47 +38,47 @@ class Holds:
 
     @classmethod
     def nothing(cls, robots: int) -> Self:
-        """Gives empty fingers and hands."""
+        """Return empty grippers and hands."""
         return cls(np.full((robots, _KINDS), -1, np.int64), np.zeros((robots, _KINDS, 3)))
 
     def with_another(self) -> Self:
-        """Gives the same with a further robot, which holds nothing."""
+        """Return a copy with one more robot, which holds nothing."""
         more = self.nothing(1)
         return type(self)(
             np.concatenate([self.thing, more.thing]), np.concatenate([self.grasp, more.grasp])
         )
 
     def copy(self) -> Self:
-        """Gives a copy that shares nothing."""
+        """Return a deep copy."""
         return type(self)(self.thing.copy(), self.grasp.copy())
 
     def any(self) -> bool:
-        """Tells whether anything is held."""
+        """Return whether any object is held."""
         return bool((self.thing >= 0).any())
 
     def take(self, rows: IndexArray, kind: int, things: IndexArray, grasp: FloatArray) -> None:
-        """Puts things into the fingers or hands of robots."""
+        """Put objects into the grippers or hands of robots."""
         self.thing[rows, kind] = things
         self.grasp[rows, kind] = grasp
 
     def drop(self, rows: IndexArray, kind: int) -> None:
-        """Takes them out again."""
+        """Remove objects from the grippers or hands of robots."""
         self.thing[rows, kind] = -1
         self.grasp[rows, kind] = 0.0
 
     def in_grippers(self) -> tuple[IndexArray, IndexArray]:
-        """Gives the robots that hold something in their fingers, rising, and what each holds."""
+        """Return the robots that hold an object in their gripper, rising, and the objects."""
         return self._held(GRIPPER)
 
     def in_hands(self) -> tuple[IndexArray, IndexArray]:
-        """Gives the robots that hold something in their hands, rising, and what each holds."""
+        """Return the robots that hold an object in their hand, rising, and the objects."""
         return self._held(HAND)
 
     def renumbered(self, kept: BoolArray) -> Self:
-        """Gives what is held when only some of all things are left.
+        """Return the holds after some objects were removed.
 
         Args:
-            kept: which of the things that can be pushed are, (things,).
+            kept: which of the movable objects are left, (things,).
         """
         numbers = np.append(np.where(kept, np.cumsum(kept) - 1, -1), -1)
         return type(self)(numbers[self.thing], self.grasp.copy())

@@ -1,4 +1,4 @@
-"""What lasers saw last, and what of it the program was told."""
+"""Laser scans, and the scan that was last reported."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ import numpy as np
 from crs_cc.core.arrays import Int32Array, Int64Array
 from crs_cc.sim.model.sensors import NUM_LASER
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.last_measurement import Moments
-from crs_cc.sim.state.paged_reply import Told
+from crs_cc.sim.state.last_measurement import LastMeasurement
+from crs_cc.sim.state.paged_reply import PagedReply
 
 _USUAL_SEGMENTS: Final = (50, 4, 30)
-"""What the vendor's header advises to give to `conf_sg`."""
+"""The vendor header's suggestion for `conf_sg`."""
 
 
 @dataclass(slots=True)
 class LaserState:
-    """The lasers; arrays have a row for each robot that has one, n of them.
+    """The lasers; arrays have a row for each robot with a laser, n of them.
 
     Attributes:
-        mode: what `conf_ls` set, (n,).
-        wanted: how many points are looked for, (n,).
-        averaged: how many pixels make an average, (n,).
-        segments: threshold, fewest points and gap of segments, as `conf_sg` set them, (n, 3).
-        points: how many points were seen last, (n,).
-        seen: their x and y [0.1 in], ahead and left of the middle of the mount, (n, 964).
-        ranges: how far away they were, from the right to the left [0.1 in], -1 for none, (n, 482).
-        count: how often it looked, (n,).
-        measured: when it looked last.
-        told: what the last reply told of.
-        predicted: what the last answer to PREDICT told of.
+        mode: the mode set by `conf_ls`, (n,).
+        wanted: number of points to measure, (n,).
+        averaged: number of pixels that are averaged, (n,).
+        segments: threshold, minimum number of points and gap, as set by `conf_sg`, (n, 3).
+        points: number of points of the last scan, (n,).
+        seen: their x and y [0.1 in], ahead and left of the mount's centre, (n, 964).
+        ranges: their ranges, from right to left [0.1 in], -1 for none, (n, 482).
+        count: number of scans, (n,).
+        measured: time and configuration of the last scan.
+        told: contents of the last reply.
+        predicted: contents of the last reply to PREDICT.
     """
 
     mode: Int32Array
@@ -43,13 +43,13 @@ class LaserState:
     seen: Int32Array
     ranges: Int32Array
     count: Int64Array
-    measured: Moments
-    told: Told
-    predicted: Told
+    measured: LastMeasurement
+    told: PagedReply
+    predicted: PagedReply
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives lasers that are as their definitions say, and have seen nothing."""
+        """Return lasers with the settings of their definitions, without a scan."""
         found = [laser for robot in world.robots if (laser := robot.model.laser) is not None]
         count = len(found)
         return cls(
@@ -61,7 +61,7 @@ class LaserState:
             seen=np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
             ranges=np.full((count, NUM_LASER), -1, dtype=np.int32),
             count=np.zeros(count, dtype=np.int64),
-            measured=Moments.never(count),
-            told=Told.nothing(count, 2 * NUM_LASER),
-            predicted=Told.nothing(count, 2 * NUM_LASER),
+            measured=LastMeasurement.never(count),
+            told=PagedReply.nothing(count, 2 * NUM_LASER),
+            predicted=PagedReply.nothing(count, 2 * NUM_LASER),
         )

@@ -1,6 +1,6 @@
-"""When and where something was measured last, for the vendor's `PosData`.
+"""Times and robot configurations of last measurements, for the vendor's `PosData`.
 
->>> moments = Moments.never(2)
+>>> moments = LastMeasurement.never(2)
 >>> moments.note(np.array([1]), np.array([0.5]), np.array([[10, 0, 900, 900, 0, 0, 0]]))
 >>> moments.at_s.tolist(), moments.configuration[1, 2]
 ([-1.0, 0.5], np.int32(900))
@@ -24,12 +24,12 @@ _CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
 
 
 @dataclass(slots=True)
-class Moments:
-    """The last measurement of each of some robots.
+class LastMeasurement:
+    """The last measurement of each of several robots.
 
     Attributes:
-        at_s: when it was; below 0 for never, shape (n,).
-        configuration: the robot's position and speeds then, as in `State[34]` to `[40]`, (n, 7).
+        at_s: its time; negative for none, shape (n,).
+        configuration: the robot's pose and speeds then, as in `State[34]` to `[40]`, (n, 7).
     """
 
     at_s: FloatArray
@@ -37,22 +37,22 @@ class Moments:
 
     @classmethod
     def never(cls, count: int) -> Self:
-        """Gives robots that have not measured yet."""
+        """Return robots that have not measured yet."""
         return cls(np.full(count, -1.0), np.zeros((count, _CONFIGURATION), dtype=np.int32))
 
     def are_due(self, rows: IndexArray, at_s: FloatArray, interval_s: FloatArray) -> BoolArray:
-        """Tells which robots have the instrument, and may measure with it again.
+        """Return which robots have the instrument, and may measure with it again.
 
         Args:
-            rows: the row of each robot here, negative for one that has no such instrument, (k,).
-            at_s: when each would measure, (k,).
-            interval_s: the least time between two measurements, (n,).
+            rows: the row of each robot here, negative for one without the instrument, (k,).
+            at_s: the time of the new measurement, (k,).
+            interval_s: minimum interval of measurements, (n,).
         """
         return np.asarray((rows >= 0) & is_due(self.at_s[rows], at_s, interval_s[rows]))
 
     def note(
         self, rows: IndexArray, at_s: FloatArray | float, configuration: npt.NDArray[np.integer]
     ) -> None:
-        """Notes a measurement of some robots."""
+        """Record a measurement of some robots."""
         self.at_s[rows] = at_s
         self.configuration[rows] = configuration

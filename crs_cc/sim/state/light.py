@@ -1,4 +1,4 @@
-"""What light sensors read last."""
+"""Light sensor readings."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class LightState:
-    """Rings of light sensors; arrays have a row for each robot that has one, n of them.
+    """Rings of light sensors; arrays have a row for each robot with a ring, n of them.
 
     Attributes:
-        reading: what all sensors that there can be read, before it is rounded, (n, 32).
-        at_s: when that was; below 0 for never, (n,).
-        count: how often they measured, (n,).
+        reading: the readings of the maximum number of sensors, before rounding, (n, 32).
+        at_s: time of the measurement; negative for none, (n,).
+        count: number of measurements, (n,).
     """
 
     reading: FloatArray
@@ -28,7 +28,7 @@ class LightState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sensors that have not measured yet."""
+        """Return sensors that have not measured yet."""
         count = sum(robot.model.light_sensors is not None for robot in world.robots)
         reading = np.zeros((count, MAX_LIGHT_SENSORS))
         return cls(reading, np.full(count, -1.0), np.zeros(count, dtype=np.int64))

@@ -1,4 +1,4 @@
-"""How fast the serial lines between hosts and robots are."""
+"""Speeds of the serial links between hosts and robots."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class LinkState:
-    """The serial lines of all robots.
+    """The serial links of all robots.
 
     Attributes:
         baud: their speeds [bit/s], (robots,).
@@ -23,5 +23,5 @@ class LinkState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives lines as the definitions have them."""
+        """Return links with the speeds of the definitions."""
         return cls(np.array([robot.model.link.baud for robot in world.robots], dtype=np.int64))

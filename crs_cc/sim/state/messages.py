@@ -1,4 +1,4 @@
-"""The messages that wait, that are on their way, and that lie in inboxes."""
+"""Messages in queues, in transmission, and in inboxes."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ PACKET: Final = np.dtype(
         ("channel", "<i4"),
         ("type", "<i4"),
         ("size", "<i4"),
-        ("number", "<i8"),  # how many its sender had sent before
+        ("number", "<i8"),  # number of messages that its sender sent before
         ("sent_s", "<f8"),
-        ("begins_s", "<f8"),  # when its transmission begins; NaN while it waits
+        ("begins_s", "<f8"),  # start of its transmission; NaN while it waits
         ("data", "u1", (DATA_SIZE,)),
     ]
 )
@@ -37,12 +37,12 @@ RECEPTION: Final = np.dtype(
         ("corrupted", "?"),
     ]
 )
-"""A message on its way to one robot, or in its inbox."""
+"""The reception of a message by one robot: on its way, or in its inbox."""
 
 COMING: Final = 0
 ARRIVED: Final = 1
 GONE: Final = 2
-"""Status of a reception: on its way, in the inbox, taken out of it or never let in."""
+"""Status of a reception: on its way, in the inbox, read or rejected."""
 
 SHUT: Final = np.dtype(
     [
@@ -53,7 +53,7 @@ SHUT: Final = np.dtype(
         ("receiver", "<i4"),
     ]
 )
-"""Messages that cannot pass for a while, as in `communication.Shut`."""
+"""Outages, as in `communication.Shut`."""
 
 TRAFFIC: Final = np.dtype(
     [
@@ -61,14 +61,14 @@ TRAFFIC: Final = np.dtype(
         ("fate", "i1"),
         ("channel", "<i4"),
         ("sender", "<i4"),
-        ("receiver", "<i4"),  # whom it is for, or went to; `EVERYBODY`
+        ("receiver", "<i4"),  # the addressee or the actual receiver; `EVERYBODY`
         ("group", "<i4"),
         ("type", "<i4"),
         ("size", "<i4"),
         ("number", "<i8"),
     ]
 )
-"""Something that happened to a message: see `messages.traffic`."""
+"""An event of a message: see `messages.traffic`."""
 
 EVERYBODY: Final = -1
 NO_GROUP: Final = -1
@@ -80,16 +80,16 @@ class MessageState:
     """All messages; tables have as many rows as there are messages.
 
     Attributes:
-        sent: how many messages each robot has sent, (robots,).
-        groups: the groups that each robot is in, a bit for each, (robots,).
-        free_s: when each sender has sent what it has begun to send, (robots, channels).
-        bursts: whether what each receiver loses comes in a burst now, (robots, channels).
-        outbox: what has been sent and has not gone on the air, in order, of dtype `PACKET`.
-        packets: what is on its way or in inboxes, of dtype `PACKET`.
-        receptions: where it is going, by rising receiver and arrival, of dtype `RECEPTION`.
-        shuts: when messages could and cannot pass, of dtype `SHUT`.
-        traffic: what happened in this cycle, of dtype `TRAFFIC`.
-        counts: how often each fate came to messages on each channel, (channels, fates).
+        sent: number of messages that each robot has sent, (robots,).
+        groups: the groups that each robot is in, as bits, (robots,).
+        free_s: end of the current transmission of each sender, (robots, channels).
+        bursts: whether each receiver is in a burst of losses, (robots, channels).
+        outbox: queued messages, in order, of dtype `PACKET`.
+        packets: messages on their way or in inboxes, of dtype `PACKET`.
+        receptions: their receptions, by rising receiver and arrival, of dtype `RECEPTION`.
+        shuts: past and future outages, of dtype `SHUT`.
+        traffic: the events of this cycle, of dtype `TRAFFIC`.
+        counts: number of messages with each fate on each channel, (channels, fates).
     """
 
     sent: Int64Array
@@ -105,7 +105,7 @@ class MessageState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives a state in which nobody has sent anything."""
+        """Return a state without messages."""
         robots, channels = len(world.robots), len(world.communication.channels)
         shuts = [
             (shut.at_s, shut.until_s, shut.channel, shut.sender, shut.receiver)
@@ -126,4 +126,4 @@ class MessageState:
 
 
 FATES: Final = 10
-"""How many fates there are in `messages.traffic.Fate`."""
+"""Number of fates in `messages.traffic.Fate`."""

@@ -1,14 +1,15 @@
-"""The hardware simulator: motion commands become motion of axes, cut into slices of a timestep.
+"""Motion profiles of axes: motion commands become motion, evaluated in slices of a timestep.
 
-Each axis follows a profile of three phases with constant acceleration: it ramps from the speed it
-has to a cruising speed, cruises, and brakes to a standstill (the last two may last no time; a
-speed command cruises for ever). A new command replaces the profile from the speed reached. The
-way since the command is a closed formula of the time since the command, so slices are differences
-of that formula, whatever their length, and their sum is the whole way.
+Each axis follows a trapezoidal profile of three phases with constant acceleration: it ramps from
+its current speed to a cruising speed, cruises, and brakes to a standstill (the last two may have
+zero duration; a speed command cruises for ever). A new command replaces the profile, starting at
+the current speed. The distance since the command is a closed-form function of the time since the
+command, so slices are differences of that function, whatever their length, and add up to the whole
+distance.
 
 All arrays have one row for each robot and three columns, the vendor's axes: right wheel, left
 wheel, nothing for a differential drive; translation, steering, turret for a synchro drive. Wheels
-and translation count in metres, steering and turret in radians; times in seconds.
+and translation are in metres, steering and turret in radians; times in seconds.
 
 >>> axes = Axes.standing(robots=1)
 >>> plan_move(axes, ALL, np.array([0.0]), np.array([[1.0, -1.0, 0.0]]), limit=0.5, ramp=1.0)
@@ -31,28 +32,28 @@ from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state.rows import ALL, Rows, take
 
-_NO_WAY: Final = 1e-12  # shorter ways are rounding errors
+_NO_WAY: Final = 1e-12  # shorter distances are rounding errors
 
 
 @dataclass(slots=True)
 class Axes:
-    """The profiles of all axes and how far along they are; each array has shape (robots, 3).
+    """The profiles of all axes and their progress; each array has shape (robots, 3).
 
     Attributes:
-        start_s: when the profile began.
-        first: speed at its beginning.
-        ramp: acceleration of the ramp, with sign.
-        ramp_s: how long the ramp takes.
-        cruise: speed behind the ramp, with sign.
-        cruise_s: how long it lasts; infinite for a speed command.
-        brake_s: how long the braking takes.
-        begun: the way made since the command before this profile began; 0 but for a move that
+        start_s: start of the profile.
+        first: initial speed.
+        ramp: signed acceleration of the ramp.
+        ramp_s: duration of the ramp.
+        cruise: signed speed after the ramp.
+        cruise_s: duration of the cruise; infinite for a speed command.
+        brake_s: duration of the braking.
+        begun: distance between the command and the start of this profile; 0 except for a move that
             fell short.
-        total: the whole way since the command; NaN for a speed command other than 0.
-        travelled: the way so far.
-        speed: the speed now.
-        limit: the highest speed of a move; 0 for a profile that has no goal.
-        rate: the acceleration of a move, without sign.
+        total: total distance since the command; NaN for a speed command other than 0.
+        travelled: distance so far.
+        speed: current speed.
+        limit: maximum speed of a move; 0 for a profile without a target.
+        rate: acceleration of a move, without sign.
     """
 
     start_s: FloatArray
@@ -71,11 +72,11 @@ class Axes:
 
     @classmethod
     def standing(cls, robots: int) -> Self:
-        """Gives axes that stand still."""
+        """Return axes at rest."""
         return cls(*(np.zeros((robots, AXES)) for _ in fields(cls)))
 
     def end_s(self, rows: Rows = ALL) -> FloatArray:
-        """Gives when each axis will stand still [s]: infinite when it goes on for ever."""
+        """Return when each axis will be at rest [s]: infinite for never."""
         end_s = take(self.start_s, rows) + take(self.ramp_s, rows)
         return np.asarray(end_s + take(self.cruise_s, rows) + take(self.brake_s, rows))
 
@@ -89,15 +90,15 @@ def plan_speed(
     ramp: FloatArray | float,
     which: BoolArray | bool = True,
 ) -> None:
-    """Lets axes ramp to a speed and keep it.
+    """Ramp axes to a speed and keep it.
 
     Args:
         axes: their profiles; must have been advanced to `now_s`.
-        rows: which robots, k of them.
-        now_s: when the command comes, shape (k,).
-        target: the speed wanted, shape (k, 3).
+        rows: the robots, k of them.
+        now_s: time of the command, shape (k,).
+        target: target speed, shape (k, 3).
         ramp: acceleration, greater than 0.
-        which: the axes that are meant, shape (k, 3).
+        which: the axes to change, shape (k, 3).
     """
     first = take(axes.speed, rows)
     ramp_s = np.abs(target - first) / ramp
@@ -131,22 +132,22 @@ def plan_move(
     begun: FloatArray | float = 0.0,
     which: BoolArray | bool = True,
 ) -> None:
-    """Lets axes go a way, forwards or backwards, and stop exactly at its end.
+    """Move axes by a distance, forwards or backwards, and stop exactly at its end.
 
-    An axis that is too fast to stop in time brakes, and comes back.
+    An axis that is too fast to stop in time brakes, and returns.
 
     Args:
         axes: their profiles; must have been advanced to `now_s`.
-        rows: which robots, k of them.
-        now_s: when the command comes, shape (k,).
-        way: the way relative to here, shape (k, 3).
-        limit: highest speed, greater than 0.
+        rows: the robots, k of them.
+        now_s: time of the command, shape (k,).
+        way: distance relative to the current position, shape (k, 3).
+        limit: maximum speed, greater than 0.
         ramp: acceleration, greater than 0.
-        begun: the way that was made since the command before this.
-        which: the axes that are meant, shape (k, 3).
+        begun: distance since the command before this profile.
+        which: the axes to change, shape (k, 3).
     """
-    # Seen along `side`, braking at once ends at the goal or before it; so the axis has time to
-    # reach a peak: from v to p to 0 takes the way (p^2 - v^2) / 2a + p^2 / 2a.
+    # In the direction `side`, braking at once ends at the target or before it; so the axis has
+    # time to reach a peak: from v to p to 0 takes the distance (p^2 - v^2) / 2a + p^2 / 2a.
     first = take(axes.speed, rows)
     spare = way - first * np.abs(first) / (2 * ramp)
     side = np.where(np.abs(spare) > _NO_WAY, np.sign(spare), np.sign(first))
@@ -176,15 +177,15 @@ def plan_move(
 
 
 def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
-    """Turns axes on to an instant, not before the last one.
+    """Advance axes to a time, not before the last one.
 
     Args:
         axes: their profiles.
-        rows: which robots, k of them.
-        to_s: the instant of each robot, shape (k,).
+        rows: the robots, k of them.
+        to_s: the time of each robot, shape (k,).
 
     Returns:
-        the way that each axis went, shape (k, 3): the slice.
+        the distance of each axis, shape (k, 3): the slice.
     """
     since_s = to_s[:, None] - take(axes.start_s, rows)
     ramp_s, cruise_s, brake_s = (
@@ -214,13 +215,13 @@ def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
 
 
 def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> None:
-    """Lets moves go on until they have made up for what was held back of them.
+    """Extend moves by the distance that contacts have blocked.
 
     Args:
         axes: their profiles; must have been advanced to `now_s`.
-        rows: which robots, k of them.
-        now_s: the present, shape (k,).
-        short: by how much each axis did not go as far as it was turned, shape (k, 3).
+        rows: the robots, k of them.
+        now_s: the current time, shape (k,).
+        short: the distance by which each axis fell short, shape (k, 3).
     """
     moves = (take(axes.limit, rows) > 0.0) & (short != 0.0)
     if moves.any():
@@ -237,8 +238,21 @@ def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> 
         )
 
 
+def end_here(axes: Axes, rows: Rows, which: BoolArray) -> None:
+    """End moves at the axes' current positions.
+
+    Args:
+        axes: their profiles.
+        rows: the robots, k of them.
+        which: the axes to change, shape (k, 3).
+    """
+    for gone in (axes.ramp_s, axes.cruise_s, axes.brake_s, axes.limit, axes.speed):
+        gone[rows] = np.where(which, 0.0, take(gone, rows))
+    axes.total[rows] = np.where(which, take(axes.travelled, rows), take(axes.total, rows))
+
+
 def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
-    """Writes new profiles over the old ones of the axes that are meant."""
+    """Replace the profiles of the selected axes."""
     profile["travelled"] = profile["begun"]
     for name, values in profile.items():
         old: FloatArray = getattr(axes, name)

@@ -1,4 +1,4 @@
-"""What programs have put into the world, and what they have taken out of it."""
+"""Objects that programs added to the world, and objects that they removed."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from crs_cc.sim.model.world import Polygon, Solid, WorldModel
 Corners = Int32Array
 
 MAX_VERTICES: Final = 10
-"""The most corners that the vendor's interface gives to a polygon (`MAX_VERTICES`)."""
+"""Maximum number of corners of a polygon in the vendor's interface (`MAX_VERTICES`)."""
 
 _ADDED: Final = "obstacle-"
 
 
 @dataclass(slots=True)
 class ObstacleState:
-    """The polygons that programs added, in the order of their numbers, and what they left.
+    """The polygons that programs added, in the order of their numbers, and the removed objects.
 
     Arrays are never changed in place.
 
     Attributes:
         corners: x and y of each corner in the world frame [0.1 in], counter-clockwise, then zeros;
             shape (added, 10, 2).
-        sizes: how many corners each has, (added,).
+        sizes: number of corners of each, (added,).
         numbers: the number in the name of each, (added,).
         owners: the robot whose program added it, (added,).
-        made: how many polygons were ever added.
-        standing: whether each thing of the world file still stands: walls, boxes, cylinders,
+        made: number of polygons ever added.
+        standing: whether each object of the world file is still present: walls, boxes, cylinders,
             polygons, (things,).
     """
 
@@ -48,17 +48,17 @@ class ObstacleState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the obstacles of a world that no program has changed."""
+        """Return the obstacles of a world that no program has changed."""
         none = np.zeros(0, dtype=np.int64)
         things = np.ones(len(things_of(world)), dtype=np.bool_)
         return cls(np.zeros((0, MAX_VERTICES, 2), np.int32), none, none, none, 0, things)
 
     def of(self, added: int) -> Corners:
-        """Gives the corners of an added polygon, shape (corners, 2)."""
+        """Return the corners of an added polygon, shape (corners, 2)."""
         return self.corners[added, : self.sizes[added]]
 
     def take(self, rows: IndexArray) -> Self:
-        """Gives the same with some of the added polygons only."""
+        """Return a copy with a selection of the added polygons."""
         return replace(
             self,
             corners=self.corners[rows],
@@ -68,7 +68,7 @@ class ObstacleState:
         )
 
     def same_as(self, other: ObstacleState) -> bool:
-        """Tells whether the same things stand at the same places."""
+        """Return whether the same objects are present."""
         return (
             np.array_equal(self.numbers, other.numbers)
             and np.array_equal(self.corners, other.corners)
@@ -77,7 +77,7 @@ class ObstacleState:
         )
 
     def world_now(self, world: WorldModel) -> WorldModel:
-        """Gives a world with what programs put into it, and without what they took out of it."""
+        """Return a world with the added objects, and without the removed ones."""
         left = iter(self.standing.tolist())
         added = [polygon_of(number, self.of(n)) for n, number in enumerate(self.numbers.tolist())]
         return replace(
@@ -90,10 +90,10 @@ class ObstacleState:
 
 
 def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleState:
-    """Gives the obstacles without a thing, whether of the world file or added by a program.
+    """Return the obstacles without an object of the world file or one added by a program.
 
     Raises:
-        ValueError: there is no such thing.
+        ValueError: there is no such object.
     """
     added = [f"{_ADDED}{number}" for number in obstacles.numbers.tolist()]
     if name in added:
@@ -107,12 +107,12 @@ def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleS
 
 
 def things_of(world: WorldModel) -> tuple[Solid, ...]:
-    """Gives all things of a world file, its edge and its robots apart."""
+    """Return all objects of a world file, except its edge and its robots."""
     return (*world.walls, *world.boxes, *world.cylinders, *world.polygons)
 
 
 def polygon_of(number: int, corners: Corners) -> Polygon:
-    """Gives a polygon that a program adds.
+    """Return the polygon that a program adds.
 
     Args:
         number: the number in its name.
@@ -121,7 +121,7 @@ def polygon_of(number: int, corners: Corners) -> Polygon:
     return _polygon(number, tuple(map(tuple, corners.tolist())))
 
 
-@lru_cache(maxsize=4096)  # the world is made anew with each that comes or goes
+@lru_cache(maxsize=4096)  # the world is rebuilt whenever an obstacle is added or removed
 def _polygon(number: int, corners: tuple[tuple[int, int], ...]) -> Polygon:
     places = [(tenths_inch_to_m(float(x)), tenths_inch_to_m(float(y))) for x, y in corners]
     return Polygon.of(f"{_ADDED}{number}", places)

@@ -1,4 +1,4 @@
-"""Where robots believe to be."""
+"""Odometry: the estimated poses of robots."""
 
 from __future__ import annotations
 
@@ -14,16 +14,15 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class OdometryState:
-    """Where each robot believes to be, in the frame of its odometry; shape (robots,) each.
+    """The estimated pose of each robot, in the frame of its odometry; shape (robots,) each.
 
     Attributes:
-        x_m: where.
-        y_m: the same.
-        heading_rad: where it believes its wheels to point.
-        turret_rad: the same for the turret; 0 without one.
-        shaft: how far the shaft of each axis' encoder has turned, in the way of its axis,
-            (robots, 3).
-        told: how far it has turned by the counts of the encoder, (robots, 3).
+        x_m: its position.
+        y_m: its position.
+        heading_rad: the direction of its wheels.
+        turret_rad: the direction of its turret; 0 without one.
+        shaft: true position of each encoder's shaft, in the unit of its axis, (robots, 3).
+        told: position by the counts of the encoder, (robots, 3).
     """
 
     x_m: FloatArray
@@ -35,7 +34,7 @@ class OdometryState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives the odometry of robots that were just switched on."""
+        """Return the odometry of robots that were just switched on."""
         count = len(world.robots)
         shaft = np.zeros((count, AXES))
         x_m, y_m, heading_rad, turret_rad = np.zeros((4, count))

@@ -1,7 +1,7 @@
-"""Readings that are too long for a message: what the last reply told of, for the pages after it.
+"""Readings that are too long for one message: the last reply, kept for its further pages.
 
 >>> from crs_cc.requests import MESSAGE
->>> told = Told.nothing(1, room=6)
+>>> told = PagedReply.nothing(1, room=6)
 >>> told.keep(0, width=2, numbers=np.array([1, 2, 3, 4]))
 >>> message = np.zeros(1, MESSAGE)
 >>> told.page(0, first=1, message=message[0])
@@ -24,12 +24,12 @@ _PAGE: Final = DATA_SIZE // 4  # numbers
 
 
 @dataclass(slots=True)
-class Told:
-    """Readings for the pages that programs ask for; a row for each robot with the device.
+class PagedReply:
+    """Readings for the pages that programs request; a row for each robot with the device.
 
     Attributes:
-        count: how many there are, (n,).
-        width: numbers of each, (n,).
+        count: number of readings, (n,).
+        width: numbers in each, (n,).
         numbers: the numbers, one reading after the other, (n, room).
     """
 
@@ -39,7 +39,7 @@ class Told:
 
     @classmethod
     def nothing(cls, count: int, room: int) -> Self:
-        """Gives no readings, with room for some numbers."""
+        """Return no readings, with space for `room` numbers."""
         return cls(
             np.zeros(count, dtype=np.int32),
             np.full(count, 1, dtype=np.int32),
@@ -47,17 +47,17 @@ class Told:
         )
 
     def keep(self, row: int, width: int, numbers: npt.NDArray[np.integer]) -> None:
-        """Keeps readings of a device in place of those before: as many as there is room for."""
+        """Replace the readings of a device, as many as there is space for."""
         count = min(numbers.size, self.numbers.shape[1]) // width
         self.width[row], self.count[row] = width, count
         self.numbers[row, : count * width] = numbers.ravel()[: count * width]
 
     def page(self, row: int, first: int, message: np.void) -> None:
-        """Writes a page over a message: how many readings, how many numbers of each, and these.
+        """Write a page to a message: number of readings, numbers in each, and the numbers.
 
         Args:
             row: the device.
-            first: the first reading that is wanted; any number.
+            first: the first reading of the page; any number.
             message: changed in place.
         """
         width = int(self.width[row])

@@ -1,4 +1,4 @@
-"""Where and when sensors were read, as replies told it."""
+"""Positions and times of sensor readings, as reported in replies."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ PLACES: Final = {
     8: slice(33, 34),  # laser
     16: slice(34, 35),  # compass
 }
-"""Where the sensors of each kind are, by the vendor's bits POS_INFRARED to POS_COMPASS."""
+"""Indices of the sensors of each kind, by the vendor's bits POS_INFRARED to POS_COMPASS."""
 
 _SENSORS: Final = 35
 
 
 @dataclass(slots=True)
 class PosDataState:
-    """What was told to the programs that have asked for it.
+    """The data reported to programs that have requested it.
 
     Attributes:
-        row: the row of each robot in `told`, -1 for one that has never asked, (robots,).
+        row: the row of each robot in `told`, -1 for one that has not requested it, (robots,).
         told: the vendor's `PosData` of each sensor, (rows, 35, 9).
     """
 
@@ -39,12 +39,12 @@ class PosDataState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives a state in which nobody has asked."""
+        """Return a state without requests."""
         nobody = np.full(len(world.robots), -1, dtype=np.intp)
         return cls(nobody, np.zeros((0, _SENSORS, NUMBERS), dtype=np.int32))
 
     def attach(self, robots: IndexArray) -> None:
-        """Makes room for robots that ask."""
+        """Add rows for robots that request the data."""
         new = robots[self.row[robots] < 0]
         self.row[new] = len(self.told) + np.arange(len(new))
         room = np.zeros((len(new), _SENSORS, NUMBERS), dtype=np.int32)

@@ -1,4 +1,4 @@
-"""Which robots something is about, and their rows of an array.
+"""Selections of robots, and their rows of an array.
 
 >>> table = np.array([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]])
 >>> take(table, np.array([2, 0])).tolist(), take(table, ALL) is table
@@ -17,11 +17,11 @@ from crs_cc.core.arrays import IndexArray
 Scalar = TypeVar("Scalar", bound=np.generic)
 
 Rows: TypeAlias = "IndexArray | slice"
-"""Which robots: their indices, or `ALL`."""
+"""A selection of robots: their indices, or `ALL`."""
 
 ALL: Final = slice(None)
 
 
 def take(values: npt.NDArray[Scalar], rows: Rows) -> npt.NDArray[Scalar]:
-    """Gives `values[rows]`, not to be written to: four times as fast where rows have columns."""
+    """Return `values[rows]`, read-only: four times as fast as indexing if rows have columns."""
     return values[rows] if isinstance(rows, slice) else values.take(rows, axis=0)

@@ -1,4 +1,4 @@
-"""A world that runs, as those see it who ask and change it between two of its steps."""
+"""The interface of a running world for queries and changes between two of its steps."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ if TYPE_CHECKING:
 
 
 class Running(Protocol):
-    """What they need of it. They keep no part of it: a restored world has another state."""
+    """A running world. Keep no reference to parts of it: a restored world has another state."""
 
     state: EnvState
 
     @property
     def world(self) -> WorldModel:
-        """Gives the world with all its robots."""
+        """Return the world with all its robots."""
 
     @property
     def time_s(self) -> float:
-        """Gives the start of the current cycle [s]."""
+        """Return the start of the current cycle [s]."""

@@ -1,7 +1,7 @@
-"""A state as one block of bytes: quick to take, small to hold, and never changed.
+"""Packing of a state into one immutable block of bytes, which is fast to create and small.
 
-A state is made of dataclasses whose leaves are arrays and numbers. Very many small arrays take most
-of their time and memory by being there at all.
+A state is made of dataclasses whose leaves are arrays and numbers. For very many small arrays, most
+of the time and memory is the overhead of each array.
 
 >>> from crs_cc.sim.state.bodies import Pull
 >>> pull = Pull(np.zeros((1, 2)), np.array([0.5]), np.array([False]))
@@ -20,8 +20,8 @@ from typing import Any, Final, TypeAlias, cast
 import numpy as np
 
 Layout: TypeAlias = "tuple[type | tuple[np.dtype[Any], tuple[int, ...]] | None, ...]"
-"""What a state is made of, the outer before the inner: the types of dataclasses, type and shape of
-arrays, None for what is neither."""
+"""The structure of a state in preorder: the types of dataclasses, dtype and shape of arrays, None
+for other values."""
 
 _ALIGN: Final = 8
 _PADDING: Final = tuple(bytes(size) for size in range(_ALIGN))
@@ -29,12 +29,12 @@ _PADDING: Final = tuple(bytes(size) for size in range(_ALIGN))
 
 @dataclass(frozen=True, slots=True)
 class Packed:
-    """A state that has been packed.
+    """A packed state.
 
     Attributes:
-        layout: what it is made of.
+        layout: its structure.
         content: its arrays, one after the other, each aligned.
-        others: what is no array, in the order of the layout.
+        others: values that are not arrays, in the order of the layout.
     """
 
     layout: Layout
@@ -42,16 +42,16 @@ class Packed:
     others: tuple[Any, ...]
 
     def state(self) -> Any:
-        """Gives the state; nothing of it is shared with anybody."""
+        """Return the state, which shares nothing with the packed one."""
         return _Unpacking(self).next()
 
 
 def packed(state: Any, like: Packed | None = None) -> Packed:
-    """Packs a state.
+    """Pack a state.
 
     Args:
         state: a dataclass.
-        like: another state that may have the same layout, to share that.
+        like: another state that may have the same layout, which is then shared.
     """
     parts: list[Any] = []
     content: list[Any] = []
@@ -82,7 +82,7 @@ def _collect(value: Any, layout: list[Any], content: list[Any], others: list[Any
 
 
 class _Unpacking:
-    """Goes through a packed state."""
+    """Reads a packed state from start to end."""
 
     def __init__(self, packed: Packed) -> None:
         self._layout = iter(packed.layout)
@@ -91,7 +91,7 @@ class _Unpacking:
         self._at = 0
 
     def next(self) -> Any:
-        """Gives the next thing, with all that is in it."""
+        """Return the next value, with everything in it."""
         part = next(self._layout)
         if part is None:
             return next(self._others)
@@ -100,10 +100,10 @@ class _Unpacking:
             array: np.ndarray[Any, Any] = np.ndarray(shape, dtype, self._content, self._at)
             self._at += -(-array.nbytes // _ALIGN) * _ALIGN
             return array
-        return part(*[self.next() for _ in _names(part) or ()])
+        return part(**{name: self.next() for name in _names(part) or ()})
 
 
 @cache
 def _names(kind: Hashable) -> tuple[str, ...] | None:
-    """Gives the names of the fields of a dataclass, None for any other type."""
+    """Return the names of the fields of a dataclass, None for any other type."""
     return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None

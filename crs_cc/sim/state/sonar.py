@@ -1,4 +1,4 @@
-"""The sonars' timetables, the pings in the air, and what was heard."""
+"""The sonars' schedules, the pings in the air, and the echoes."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.model.world import WorldModel
 
 NO_ECHO: Final = 255
-"""A sonar's reading in inches when it hears nothing, the largest that the byte on the line holds
+"""A sonar's reading in inches without an echo, the largest that the byte on the link can hold
 (vendor source `Ndirect.c` 2.7)."""
 
 CONFIGURATION: Final = 7
-"""What a robot knows of itself when a sonar fires: x, y, heading, turret, three speeds."""
+"""A robot's configuration when a sonar fires: x, y, heading, turret, three speeds."""
 
 _NONE: Final = -1
 
@@ -27,22 +27,22 @@ class SonarState:
     """The sonars of all robots; arrays have a row for each robot.
 
     Attributes:
-        order: the sonars in their firing order, as many as `length` says, (robots, 16).
-        length: how many firings a round of the order has; with 0 no sonar fires.
-        start_s: when the first one of the order fired.
+        order: the firing order, of which `length` entries are used, (robots, 16).
+        length: number of firings in a round; with 0 no sonar fires.
+        start_s: time of the first firing of the order.
         interval_s: the time from one firing to the next.
-        turn: how many firings the order has had.
-        next_s: when the next sonar fires, infinite for never.
-        count: how many firings there were in all.
-        mode: the mode in which the sonars work.
+        turn: number of firings of the order so far.
+        next_s: time of the next firing, infinite for never.
+        count: total number of firings.
+        mode: the sonars' mode.
         listening: the sonar whose ping is in the air, -1 for none.
-        sent_s: when it was sent.
-        sent_from: what the robot knew of itself then, as in `State`, (robots, 7).
-        heard_s: when its echo comes, or the robot gives up.
-        heard_m: from how far it comes, infinite for no echo.
-        echo_m: how far away each sonar's last echo came from [m], infinite for none, (robots, 16).
-        fired_s: when the ping was sent that came back so; 0 before a sonar's first, (robots, 16).
-        fired_from: what the robot knew of itself then, as in `State`, (robots, 16, 7).
+        sent_s: time of that ping.
+        sent_from: the robot's configuration then, as in `State`, (robots, 7).
+        heard_s: time of its echo, or of its timeout.
+        heard_m: distance of its echo, infinite for none.
+        echo_m: distance of each sonar's last echo [m], infinite for none, (robots, 16).
+        fired_s: time of the ping of that echo; 0 before a sonar's first, (robots, 16).
+        fired_from: the robot's configuration then, as in `State`, (robots, 16, 7).
     """
 
     order: IndexArray
@@ -64,7 +64,7 @@ class SonarState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives sonars that have heard nothing; those in the order begin at once."""
+        """Return sonars without echoes; those in the order start at once."""
         boards = [robot.model.sonar_board for robot in world.robots]
         count = len(boards)
         order = np.zeros((count, MAX_SONARS), dtype=np.intp)
@@ -91,11 +91,11 @@ class SonarState:
         )
 
     def reading_in(self, rows: IndexArray) -> Int32Array:
-        """Gives the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
+        """Return the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
         return inches(self.echo_m[rows])
 
     def hear(self, rows: IndexArray, to_s: FloatArray) -> None:
-        """Takes the echoes that came in until an instant of each robot, or were given up."""
+        """Record the echoes and timeouts up to a time of each robot."""
         heard = (self.listening[rows] != _NONE) & (self.heard_s[rows] <= to_s)
         rows = rows[heard]
         place = (rows, self.listening[rows])
@@ -107,7 +107,7 @@ class SonarState:
     def reorder(
         self, rows: IndexArray, order: IndexArray, length: IndexArray, now_s: FloatArray
     ) -> None:
-        """Begins new orders: the first sonar fires now, those that are in none hear nothing."""
+        """Start new orders: the first sonar fires now, those in no order hear nothing."""
         self.order[rows] = order
         self.length[rows] = length
         self.start_s[rows] = now_s
@@ -121,5 +121,5 @@ class SonarState:
 
 
 def inches(distance_m: FloatArray) -> Int32Array:
-    """Gives distances as sonars tell them: whole inches, 0 to `NO_ECHO`."""
+    """Return distances as sonars report them: whole inches, 0 to `NO_ECHO`."""
     return np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO).astype(np.int32)

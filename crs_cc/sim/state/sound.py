@@ -1,4 +1,4 @@
-"""What microphones heard last."""
+"""Microphone readings."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from crs_cc.sim.model.world import WorldModel
 
 @dataclass(slots=True)
 class SoundState:
-    """Microphones; arrays have a row for each robot that has some, n of them.
+    """Microphones; arrays have a row for each robot with microphones, n of them.
 
     Attributes:
-        level: how loud each tone was, before that is rounded, (n, 8).
-        bearing_rad: where the loudest came from, (n,).
-        at_s: when that was; below 0 for never, (n,).
-        count: how often they measured, (n,).
+        level: the level of each tone, before rounding, (n, 8).
+        bearing_rad: the direction of the loudest one, (n,).
+        at_s: time of the measurement; negative for none, (n,).
+        count: number of measurements, (n,).
     """
 
     level: FloatArray
@@ -30,7 +30,7 @@ class SoundState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives microphones that have not measured yet."""
+        """Return microphones that have not measured yet."""
         count = sum(robot.model.microphones is not None for robot in world.robots)
         never, none = np.full(count, -1.0), np.zeros(count, dtype=np.int64)
         return cls(np.zeros((count, TONES)), np.zeros(count), never, none)

@@ -1,4 +1,4 @@
-"""Which robots wait, and for what."""
+"""Robots that wait for the end of a request."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ class WaitState:
     """The waits; arrays have a row for each robot.
 
     Attributes:
-        code: the code of the request that the robot waits for, 0 for robots that do not wait.
-        asked: its message, of dtype `MESSAGE`, zero for robots that do not wait.
-        until_s: when the wait ends whatever happens, infinite for never; of use while it lasts.
-        axes: the axes that have to stand still, (robots, 3).
+        code: the code of the request that the robot waits for, 0 for none.
+        asked: its message, of dtype `MESSAGE`, zero for none.
+        until_s: timeout of the wait, infinite for never; valid during the wait.
+        axes: the axes that must come to rest, (robots, 3).
     """
 
     code: Int64Array
@@ -31,7 +31,7 @@ class WaitState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives robots that do not wait."""
+        """Return robots that do not wait."""
         count = len(world.robots)
         return cls(
             np.zeros(count, dtype=np.int64),
@@ -41,10 +41,10 @@ class WaitState:
         )
 
     def begin(self, code: int, rows: IndexArray, messages: Records) -> None:
-        """Lets robots wait for what they have asked."""
+        """Start the wait of robots for their requests."""
         self.code[rows], self.asked[rows] = code, messages
 
     def end(self, rows: IndexArray) -> None:
-        """Lets robots wait no longer."""
+        """End the wait of robots."""
         self.code[rows], self.asked[rows] = 0, np.zeros((), MESSAGE)
         self.axes[rows] = False

@@ -1,5 +1,5 @@
 /*
- * caller.c - call for help with one tone, until somebody answers near by with another.
+ * caller.c - call with one tone until another robot answers nearby with a second tone.
  *
  * The other half is seeker.c.
  *
@@ -14,7 +14,7 @@
 #define HELP     3
 #define HERE     5
 #define LOUD     500
-#define NEAR     200         /* so loud is an answer from near by */
+#define NEAR     200         /* level of an answer from nearby */
 
 int main(void)
 {

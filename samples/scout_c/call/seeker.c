@@ -1,10 +1,10 @@
 /*
- * seeker.c - find who calls, by ear: the other half of caller.c.
+ * seeker.c - find a caller by sound; the counterpart of caller.c.
  *
- * The robot turns to where the call comes from and drives there. Behind a wall the
- * call is weak, and the way is not free: where a bumper is pressed, the robot backs
- * away and follows the wall for a while, always to the same side, before it listens
- * again. Where the call is loud enough, it answers.
+ * The robot turns to the direction of the call and drives there. Behind a wall the call
+ * is weak and the way is blocked: if a bumper is pressed, the robot backs away and
+ * follows the wall for a while, always on the same side, before it listens again. Where
+ * the call is loud enough, it answers.
  *
  * Usage:  crs run call/call.xml              the world names the programs of both robots
  */
@@ -17,7 +17,7 @@
 #define TONES    8
 #define HELP     3
 #define HERE     5
-#define NEAR     450         /* so loud is the call where we have found it */
+#define NEAR     450         /* level at which the caller has been found */
 #define ANSWER   500
 #define CRUISE   120         /* 0.1 inch/s */
 #define ASIDE    400         /* 0.1 inch, along a wall */

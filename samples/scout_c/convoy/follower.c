@@ -1,10 +1,10 @@
 /*
- * follower.c - keep behind another robot, by sonar: the other half of leader.c.
+ * follower.c - follow another robot by sonar; the counterpart of leader.c.
  *
- * The nearest echo ahead is taken for the robot in front. Where it is comes from
- * which sonars hear it: each looks into a direction of its own, and the mean of
- * the directions, of those that hear about the same distance, is that of the
- * leader. Speed keeps the distance, steering keeps it ahead.
+ * The nearest echo ahead is assumed to be the robot in front. Its direction is
+ * the mean of the directions of all sonars that measure about the same distance.
+ * Speed controls the distance to the leader, and steering keeps the leader
+ * straight ahead.
  *
  * Usage:  crs run convoy/convoy.xml          the world names the programs of both robots
  */
@@ -14,9 +14,9 @@
 #include <unistd.h>
 #include "Nclient.h"
 
-#define GAP       24         /* to keep, inches */
-#define SAME      9          /* echoes that differ less are of one thing, inches */
-#define LOST      70         /* nothing within: no leader, inches */
+#define GAP       24         /* distance to keep, inches */
+#define SAME      9          /* maximum difference of echoes of one object, inches */
+#define LOST      70         /* no echo within this: no leader, inches */
 #define TURNS     500        /* of the loop, 0.1 s each */
 #define PATIENCE  40         /* turns that the leader may stand before we take it to be there */
 
@@ -33,7 +33,7 @@ static int clip(int value, int low, int high)
     return value < low ? low : value > high ? high : value;
 }
 
-/* Gives the distance of the leader, and its direction in 0.1 degree. */
+/* Returns the distance of the leader, and its direction in 0.1 degree. */
 static int find_leader(int *direction)
 {
     int i, nearest = 255, heard = 0, sum = 0;

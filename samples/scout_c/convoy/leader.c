@@ -1,5 +1,5 @@
 /*
- * leader.c - drive a fixed course, for another robot to follow: see follower.c.
+ * leader.c - drive a fixed course for another robot to follow: see follower.c.
  *
  * Its sonars stay off, so that they do not confuse those of the robot behind.
  *

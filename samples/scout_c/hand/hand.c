@@ -1,8 +1,8 @@
 /*
- * hand.c - put cans into a row with an arm of two joints.
+ * hand.c - arrange cans in a row with a two-joint arm.
  *
- * Where the tip must go is given; which angles bring it there is the arm's inverse
- * kinematics: the elbow by the law of cosines, the shoulder by what is left.
+ * The joint angles for a position of the tip are given by the arm's inverse kinematics:
+ * the elbow by the law of cosines, then the shoulder.
  *
  *      d^2 = x^2 + y^2
  *      cos elbow = (d^2 - upper^2 - fore^2) / (2 upper fore)
@@ -22,7 +22,7 @@
 #define DEGREES (180.0 / M_PI)
 
 struct place {
-    double x, y;             /* inch, ahead of the robot and to the left */
+    double x, y;             /* inch, forward of the robot and to the left */
 };
 
 static const struct { const char *name; struct place from, to; } job[] = {
@@ -31,7 +31,7 @@ static const struct { const char *name; struct place from, to; } job[] = {
     { "blue",  { 18, 12 }, { -4, 22 } },
 };
 
-/* Gives the angles of the joints for a place, 0.1 degree; FALSE where it is out of reach. */
+/* Computes the joint angles for a point, 0.1 degree; FALSE if it is out of reach. */
 static int solve(struct place p, int *shoulder, int *elbow)
 {
     double cosine = (p.x * p.x + p.y * p.y - UPPER * UPPER - FORE * FORE) / (2 * UPPER * FORE);
@@ -46,7 +46,7 @@ static int solve(struct place p, int *shoulder, int *elbow)
     return 1;
 }
 
-/* Brings the tip to a place and waits until it is there. */
+/* Moves the tip to a point and waits until it arrives. */
 static int reach(struct place p)
 {
     int shoulder, elbow, s, e;
@@ -60,7 +60,7 @@ static int reach(struct place p)
     return 1;
 }
 
-/* Lets the hand do something, and gives what it holds then, gram. */
+/* Operates the hand; returns the weight that it then holds, gram. */
 static int hand(int what)
 {
     int weight;

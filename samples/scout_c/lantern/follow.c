@@ -1,9 +1,8 @@
 /*
- * follow.c - comes after a light, keeps its distance, and stays where it went out.
+ * follow.c - follows a light at a distance, and stops where it goes out.
  *
- * It turns to the side that is brighter, and drives the slower the brighter it is:
- * light falls with the square of the distance, so where it gets more than NEAR the
- * lamp is close enough.
+ * It turns to the brighter side, and drives more slowly in brighter light: brightness
+ * falls with the square of the distance, so above NEAR the lamp is close enough.
  */
 
 #include <stdio.h>
@@ -11,7 +10,7 @@
 #include "Nclient.h"
 #include "crs.h"
 
-#define EYES 8               /* counter-clockwise, number 0 ahead */
+#define EYES 8               /* counter-clockwise, number 0 in front */
 #define NEAR 300
 #define DARK 30              /* tenths of a second without light until it gives up */
 

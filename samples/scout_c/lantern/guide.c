@@ -1,7 +1,7 @@
 /*
- * guide.c - carries a light around a corner, for another robot to follow.
+ * guide.c - carries a light around a corner for another robot to follow.
  *
- * The lamp is bright while it drives and goes out where it has arrived.
+ * The lamp is on while the robot drives, and goes out when it has arrived.
  *
  * Usage:  crs run lantern/lantern.xml        the world names both programs
  */
@@ -11,7 +11,7 @@
 #include "crs.h"
 
 #define LIGHT      400
-#define QUARTER    107       /* what a wheel runs for 90 degrees: 0.1 inch */
+#define QUARTER    107       /* wheel distance for 90 degrees: 0.1 inch */
 
 static void leg(int right, int left)
 {

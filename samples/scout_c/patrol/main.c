@@ -1,5 +1,5 @@
 /*
- * main.c - the night watch: goes along a corridor and sees whether doors are shut.
+ * main.c - a night watch: patrols a corridor and checks whether doors are closed.
  *
  * At each door of the list the robot stops in the corridor, turns to the door and
  * listens. A closed door answers from the wall, an open one from the end of the
@@ -25,7 +25,7 @@ struct door list[] = {
     { "office",      INCHES(284), -90 },
 };
 
-/* Turns to a door, listens, and turns back. */
+/* Turns to a door, measures, and turns back. */
 visit(d)
     register struct door *d;
 {

@@ -5,7 +5,7 @@
 # include "patrol.h"
 
 # define SPEED        100          /* 0.1 inch/s */
-# define NEAR         12           /* something this near ahead: stop, inches */
+# define NEAR         12           /* obstacle ahead: stop, inches */
 # define MAX_CALLS    1500
 
 start_motion()
@@ -23,7 +23,7 @@ halt()
     return ws(1, 1, 0, 5);
 }
 
-/* The smaller turn that leads from one direction to another, 0.1 degree. */
+/* Returns the smaller turn from one direction to another, 0.1 degree. */
 static smaller(turn)
 {
     while (turn > 1800)
@@ -33,7 +33,7 @@ static smaller(turn)
     return turn;
 }
 
-/* Turns on the spot to so many degrees from the corridor. */
+/* Turns in place to an angle from the corridor's direction. */
 face(degrees)
 {
     get_rc();
@@ -41,7 +41,7 @@ face(degrees)
     return ws(1, 1, 0, 20);
 }
 
-/* Drives to a place on the axis of the corridor, forwards or backwards; FALSE if it cannot. */
+/* Drives to a point on the corridor's axis, forward or backward; FALSE if it cannot. */
 go_to(where)
     long where;
 {
@@ -60,7 +60,7 @@ go_to(where)
         sign = rest > 0 ? 1 : -1;
         if (State[sign > 0 ? STATE_SONAR_0 : STATE_SONAR_8] < NEAR)
             break;
-        /* back to the axis by turning a little towards it */
+        /* steer back to the axis */
         steer = smaller(-sign * (int) State[STATE_CONF_Y] * 3 - (int) State[STATE_CONF_STEER]);
         if (labs(rest) > SPEED)
             scout_vm(sign * SPEED, steer);

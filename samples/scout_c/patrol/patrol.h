@@ -1,5 +1,5 @@
 /*
- * patrol.h - what the parts of the night watch share.
+ * patrol.h - shared declarations of the night watch.
  *
  * The variables are defined by being declared: each file that includes this has
  * them "in common", as the linkers of the time understood it.
@@ -10,15 +10,15 @@
 
 # define ROBOT_ID     1
 # define N_SONARS     16
-# define INCHES(n)    ((n) * 10L)          /* State counts tenths */
+# define INCHES(n)    ((n) * 10L)          /* State is in tenths */
 # define DEGREES(n)   ((n) * 10)
 
 struct door {
     char *name;
     long where;                            /* along the corridor, 0.1 inch from home */
     int side;                              /* degrees to turn from the corridor */
-    int state;                             /* UNKNOWN until we have been there */
-    int depth;                             /* what the sonar said, inches */
+    int state;                             /* UNKNOWN until visited */
+    int depth;                             /* sonar reading, inches */
 };
 
 # define UNKNOWN      0

@@ -1,5 +1,5 @@
 /*
- * sense.c - listening with the ring of sonars.
+ * sense.c - measuring with the sonar ring.
  */
 
 # include "patrol.h"
@@ -16,7 +16,7 @@ start_sonars()
     usleep(ROUND);
 }
 
-/* Stands for a round of all sonars, keeps it, and gives what is straight ahead. */
+/* Waits for readings of all sonars, stores them, and returns the one straight ahead. */
 look()
 {
     register int i;
@@ -28,7 +28,7 @@ look()
     return ring[0];
 }
 
-/* Tells whether there is a way ahead in the last ring. */
+/* Returns whether the way ahead was free in the last ring. */
 clear_ahead()
 {
     return ring[0] > DEEP;

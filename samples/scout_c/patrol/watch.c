@@ -1,5 +1,5 @@
 /*
- * watch.c - the time since the round began.
+ * watch.c - the time since the patrol began.
  */
 
 # include <time.h>

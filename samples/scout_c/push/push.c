@@ -1,9 +1,9 @@
 /*
- * push.c - one of two robots that push a crate together which is too heavy for one.
+ * push.c - one of two robots that push a crate too heavy for one.
  *
- * Each drives on until a bumper tells that it is at the crate, says so to the other,
- * and waits for its word. Then both push. All the time each tells the other how far
- * it has come, and who is ahead waits: so the crate goes straight.
+ * Each drives until a bumper reports the crate, sends a message to the other, and waits
+ * for its message. Then both push. They continuously exchange their distances, and the
+ * one ahead waits: so the crate moves straight.
  *
  * Usage:  crs run push/push.xml              the world names the program
  */
@@ -17,7 +17,7 @@
 #define WAY      2
 #define SPEED    60          /* 0.1 inch/s */
 #define GOAL     800         /* 0.1 inch, to push */
-#define AHEAD    5           /* 0.1 inch, of the other, before we wait */
+#define AHEAD    5           /* 0.1 inch ahead of the other before waiting */
 
 static int other;            /* the number of the other robot */
 static int is_ready, its_way;
@@ -27,7 +27,7 @@ static void tell(int type, int value)
     crs_send(other, type, &value, sizeof value);
 }
 
-/* Takes all that the other has told. */
+/* Processes the messages of the other robot. */
 static void listen(void)
 {
     struct crs_message message;

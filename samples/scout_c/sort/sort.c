@@ -1,10 +1,10 @@
 /*
- * sort.c - fetch cans and sort them by their weight.
+ * sort.c - collect cans and sort them by weight.
  *
- * Cans stand somewhere on the line ahead. The robot drives until the beam between
- * the fingers of its gripper is broken, closes them, and so knows how wide the can
- * is and what it weighs. It carries the can back home, heavy ones to the left and
- * light ones to the right, puts it down and goes for the next.
+ * Cans are somewhere on the line ahead. The robot drives until the beam between the
+ * fingers of its gripper is interrupted, closes them, and so measures the width and the
+ * weight of the can. It carries the can home, heavy ones to the left and light ones to
+ * the right, puts it down and goes for the next.
  *
  * Usage:  crs run sort/sort.xml              the world names the program
  */
@@ -29,7 +29,7 @@ static void drive(int way)
     ws(1, 1, 0, 60);
 }
 
-/* Turns on the spot into a direction, counter-clockwise from ahead. */
+/* Turns in place to a direction, counter-clockwise from the front. */
 static void face(int direction)
 {
     int left = (direction - State[STATE_CONF_STEER]) % 3600;
@@ -38,12 +38,12 @@ static void face(int direction)
         left -= 3600;
     if (left < -1800)
         left += 3600;
-    left = left * 1186 / 10000;              /* 0.1186 inch of each wheel for a degree */
+    left = left * 1186 / 10000;              /* 0.1186 inch per wheel and degree */
     pr(left, -left, 0);
     ws(1, 1, 0, 60);
 }
 
-/* Drives until something is between the fingers; tells whether there is. */
+/* Drives until an object is between the fingers; returns whether there is one. */
 static int search(void)
 {
     int beam = 0;

@@ -1,11 +1,11 @@
 /*
- * vehicle.c - a Braitenberg vehicle that comes to the light.
+ * vehicle.c - a Braitenberg vehicle that approaches a light.
  *
- * Each eye drives the wheel of the other side: the more light the left eye gets,
- * the faster runs the right wheel, and so the vehicle turns to the light and comes
- * faster the brighter it is (V. Braitenberg, "Vehicles", 1984, number 2b). Light
- * falls with the square of the distance, so its root is what counts. A bumper turns
- * it aside; where it is bright enough, it rests.
+ * Each light sensor drives the wheel of the other side: the more light on the left, the
+ * faster the right wheel, and so the vehicle turns to the light and gets faster the
+ * brighter it is (V. Braitenberg, "Vehicles", 1984, number 2b). Brightness falls with the
+ * square of the distance, so its root is used. If a bumper is pressed it turns aside;
+ * where it is bright enough, it stops.
  *
  * Usage:  crs run vehicle/vehicle.xml        the world names the program
  */
@@ -16,13 +16,13 @@
 #include "Nclient.h"
 #include "crs.h"
 
-#define EYES      8          /* counter-clockwise, number 0 ahead */
-#define BRIGHT    600        /* enough to rest */
+#define EYES      8          /* counter-clockwise, number 0 in front */
+#define BRIGHT    600        /* level at which to stop */
 #define IDLE      20.0       /* 0.1 inch/s, in the dark */
 #define GAIN      12.0       /* 0.1 inch/s, for the root of the light */
 #define FASTEST   200.0
 
-/* Gives how much light comes from one side, from ahead to behind. */
+/* Returns the amount of light from one side, front to back. */
 static double side(const int *eye, int first)
 {
     return sqrt(eye[first] + eye[first + 1] + eye[first + 2]);

@@ -3,69 +3,71 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.debug.commands.arguments import (
-    Format,
-    Where,
+    BreakpointArguments,
+    OutputFormat,
+    parse_breakpoint_arguments,
+    parse_count,
+    parse_format,
+    parse_numbers,
+    parse_robot,
     split_arguments,
-    take_count,
-    take_format,
-    take_numbers,
-    take_robot,
-    take_where,
 )
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
 
 
-def test_where_has_a_robot_and_a_condition() -> None:
-    assert take_where("12") == Where("12")
-    assert take_where("if x") == Where("", condition="x")
-    assert take_where("turn thread 2") == Where("turn", "2")
-    assert take_where("lift") == Where("lift")
-    assert take_where("turn if iffy == 3") == Where("turn", condition="iffy == 3")
-    with pytest.raises(DebugError, match="condition"):
-        take_where("turn if ")
+def test_breakpoint_arguments_have_a_robot_and_a_condition() -> None:
+    assert parse_breakpoint_arguments("12") == BreakpointArguments("12")
+    assert parse_breakpoint_arguments("if x") == BreakpointArguments("", condition="x")
+    assert parse_breakpoint_arguments("turn thread 2") == BreakpointArguments("turn", "2")
+    assert parse_breakpoint_arguments("lift") == BreakpointArguments("lift")
+    assert parse_breakpoint_arguments("turn if iffy == 3") == BreakpointArguments(
+        "turn", condition="iffy == 3"
+    )
+    with pytest.raises(DebugError, match="'if' needs"):
+        parse_breakpoint_arguments("turn if ")
 
 
-def test_formats_are_read_as_gdb_reads_them() -> None:
-    assert take_format("x") == (Format(), "x")
-    assert take_format("/x n") == (Format("x"), "n")
-    assert take_format("/8xb&order") == (Format("x", 8, 1), "&order")
+def test_formats_are_parsed_like_gdbs() -> None:
+    assert parse_format("x") == (OutputFormat(), "x")
+    assert parse_format("/x n") == (OutputFormat("x"), "n")
+    assert parse_format("/8xb&order") == (OutputFormat("x", 8, 1), "&order")
 
 
 @pytest.mark.parametrize("text", ["/xd 3", "/q 3", "/bw 3", "/0x 3", "/-1x 3"])
-def test_what_is_no_format_is_refused(text: str) -> None:
+def test_invalid_formats_are_refused(text: str) -> None:
     with pytest.raises(DebugError):
-        take_format(text)
+        parse_format(text)
 
 
 @pytest.mark.parametrize("text", ["0", "-1", "x", "1 2", "1e3", "99999999999999999999", "٣"])
-def test_a_count_is_a_number_from_1(text: str) -> None:
+def test_counts_start_at_1(text: str) -> None:
     with pytest.raises(DebugError, match="count"):
-        take_count(text)
+        parse_count(text)
 
 
-def test_numbers_are_listed_and_ranged() -> None:
-    assert take_numbers("") == []
-    assert take_numbers("3, 1-2") == [3, 1, 2]
+def test_numbers_and_ranges() -> None:
+    assert parse_numbers("") == []
+    assert parse_numbers("3, 1-2") == [3, 1, 2]
     for wrong in ("x", "1-", "3-1", "1-999999999", "-1"):
         with pytest.raises(DebugError):
-            take_numbers(wrong)
+            parse_numbers(wrong)
 
 
-def test_robots_have_names_and_numbers_and_names_come_first() -> None:
-    assert take_robot("1", ["1", "0"]) == 0
-    assert take_robot("1", ["left", "right"]) == 1
+def test_robots_have_names_and_numbers_and_names_take_precedence() -> None:
+    assert parse_robot("1", ["1", "0"]) == 0
+    assert parse_robot("1", ["left", "right"]) == 1
     for wrong in ("2", "lef", "", "-1"):
         with pytest.raises(DebugError, match="left, right"):
-            take_robot(wrong, ["left", "right"])
+            parse_robot(wrong, ["left", "right"])
 
 
-def test_arguments_end_at_commas_of_their_own() -> None:
+def test_arguments_are_split_at_top_level_commas() -> None:
     assert split_arguments("12") == ["12"]
     assert split_arguments("12,\"a,b\",f(x, y)[1,2],','") == ["12", '"a,b"', "f(x, y)[1,2]", "','"]
 
 
-def test_printfs_words_become_those_of_log_points() -> None:
+def test_printf_formats_become_log_messages() -> None:
     assert log_text(r'"%5.1f %%, \"%s\"\n"', ["speed", "name"]) == '{speed} %, "{name}"'
     for literal, expressions in (("12", []), ('"%d"', []), ('"none"', ["x"])):
         with pytest.raises(DebugError):

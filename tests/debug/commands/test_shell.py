@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.engine import Debugger
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 QUIET = """\
 int main(void)
@@ -25,7 +25,7 @@ def shell(tmp_path: Path) -> Shell:
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
-    """Lets `step` meet an error."""
+    """Let `step` meet an error."""
 
     def fail(*_: object, **__: object) -> Never:
         raise error
@@ -33,7 +33,7 @@ def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
     monkeypatch.setattr(Debugger, "step", fail)
 
 
-def test_a_mistake_of_ours_is_a_line_and_the_debugger_lives_on(
+def test_an_internal_error_is_one_line_and_the_debugger_continues(
     shell: Shell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     failing(monkeypatch, ValueError("no\n\tnumber"))
@@ -45,7 +45,7 @@ def test_a_mistake_of_ours_is_a_line_and_the_debugger_lives_on(
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt(), SystemExit(3), BrokenPipeError()])
-def test_what_is_no_mistake_of_ours_goes_through(
+def test_system_errors_propagate(
     shell: Shell, monkeypatch: pytest.MonkeyPatch, error: BaseException
 ) -> None:
     failing(monkeypatch, error)

@@ -17,11 +17,11 @@ from crs_cc.debug.errors import DebugError
         ("h", "help"), ("q", "quit"), ("fg", "continue"), ("si", "stepi"),
     ],
 )  # fmt: skip
-def test_gdbs_short_names_mean_what_they_mean_there(typed: str, name: str) -> None:
+def test_gdb_aliases(typed: str, name: str) -> None:
     assert find(typed)[0].name == name
 
 
-def test_every_beginning_that_fits_one_command_means_it() -> None:
+def test_unambiguous_abbreviations() -> None:
     for command in COMMANDS:
         if " " not in command.name:
             assert find(f"{command.name} x") == (command, "x")
@@ -43,16 +43,16 @@ def test_a_name_ends_where_no_letter_follows(typed: str) -> None:
         ("§$%", 'Undefined command: "§$%".  Try "help".'),
         ("whe", 'Ambiguous command "whe": when, where.'),
         ("info foo", 'Undefined info command: "foo".  Try "help info".'),
-        ("info", '"info" must be followed by what: try "help info".'),
+        ("info", '"info" needs a subcommand: try "help info".'),
     ],
 )
-def test_what_is_no_command_is_refused_in_gdbs_words(typed: str, said: str) -> None:
+def test_unknown_commands_are_refused_in_gdbs_words(typed: str, said: str) -> None:
     with pytest.raises(DebugError) as refused:
         find(typed)
     assert str(refused.value) == said
 
 
-def test_every_command_stands_in_one_group_and_says_what_it_does() -> None:
+def test_every_command_has_one_group_and_a_summary() -> None:
     assert len({group.name for group in GROUPS}) == len(GROUPS)
     for command in COMMANDS:
         assert command.summary.endswith(".")

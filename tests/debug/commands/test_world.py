@@ -10,7 +10,7 @@ from crs_cc.debug.commands import world
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import EDITS
-from tests.debug.debuggee import debugger_at, debugger_of
+from tests.debug.debuggers import debugger_at, debugger_of
 
 DRIVES = """\
 #include "Nclient.h"
@@ -57,7 +57,7 @@ def here(shell: Shell) -> tuple[str, bytes]:
     return session.state_hash(), shell.debugger.run.console.text()
 
 
-def test_state_is_shown_by_names_without_what_the_robot_does_not_have(shell: Shell) -> None:
+def test_state_is_shown_by_names_without_missing_devices(shell: Shell) -> None:
     rows = said(shell, "break 7 if i == 12", "continue", "info state")
     assert "[33] STATE_BUMPER        none" in rows
     names = [row.split()[1] for row in rows if row.startswith("[")]
@@ -65,10 +65,10 @@ def test_state_is_shown_by_names_without_what_the_robot_does_not_have(shell: She
     assert not any("_IR_" in name or "TURRET" in name for name in names)
 
 
-def test_a_program_without_state_says_so(tmp_path: Path) -> None:
+def test_info_state_of_a_program_without_state(tmp_path: Path) -> None:
     shell = Shell(debugger_of(SILENT, folder=tmp_path))
     shell.debugger.start()
-    assert said(shell, "info State") == ["the program of robot0 has no State[]"]
+    assert said(shell, "info State") == ["robot0's program has no State[]"]
 
 
 OWN_STATE = """\
@@ -82,11 +82,11 @@ int main(void)
 """
 
 
-def test_a_state_of_the_users_own_is_not_taken_for_the_vendors(tmp_path: Path) -> None:
+def test_a_users_own_state_array_is_not_the_vendors(tmp_path: Path) -> None:
     shell = Shell(debugger_of(OWN_STATE, folder=tmp_path))
     said(shell, "next", "next")
     assert said(shell, "print State[2]")[0].endswith("nan")
-    assert said(shell, "info state") == ["the program of robot0 has no State[]"]
+    assert said(shell, "info state") == ["robot0's program has no State[]"]
 
 
 def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
@@ -96,12 +96,12 @@ def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
     close = said(shell, "map robot0 2m")
     assert len(close) == 24
     assert close != whole
-    assert said(shell, "map nobody") == ["there is no robot 'nobody': there are robot0"]
+    assert said(shell, "map nobody") == ["unknown robot 'nobody' (known: robot0)"]
     assert said(shell, "map robot0 wide")[0].startswith("'wide' is not a length")
-    assert said(shell, "map robot0 0") == ["what is to be seen is from 0.01 to 100000 m"]
+    assert said(shell, "map robot0 0") == ["the map's height must be 0.01 to 100000 m"]
 
 
-def test_a_change_of_the_world_is_another_run_backward_and_forward_the_same(shell: Shell) -> None:
+def test_a_change_of_the_world_is_replayed(shell: Shell) -> None:
     said(shell, "tick 12")
     before = here(shell)
     unchanged = [said(shell, "tick 8"), here(shell)]
@@ -124,7 +124,7 @@ def test_a_change_of_the_world_is_another_run_backward_and_forward_the_same(shel
     assert here(shell) == after
 
 
-def test_the_world_can_be_changed_in_the_middle_of_a_timestep(shell: Shell) -> None:
+def test_the_world_can_be_changed_inside_a_timestep(shell: Shell) -> None:
     said(shell, "break 8 if i == 9", "continue", "delete")
     session = shell.debugger.session
     assert session.halted == 0
@@ -140,7 +140,7 @@ def test_the_world_can_be_changed_in_the_middle_of_a_timestep(shell: Shell) -> N
     assert changed != after
 
 
-def test_what_cannot_be_done_changes_nothing(shell: Shell) -> None:
+def test_invalid_changes_change_nothing(shell: Shell) -> None:
     said(shell, "tick 5")
     before = here(shell)
     assert said(shell, "move robot0 to 99 99") == [
@@ -158,12 +158,12 @@ def test_every_change_has_help(shell: Shell) -> None:
     assert any("bumper-pressed" in line for line in said(shell, "help catch"))
 
 
-def test_what_is_caught_is_told(shell: Shell) -> None:
+def test_caught_events_are_reported(shell: Shell) -> None:
     answer = said(shell, "move robot0 to 5.5 3 0", "catch collision", "continue")
     assert any("robot0 touched" in line for line in answer)
 
 
 @pytest.mark.parametrize("across", ["1e-300", "1e-9", "0", "-1", "nan", "1e300"])
-def test_a_map_of_next_to_nothing_is_refused(across: str) -> None:
+def test_a_map_of_invalid_size_is_refused(across: str) -> None:
     with pytest.raises(DebugError):
         world._across_m(across)

@@ -60,24 +60,24 @@ class Client:
     # -- saying ------------------------------------------------------------------------------
 
     def post(self, command: str, **arguments: Any) -> int:
-        """Makes a request, and gives its number."""
+        """Make a request, and return its number."""
         self._seq += 1
         message = {"seq": self._seq, "type": "request", "command": command, "arguments": arguments}
         self.send(encode(message))
         return self._seq
 
     def send(self, content: bytes) -> None:
-        """Says something, whatever it is."""
+        """Return something, whatever it is."""
         self._mine.sendall(content)
 
     def hang_up(self) -> None:
-        """Says no more."""
+        """Return no more."""
         self._mine.shutdown(socket.SHUT_WR)
 
     # -- hearing -----------------------------------------------------------------------------
 
     def hear(self) -> Message | None:
-        """Gives the next message, None at the end; all have to fit the schema."""
+        """Return the next message, None at the end; all have to fit the schema."""
         message = read_message(self._from)
         if message is not None:
             demand_valid(message)
@@ -85,7 +85,7 @@ class Client:
         return message
 
     def answer(self, seq: int) -> Message:
-        """Gives the response to a request."""
+        """Return the response to a request."""
         while seq not in self._answers:
             message = self.hear()
             assert message is not None, "the server has ended"
@@ -96,14 +96,14 @@ class Client:
         return self._answers.pop(seq)
 
     def ask(self, command: str, **arguments: Any) -> Message:
-        """Makes a request that is to be fulfilled, and gives the body of the response."""
+        """Make a request that is to be fulfilled, and return the body of the response."""
         answer = self.answer(self.post(command, **arguments))
         assert answer["success"], answer["message"]
         body: Message = answer.get("body", {})
         return body
 
     def refused(self, command: str, **arguments: Any) -> str:
-        """Makes a request that is not to be fulfilled, and gives the reason."""
+        """Make a request that is not to be fulfilled, and return the reason."""
         answer = self.answer(self.post(command, **arguments))
         assert not answer["success"], answer
         text: str = answer["body"]["error"]["variables"]["why"]
@@ -111,7 +111,7 @@ class Client:
         return text
 
     def event(self, name: str) -> Message:
-        """Gives the body of the next event of a kind."""
+        """Return the body of the next event of a kind."""
         while True:
             for number, each in enumerate(self.events):
                 if each["event"] == name:
@@ -126,54 +126,54 @@ class Client:
     # -- usual sequences ---------------------------------------------------------------------
 
     def launch(self, *program: Path, **attributes: Any) -> Message:
-        """Goes through the opening up to `initialized`; gives the capabilities."""
+        """Go through the opening up to `initialized`; return the capabilities."""
         able = self.ask("initialize", adapterID="crs", **SELF)
         self.ask("launch", program=[str(each) for each in program], **attributes)
         self.event("initialized")
         return able
 
     def begin(self) -> Message:
-        """Lets the run begin, and gives the first stop."""
+        """Let the run begin, and return the first stop."""
         self.ask("configurationDone")
         return self.event("stopped")
 
     def move(self, command: str, thread: int = 1, **arguments: Any) -> Message:
-        """Lets the run go on, or back, and gives the stop."""
+        """Let the run go on, or back, and return the stop."""
         self.ask(command, threadId=thread, **arguments)
         return self.event("stopped")
 
     def break_at(self, path: Path, *breakpoints: int | Message) -> list[Message]:
-        """Sets breakpoints at lines, or as the protocol describes them."""
+        """Set breakpoints at lines, or as the protocol describes them."""
         wanted = [{"line": each} if isinstance(each, int) else each for each in breakpoints]
         body = self.ask("setBreakpoints", source={"path": str(path)}, breakpoints=wanted)
         found: list[Message] = body["breakpoints"]
         return found
 
     def frames(self, thread: int = 1) -> list[Message]:
-        """Gives a robot's active functions."""
+        """Return a robot's active functions."""
         found: list[Message] = self.ask("stackTrace", threadId=thread)["stackFrames"]
         return found
 
     def line(self, thread: int = 1) -> int:
-        """Gives the line in which a robot's program stands."""
+        """Return the line in which a robot's program stands."""
         number: int = self.frames(thread)[0]["line"]
         return number
 
     def scope(self, name: str, thread: int = 1) -> list[Message]:
-        """Gives what stands in a scope of the innermost active function."""
+        """Return what stands in a scope of the innermost active function."""
         frame = self.frames(thread)[0]["id"]
         scopes = self.ask("scopes", frameId=frame)["scopes"]
         number = next(each["variablesReference"] for each in scopes if each["name"] == name)
         return self.parts(number)
 
     def parts(self, number: int, **arguments: Any) -> list[Message]:
-        """Gives the parts of something."""
+        """Return the parts of something."""
         found: list[Message]
         found = self.ask("variables", variablesReference=number, **arguments)["variables"]
         return found
 
     def printed(self, category: str = "stdout") -> str:
-        """Gives what was written since this was asked for last."""
+        """Return what was written since this was asked for last."""
         rows = [each for each in self.events if each["event"] == "output"]
         mine = [each for each in rows if each["body"]["category"] == category]
         self.events = [each for each in self.events if each not in mine]

@@ -9,7 +9,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.session.host import Output
 from crs_cc.sim.files.world_xml import empty_world, load_world
-from tests.debug.debuggee import debug_program
+from tests.debug.debuggers import debug_program
 
 LOOP = """\
 #include <stdio.h>
@@ -36,7 +36,7 @@ int main(void)
 
 
 def open_run(arguments: Sequence[str], output: Output, say: Callable[[str], None]) -> Debugger:
-    """Makes a debugger of files: those that end in .xml are worlds, the others programs."""
+    """Make a debugger of files: those that end in .xml are worlds, the others programs."""
     if any(word.startswith("--") for word in arguments):
         raise DebugError("no options here")
     worlds = [word for word in arguments if word.endswith(".xml")]

@@ -19,7 +19,7 @@ _INSIDE = "_vendored/pydevd/_pydevd_bundle/_debug_adapter/debugProtocol.json"
 
 @functools.cache
 def schema() -> dict[str, Any]:
-    """Gives the schema, with a definition for each kind of message."""
+    """Return the schema, with a definition for each kind of message."""
     found = importlib.util.find_spec("debugpy")
     assert found is not None
     assert found.origin is not None
@@ -38,7 +38,7 @@ def _title(name: str) -> str:
 
 
 def definition_of(message: dict[str, Any]) -> str:
-    """Gives the name of the definition that a message has to fit."""
+    """Return the name of the definition that a message has to fit."""
     if message["type"] == "event":
         return f"{_title(message['event'])}Event"
     if message["type"] == "request":
@@ -49,7 +49,7 @@ def definition_of(message: dict[str, Any]) -> str:
 
 
 def demand_valid(message: dict[str, Any]) -> None:
-    """Makes sure that a message is one of the protocol's.
+    """Make sure that a message is one of the protocol's.
 
     Objects may have members that the schema does not know; in what we say there are none.
     """
@@ -62,7 +62,7 @@ def demand_valid(message: dict[str, Any]) -> None:
 
 
 def _unknown(value: Any, name: str, whole: dict[str, Any]) -> list[str]:
-    """Gives the members of a body that its definition does not name."""
+    """Return the members of a body that its definition does not name."""
     parts = whole["definitions"][name].get("allOf", [whole["definitions"][name]])
     bodies = [part["properties"]["body"] for part in parts if "body" in part.get("properties", {})]
     return _strangers(value, bodies[-1], whole, "body") if bodies else []

@@ -1,245 +1,20 @@
-"""Writes `docs/editors.md` and the extension for VS Code from the attributes of `launch`.
-
-`--update-goldens` rewrites them.
-"""
+"""What `docs/editors.md` and the extension for VS Code show can be launched."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-from crs_cc import __version__
 from crs_cc.debug.commands.table import NAMES
 from crs_cc.debug.dap.arguments import Arguments
-from crs_cc.debug.dap.breakpoint_requests import FILTERS
-from crs_cc.debug.dap.launch import ATTRIBUTES, Attribute, read_launch
+from crs_cc.debug.dap.launch import read_launch
+from docs.generate import ROOT
+from docs.generate.editors import CONFIGURATION, NEOVIM, extension
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import open_run
-
-ROOT = Path(__file__).parents[3]
-PAGE = ROOT / "docs" / "editors.md"
-EXTENSION = ROOT / "editors" / "vscode" / "package.json"
-NEOVIM = ROOT / "editors" / "nvim" / "crs.lua"
-
-CONFIGURATION = {
-    "name": "This program in a room",
-    "type": "crs",
-    "request": "launch",
-    "program": "${file}",
-    "world": "${workspaceFolder}/worlds/room.xml",
-    "cwd": "${workspaceFolder}",
-    "args": [],
-    "stopOnEntry": True,
-}
-
-WHERE = {
-    "thread": "a robot; all stop together, as time is one for all",
-    "step over, into, out": (
-        "the next line of that robot's program past calls, into them, out of the function"
-    ),
-    "step back": "the line before, past calls; on the way that the run has come",
-    "reverse continue": "back to the breakpoint before, or to the beginning",
-    "breakpoint": (
-        "at the next line with code if there is none in this one; with a C expression as "
-        "condition, with a hit count (`5` and `>= 5`: from the fifth on; `> 5`), or as a log "
-        "point with C expressions in braces"
-    ),
-    "function breakpoint": (
-        "at a function of the program; one of the robot's (`ws`, `get_sn`) when it asks the robot"
-    ),
-    "data breakpoint": "when an object is changed, read, or either, also through pointers",
-    "exception breakpoints": "what happens in the world, see below; run-time errors always stop",
-    "jump to cursor": (
-        "goes to the next instant at which the program gets to the line, or back to the last "
-        "one: nothing is passed over"
-    ),
-    "variables": (
-        "*Locals*; *Globals*; *State*, the vendor's `State[]` with names and units; *Robot* "
-        "and *World*, as they are and not as the program believes"
-    ),
-    "set value": "changes the program: from there on the run is another one",
-    "watch, hover": "C expressions that change nothing",
-    "debug console": (
-        "C expressions, which may change the program; and whatever means nothing as an "
-        "expression is a [command](debugger.md): `reverse-finish`, `goto t=12.5`, `robot 1`, "
-        "`move robot0 to 1 2 90`"
-    ),
-    "disassembly": "the program as `crs compile` shows it",
-    "memory": "the program's bytes",
-    "restart": "compiles the files again, and begins anew with the same breakpoints",
-    "restart frame": "refused: step back to the call instead",
-}
-
-TEXT = """\
-<!-- made by tests/debug/dap/test_editors_page.py of crs_cc/debug/dap/launch.py; edit there,
-     then pytest --update-goldens -->
-
-# The debugger in editors
-
-`crs debug --dap stdio` serves an editor by the [Debug Adapter Protocol][dap]: breakpoints, stepping
-forward and backward, variables, watches and a console in the editor's own windows, with the robots
-as threads and the world beside the variables. The editor starts it; nothing else is needed.
-
-[dap]: https://microsoft.github.io/debug-adapter-protocol/
-
-## VS Code
-
-The extension is a manifest and no code: it tells VS Code to run `crs`. Start VS Code where that can
-be found, so with the virtual environment active. To try it:
-
-    code --extensionDevelopmentPath="$PWD/editors/vscode" .
-
-To install it, pack it with VS Code's own tool (it needs Node):
-
-    cd editors/vscode
-    npx @vscode/vsce package --skip-license --allow-missing-repository
-    code --install-extension crs-debug-*.vsix
-
-Set breakpoints in a C file, and press F5; or write into `.vscode/launch.json`:
-
-```json
-{launch}
-```
-
-To start the server oneself, so as to see what it says, add `"debugServer": 4711` to the
-configuration and run `crs debug --dap 4711`. It listens on this computer only, and serves one
-editor after the other.
-
-## Neovim
-
-With [nvim-dap](https://codeberg.org/mfussenegger/nvim-dap), `editors/nvim/crs.lua`:
-
-```lua
-{neovim}```
-
-## Other editors
-
-Tell the editor's DAP client to run `crs debug --dap stdio`, or to connect to a port, and to
-`launch` with the attributes below.
-
-## What `launch` takes
-
-Editors replace `${{file}}` and `${{workspaceFolder}}` before we see them. A wrong type is refused
-with the reason.
-
-{attributes}
-
-Programs have no terminal to read from: `input` is what they read. What they write is shown in the
-console whenever it is written, so again where a run comes by the same place again.
-
-## What is where
-
-{where}
-
-When all programs have ended the run stops once more, so that one can go back; to continue then ends
-the session. While programs run, breakpoints can be set; to look at anything, pause them.
-
-## Exception breakpoints
-
-A condition is a C expression, tested in the program of the robot that it happens to.
-
-{filters}
-"""
-
-
-def cell(text: str) -> str:
-    return text.replace("|", "\\|")
-
-
-def attribute_rows() -> Iterator[str]:
-    yield "| attribute | type | by default | |"
-    yield "| --- | --- | --- | --- |"
-    for each in ATTRIBUTES:
-        kind = "strings" if each.kind == "array" else each.kind
-        if each.choices:
-            kind = " or ".join(f"`{choice}`" for choice in each.choices)
-        default = "" if each.default is None else f"`{json.dumps(each.default)}`"
-        yield f"| `{each.name}` | {kind} | {default} | {cell(each.meaning)} |"
-
-
-def where_rows() -> Iterator[str]:
-    yield "| in the editor | what it is |"
-    yield "| --- | --- |"
-    yield from (f"| {name} | {meaning} |" for name, meaning in WHERE.items())
-
-
-def filter_rows() -> Iterator[str]:
-    yield "| filter | stops when |"
-    yield "| --- | --- |"
-    for each in FILTERS:
-        meaning = each["description"].removeprefix("Stop when ").rstrip(".")
-        yield f"| `{each['filter']}` | {meaning} |"
-
-
-def page() -> str:
-    launch = {"version": "0.2.0", "configurations": [CONFIGURATION]}
-    return TEXT.format(
-        launch=json.dumps(launch, indent=2),
-        neovim=NEOVIM.read_text(),
-        attributes="\n".join(attribute_rows()),
-        where="\n".join(where_rows()),
-        filters="\n".join(filter_rows()),
-    )
-
-
-def schema_of(attribute: Attribute) -> dict[str, Any]:
-    """Gives the JSON schema of an attribute."""
-    made: dict[str, Any] = {"type": attribute.kind, "description": attribute.meaning}
-    if attribute.kind == "array":
-        made |= {"type": ["array", "string"], "items": {"type": "string"}}
-    if attribute.choices:
-        made["enum"] = list(attribute.choices)
-    if attribute.default is not None:
-        made["default"] = attribute.default
-    return made
-
-
-def extension() -> dict[str, Any]:
-    """Gives the manifest of the extension, which is all that there is of it."""
-    properties = {each.name: schema_of(each) for each in ATTRIBUTES}
-    return {
-        "name": "crs-debug",
-        "displayName": "CRS robot programs",
-        "description": "Steps through C programs of robots and their world, forward and backward",
-        "publisher": "crs",
-        "version": __version__,
-        "engines": {"vscode": "^1.75.0"},
-        "categories": ["Debuggers"],
-        "contributes": {
-            "breakpoints": [{"language": "c"}],
-            "debuggers": [
-                {
-                    "type": "crs",
-                    "label": "CRS",
-                    "languages": ["c"],
-                    "runtime": "crs",
-                    "runtimeArgs": ["debug", "--dap", "stdio"],
-                    "configurationAttributes": {"launch": {"properties": properties}},
-                    "initialConfigurations": [CONFIGURATION],
-                    "configurationSnippets": [
-                        {
-                            "label": "CRS: a program in a world",
-                            "description": "Debug a robot's program",
-                            "body": CONFIGURATION | {"program": '^"\\${file}"'},
-                        }
-                    ],
-                }
-            ],
-        },
-    }
-
-
-def test_the_page_is_up_to_date(check_golden: Callable[[Path, bytes], None]) -> None:
-    check_golden(PAGE, page().encode())
-
-
-def test_the_extension_is_up_to_date(check_golden: Callable[[Path, bytes], None]) -> None:
-    check_golden(EXTENSION, f"{json.dumps(extension(), indent=2)}\n".encode())
 
 
 @pytest.mark.parametrize("name", ["json", "lua"])
@@ -264,7 +39,7 @@ def test_the_configurations_shown_can_be_launched(name: str) -> None:
         client.begin()
 
 
-def test_the_attributes_are_checked_as_the_extension_says() -> None:
+def test_attributes_are_validated_as_in_the_extension() -> None:
     properties = extension()["contributes"]["debuggers"][0]["configurationAttributes"]["launch"]
     for name, schema in properties["properties"].items():
         kinds = {"array": ["x"], "string": "x", "integer": 3, "boolean": True}
@@ -273,6 +48,6 @@ def test_the_attributes_are_checked_as_the_extension_says() -> None:
         assert read_launch(Arguments({"program": "a.c", name: value}))
 
 
-def test_the_commands_named_on_the_page_are_there() -> None:
+def test_the_commands_named_on_the_page_exist() -> None:
     for name in ("reverse-finish", "goto", "robot", "move"):
         assert name in NAMES

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.dap import handles
-from crs_cc.debug.dap.framing import LARGEST_MESSAGE
-from crs_cc.debug.dap.inbox import MOST
-from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.framing import MAX_MESSAGE_BYTES
+from crs_cc.debug.dap.inbox import MAX
+from crs_cc.debug.dap.request_table import HANDLERS
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
 
@@ -34,7 +34,7 @@ def framed(body: bytes) -> bytes:
         b"Content-Length: 12x\r\n\r\n",
         b"Content-Length: -1\r\n\r\n",
         b"Content-Length: \xd9\xa3\r\n\r\n",
-        b"Content-Length: %d\r\n\r\n" % (LARGEST_MESSAGE + 1),
+        b"Content-Length: %d\r\n\r\n" % (MAX_MESSAGE_BYTES + 1),
         b"Content-Length: " + b"9" * 5000,
         b"X: y\r\n" * 1000,
         b"Content-Type: json\r\n\r\n{}",
@@ -42,7 +42,7 @@ def framed(body: bytes) -> bytes:
         b"\x00" * 5000,
     ],
 )
-def test_what_is_not_the_protocol_is_told_so_and_ends_the_session(
+def test_a_protocol_violation_is_reported_and_ends_the_session(
     client: Client, content: bytes
 ) -> None:
     client.send(content)
@@ -81,7 +81,7 @@ def test_a_stream_that_ends_within_a_message_ends_the_session(client: Client) ->
         b"{}",
     ],
 )
-def test_a_message_that_is_none_is_refused_and_the_session_goes_on(
+def test_a_malformed_message_is_refused_and_the_session_continues(
     client: Client, body: bytes
 ) -> None:
     client.send(framed(body))
@@ -93,15 +93,13 @@ def test_a_message_that_is_none_is_refused_and_the_session_goes_on(
 
 @pytest.mark.parametrize("arguments", [[], "x", 3, False])
 @pytest.mark.parametrize("command", ["setBreakpoints", "cancel", "launch"])
-def test_arguments_that_are_no_object_are_refused(
-    client: Client, command: str, arguments: object
-) -> None:
+def test_arguments_must_be_an_object(client: Client, command: str, arguments: object) -> None:
     body = {"seq": 900, "type": "request", "command": command, "arguments": arguments}
     client.send(framed(json.dumps(body).encode()))
     assert not client.answer(900)["success"]
 
 
-def test_responses_are_passed_over(client: Client) -> None:
+def test_responses_are_ignored(client: Client) -> None:
     client.send(framed(b'{"seq": 1, "type": "response", "request_seq": 3, "success": true}'))
     assert client.ask("threads") == {"threads": []}
 
@@ -122,7 +120,7 @@ NAMES = [
 
 @pytest.mark.parametrize("command", sorted(set(HANDLERS) - {"disconnect", "terminate", "restart"}))
 @pytest.mark.parametrize("launched", [False, True])
-def test_values_of_wrong_types_get_an_answer(
+def test_values_of_wrong_types_are_refused(
     client: Client, tmp_path: Path, command: str, launched: bool
 ) -> None:
     if launched:
@@ -143,7 +141,7 @@ def test_values_of_wrong_types_get_an_answer(
     client.ask("threads")
 
 
-def test_who_asks_without_waiting_is_refused_at_some_point(client: Client, tmp_path: Path) -> None:
+def test_too_many_pending_requests_are_refused(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "stay.c"
     path.write_text(
         "void stay(void)\n{\n    for (;;)\n        ;\n}\nint main(void)\n{\n    stay();\n}\n"
@@ -151,15 +149,15 @@ def test_who_asks_without_waiting_is_refused_at_some_point(client: Client, tmp_p
     client.launch(path, stopOnEntry=True)
     client.begin()
     client.ask("next", threadId=1)
-    seqs = [client.post("threads") for _ in range(MOST + 10)]
-    assert "wait already" in client.answer(seqs[-1])["message"]
+    seqs = [client.post("threads") for _ in range(MAX + 10)]
+    assert "already pending" in client.answer(seqs[-1])["message"]
     client.hang_up()
 
 
-def test_what_is_unfolded_has_a_limit(
+def test_the_number_of_handles_is_limited(
     client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(handles, "MOST", 100)
+    monkeypatch.setattr(handles, "MAX", 100)
     path = tmp_path / "big.c"
     path.write_text("struct { int x; } big[200];\nint main(void) { return big[1].x; }\n")
     client.launch(path, stopOnEntry=True)
@@ -167,13 +165,11 @@ def test_what_is_unfolded_has_a_limit(
     big = next(each for each in client.scope("Globals") if each["name"] == "big")
     number = big["variablesReference"]
     assert len(client.parts(number, start=150, count=10**9)) == 50
-    assert "too much is unfolded" in client.refused("variables", variablesReference=number)
+    assert "too many variables" in client.refused("variables", variablesReference=number)
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_whatever_comes_whenever_gets_one_answer_each(
-    client: Client, tmp_path: Path, seed: int
-) -> None:
+def test_random_requests_get_one_response_each(client: Client, tmp_path: Path, seed: int) -> None:
     path = tmp_path / "loop.c"
     path.write_text(LOOP.replace("i < 3", "i < 3000"))
     client.launch(path, stopOnEntry=True)
@@ -193,7 +189,7 @@ def test_whatever_comes_whenever_gets_one_answer_each(
 
 
 def plausible(chance: random.Random, path: Path) -> tuple[str, dict[str, object]]:
-    """Gives a request as a client could make it."""
+    """Return a request as a client could make it."""
     number = chance.randint(1, 60)
     lines = [{"line": chance.randint(1, 20)} for _ in range(chance.randint(0, 2))]
     names = [{"name": chance.choice(["twice", "main", "other"])}]

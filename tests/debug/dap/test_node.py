@@ -39,7 +39,7 @@ int main(void)
 
 
 def _install(folder: Path) -> str:
-    """Installs what the lock file says; gives why it cannot be, empty if it could."""
+    """Installs what the lock file says; return why it cannot be, empty if it could."""
     command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"]
     try:
         done = subprocess.run(
@@ -52,7 +52,7 @@ def _install(folder: Path) -> str:
 
 @pytest.fixture(scope="session")
 def modules() -> Path:
-    """Gives a folder with the client, installed once for each content of the lock file."""
+    """Return a folder with the client, installed once for each content of the lock file."""
     missing = [name for name in ("node", "npm") if shutil.which(name) is None]
     if missing:
         pytest.skip(f"{' and '.join(missing)} not found: the public DAP client cannot be run")
@@ -71,7 +71,7 @@ def modules() -> Path:
 
 @pytest.fixture
 def port() -> Iterator[int]:
-    """Gives the port of a server that serves one editor after the other."""
+    """Return the port of a server that serves one editor after the other."""
     command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     with subprocess.Popen(
@@ -88,7 +88,6 @@ def port() -> Iterator[int]:
         assert server.wait(20) == INTERRUPTED
 
 
-@pytest.mark.slow
 def test_sessions_with_the_public_client(modules: Path, port: int, tmp_path: Path) -> None:
     (tmp_path / "loop.c").write_text(LOOP)
     (tmp_path / "two.c").write_text(TWO)

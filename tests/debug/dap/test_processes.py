@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 
-from crs_cc.cli.main import main
 from crs_cc.cli.exit_status import INTERRUPTED, SYSTEM
+from crs_cc.cli.main import main
 from crs_cc.debug.dap.framing import encode, read_message
 from tests.debug.dap.programs import LOOP
 
@@ -45,14 +45,14 @@ def say(server: subprocess.Popen[bytes], command: str, **arguments: Any) -> None
     server.stdin.flush()
 
 
-def test_the_end_of_input_ends_the_process_without_a_word(
+def test_end_of_input_ends_the_process_silently(
     server: subprocess.Popen[bytes],
 ) -> None:
     out, err = server.communicate(b"", timeout=WAIT_S)
     assert (server.returncode, out, err) == (0, b"", b"")
 
 
-def test_a_client_that_reads_no_longer_ends_the_process(server: subprocess.Popen[bytes]) -> None:
+def test_a_client_that_stops_reading_ends_the_process(server: subprocess.Popen[bytes]) -> None:
     assert server.stdout is not None
     assert server.stderr is not None
     server.stdout.close()
@@ -62,7 +62,7 @@ def test_a_client_that_reads_no_longer_ends_the_process(server: subprocess.Popen
     assert server.stderr.read() == b""
 
 
-def test_what_the_compiler_says_is_said_to_the_client(
+def test_compiler_messages_reach_the_client(
     server: subprocess.Popen[bytes], tmp_path: Path
 ) -> None:
     (tmp_path / "loop.c").write_text("main() { return nothing; }\n")
@@ -78,7 +78,7 @@ def test_what_the_compiler_says_is_said_to_the_client(
     assert "c2000" in reasons[2]
 
 
-def test_programs_take_arguments_input_and_files_from_launch(
+def test_launch_sets_arguments_input_and_files(
     server: subprocess.Popen[bytes], tmp_path: Path
 ) -> None:
     (tmp_path / "copy.c").write_text(COPY)
@@ -107,13 +107,13 @@ def test_programs_take_arguments_input_and_files_from_launch(
 
 
 def hear_interrupts() -> None:
-    """Undoes what is handed down to jobs in the background: that they hear no Ctrl-C."""
+    """Undo what is handed down to jobs in the background: that they hear no Ctrl-C."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 @pytest.fixture
 def port(tmp_path: Path) -> Iterator[int]:
-    """Gives the port of a server."""
+    """Return the port of a server."""
     command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     with subprocess.Popen(
@@ -132,7 +132,7 @@ def port(tmp_path: Path) -> Iterator[int]:
         assert b"Traceback" not in process.stderr.read()
 
 
-def test_one_editor_after_the_other_is_served_whatever_they_do(port: int) -> None:
+def test_editors_are_served_one_after_the_other(port: int) -> None:
     rude = struct.pack("ii", 1, 0)  # closing throws away what is on the way
     for content in (b"", b"junk\r\n", b"Content-Length: 5\r\n\r\n{", encode(INITIALIZE)):
         with socket.create_connection(("127.0.0.1", port)) as client:
@@ -154,7 +154,7 @@ INITIALIZE = {
 }
 
 
-def test_a_port_that_is_taken_or_none_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unusable_port_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         assert main(["debug", "--dap", str(other.getsockname()[1])]) == SYSTEM
     assert "Address already in use" in capsys.readouterr().err
@@ -179,6 +179,6 @@ int main(int argc, char **argv)
 
 
 def messages(content: bytes) -> list[dict[str, Any]]:
-    """Gives all messages in what a server has said."""
+    """Return all messages in what a server has said."""
     parts = content.split(b"Content-Length: ")[1:]
     return [json.loads(part.partition(b"\r\n\r\n")[2]) for part in parts]

@@ -9,7 +9,7 @@ import pytest
 
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
-from tests.debug.debuggee import debug_program
+from tests.debug.debuggers import debug_program
 
 TURN = """\
 #include "Nclient.h"
@@ -69,7 +69,7 @@ def test_steps_go_forward_and_backward(client: Client, loop: Path) -> None:
     assert client.line() == 14
 
 
-def test_back_to_a_breakpoint_and_to_the_beginning(client: Client, loop: Path) -> None:
+def test_reverse_continue_to_a_breakpoint_and_to_the_start(client: Client, loop: Path) -> None:
     client.launch(loop)
     client.break_at(loop, 15)
     client.begin()
@@ -82,7 +82,7 @@ def test_back_to_a_breakpoint_and_to_the_beginning(client: Client, loop: Path) -
     assert client.move("reverseContinue")["reason"] == "entry"
 
 
-def test_a_breakpoint_on_a_line_without_code_is_moved_and_says_so(
+def test_a_breakpoint_on_a_line_without_code_is_moved_with_a_message(
     client: Client, loop: Path
 ) -> None:
     client.launch(loop)
@@ -100,7 +100,7 @@ def test_breakpoints_in_other_files_are_not_verified(client: Client, loop: Path)
     assert "no program" in made["message"]
 
 
-def test_breakpoints_before_the_launch_are_set_by_it(client: Client, loop: Path) -> None:
+def test_breakpoints_before_the_launch_are_set_at_launch(client: Client, loop: Path) -> None:
     [made] = client.break_at(loop, 6)
     assert not made["verified"]
     client.launch(loop)
@@ -127,7 +127,7 @@ def test_conditions_hit_counts_and_logs(client: Client, loop: Path) -> None:
     assert client.printed("console") == "made\ntotal 0\ntotal 2\n"
 
 
-def test_breakpoints_that_stay_keep_their_numbers(client: Client, loop: Path) -> None:
+def test_unchanged_breakpoints_keep_their_ids(client: Client, loop: Path) -> None:
     client.launch(loop)
     first = client.break_at(loop, 6, 17)
     second = client.break_at(loop, 5, 17)
@@ -159,7 +159,7 @@ def test_functions_of_the_program_and_of_the_robot_stop_a_run(
     assert client.scope("State")[17]["name"] == "[17] STATE_SONAR_0"
 
 
-def test_a_collision_stops_a_run_when_it_is_wanted(client: Client, tmp_path: Path) -> None:
+def test_a_collision_stops_a_run_if_its_filter_is_set(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "ahead.c"
     path.write_text(TURN.replace("vm(speed, 0, 0)", "vm(speed, speed, 0), sleep(1)"))
     filters = client.launch(path, world=str(WORLDS / "wall.xml"))["exceptionBreakpointFilters"]
@@ -173,7 +173,7 @@ def test_a_collision_stops_a_run_when_it_is_wanted(client: Client, tmp_path: Pat
     assert client.ask("exceptionInfo", threadId=1)["exceptionId"] == "collision"
 
 
-def test_a_run_time_error_stops_a_run_and_is_explained(client: Client, tmp_path: Path) -> None:
+def test_a_runtime_error_stops_a_run_with_details(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "wild.c"
     path.write_text("int row[3];\nint main(void)\n{\n    int i = 3;\n    return row[i];\n}\n")
     client.launch(path)
@@ -189,7 +189,7 @@ def test_a_run_time_error_stops_a_run_and_is_explained(client: Client, tmp_path:
     assert client.event("exited") == {"exitCode": 123}
 
 
-def test_going_to_a_line_is_going_to_an_instant(client: Client, loop: Path) -> None:
+def test_goto_runs_to_the_next_or_previous_visit_of_a_line(client: Client, loop: Path) -> None:
     client.launch(loop, stopOnEntry=True)
     client.begin()
     targets = client.ask("gotoTargets", source={"path": str(loop)}, line=17)["targets"]
@@ -199,7 +199,7 @@ def test_going_to_a_line_is_going_to_an_instant(client: Client, loop: Path) -> N
     targets = client.ask("gotoTargets", source={"path": str(loop)}, line=5)["targets"]
     assert client.move("goto", targetId=targets[1]["id"])["reason"] == "goto"
     assert client.line() == 5
-    assert "gone" in client.refused("goto", threadId=1, targetId=targets[1]["id"])
+    assert "no longer valid" in client.refused("goto", threadId=1, targetId=targets[1]["id"])
 
 
 ENDLESS = """\
@@ -219,7 +219,7 @@ def endless(tmp_path: Path) -> Path:
     return path
 
 
-def test_programs_that_run_can_be_paused_and_asked(client: Client, endless: Path) -> None:
+def test_running_programs_can_be_paused(client: Client, endless: Path) -> None:
     client.launch(endless)
     client.ask("configurationDone")
     assert client.ask("threads")["threads"] == [{"id": 1, "name": "robot0"}]
@@ -236,7 +236,7 @@ def test_a_breakpoint_can_be_set_while_programs_run(client: Client, endless: Pat
     assert client.event("stopped")["reason"] == "breakpoint"
 
 
-def test_a_step_without_an_end_can_be_paused(client: Client, endless: Path) -> None:
+def test_an_endless_step_can_be_paused(client: Client, endless: Path) -> None:
     endless.write_text("void stay(void)\n{\n    for (;;)\n        ;\n}\n" + CALLER)
     client.launch(endless, stopOnEntry=True)
     client.begin()
@@ -245,7 +245,7 @@ def test_a_step_without_an_end_can_be_paused(client: Client, endless: Path) -> N
     assert client.event("stopped")["reason"] == "pause"
 
 
-def test_a_command_without_an_end_can_be_paused(client: Client, endless: Path) -> None:
+def test_an_endless_command_can_be_paused(client: Client, endless: Path) -> None:
     client.launch(endless, stopOnEntry=True)
     client.begin()
     asked = client.post("evaluate", expression="continue", context="repl")
@@ -262,12 +262,12 @@ def test_a_run_is_terminated_while_it_runs(client: Client, endless: Path) -> Non
     client.ask("configurationDone")
     client.ask("terminate")
     client.event("terminated")
-    assert "nothing is launched" in client.refused("continue", threadId=1)
+    assert "no program is launched" in client.refused("continue", threadId=1)
     client.ask("disconnect")
     assert client.hear() is None
 
 
-def test_a_client_that_goes_away_ends_what_runs(client: Client, endless: Path) -> None:
+def test_a_client_that_disconnects_ends_the_run(client: Client, endless: Path) -> None:
     client.launch(endless)
     client.ask("configurationDone")
     client.hang_up()
@@ -298,7 +298,7 @@ def test_without_debugging_a_run_just_runs(client: Client, loop: Path) -> None:
     assert client.printed() == "0\n2\n6\n"
 
 
-def test_several_robots_are_several_threads(client: Client, loop: Path) -> None:
+def test_robots_are_threads(client: Client, loop: Path) -> None:
     client.launch(loop, world=str(WORLDS / "pair.xml"))
     client.break_at(loop, 15)
     assert client.begin()["threadId"] == 1
@@ -313,7 +313,7 @@ def test_several_robots_are_several_threads(client: Client, loop: Path) -> None:
     assert client.printed().splitlines()[0] == "[robot0] 0"
 
 
-def test_a_request_that_waits_can_be_withdrawn(client: Client, endless: Path) -> None:
+def test_a_pending_request_can_be_cancelled(client: Client, endless: Path) -> None:
     endless.write_text("void stay(void)\n{\n    for (;;)\n        ;\n}\n" + CALLER)
     client.launch(endless, stopOnEntry=True)
     client.begin()
@@ -324,7 +324,7 @@ def test_a_request_that_waits_can_be_withdrawn(client: Client, endless: Path) ->
     client.ask("cancel", requestId=12345)
 
 
-def test_paths_can_be_uris_and_lines_begin_at_0(client: Client, loop: Path) -> None:
+def test_paths_can_be_uris_and_lines_can_start_at_0(client: Client, loop: Path) -> None:
     client.ask("initialize", pathFormat="uri", linesStartAt1=False, columnsStartAt1=False)
     client.ask("launch", program=str(loop))
     client.event("initialized")
@@ -336,10 +336,10 @@ def test_paths_can_be_uris_and_lines_begin_at_0(client: Client, loop: Path) -> N
     assert frame["source"]["path"] == loop.as_uri()
 
 
-def test_an_attribute_that_is_none_is_told(client: Client, loop: Path) -> None:
+def test_an_unknown_attribute_is_reported(client: Client, loop: Path) -> None:
     client.launch(loop, sed=3, type="crs", request="launch", name="x", __sessionId="y")
     told = client.printed("important")
-    assert told == "launch has no attribute 'sed': it is passed over\n"
+    assert told == "unknown attribute 'sed' of launch: ignored\n"
 
 
 @pytest.mark.parametrize(
@@ -357,7 +357,7 @@ def test_an_attribute_that_is_none_is_told(client: Client, loop: Path) -> None:
         ({"program": ""}, "is empty"),
     ],
 )
-def test_a_launch_that_makes_no_sense_is_refused(
+def test_an_invalid_launch_is_refused(
     client: Client, attributes: dict[str, object], reason: str
 ) -> None:
     client.ask("initialize", adapterID="crs")

@@ -28,12 +28,12 @@ def names(rows: list[dict[str, object]]) -> dict[str, object]:
     return {str(row["name"]): row["value"] for row in rows}
 
 
-def test_locals_and_globals_stand_in_scopes(client: Client) -> None:
+def test_scopes_have_locals_and_globals(client: Client) -> None:
     assert names(client.scope("Locals")) == {"i": "0", "row": "{1, 2, 3, 4, 5}"}
     assert names(client.scope("Globals")) == {"here": "{x = 0, y = 0}", "total": "0"}
 
 
-def test_parts_are_told_when_they_are_asked_for(client: Client) -> None:
+def test_parts_of_values_are_sent_on_demand(client: Client) -> None:
     row = next(each for each in client.scope("Locals") if each["name"] == "row")
     assert row["indexedVariables"] == 5
     number = row["variablesReference"]
@@ -59,7 +59,7 @@ def test_a_watch_is_evaluated_in_its_frame_and_changes_nothing(client: Client) -
     assert client.ask("evaluate", expression="i", frameId=frame)["result"] == "0"
 
 
-def test_what_is_changed_stays_so_and_is_told(client: Client) -> None:
+def test_assignments_persist_and_are_reported(client: Client) -> None:
     frame = client.frames()[0]["id"]
     scopes = client.ask("scopes", frameId=frame)["scopes"]
     mine = scopes[0]["variablesReference"]
@@ -73,7 +73,7 @@ def test_what_is_changed_stays_so_and_is_told(client: Client) -> None:
     assert "assignable" in client.refused("setExpression", expression="3", value="4", frameId=frame)
 
 
-def test_the_console_takes_expressions_and_commands(client: Client) -> None:
+def test_the_console_accepts_expressions_and_commands(client: Client) -> None:
     def console(text: str) -> str:
         frame = client.frames()[0]["id"]
         body = client.ask("evaluate", expression=text, context="repl", frameId=frame)
@@ -101,7 +101,7 @@ def test_a_command_that_moves_is_followed_by_a_stop(client: Client) -> None:
     assert "moved on" in client.refused("scopes", frameId=frame)
 
 
-def test_commands_of_a_breakpoint_are_no_expressions_though_variables_are_named_like_them(
+def test_commands_of_a_breakpoint_are_not_taken_for_variables(
     client: Client,
 ) -> None:
     def console(text: str) -> str:
@@ -147,7 +147,7 @@ def test_memory_is_read_and_written(client: Client) -> None:
     assert "null" in client.refused("writeMemory", memoryReference="0:0x0", data=data)
 
 
-def test_code_is_disassembled_around_where_a_program_stands(client: Client) -> None:
+def test_disassembly_around_the_current_location(client: Client) -> None:
     frame = client.frames()[0]
     place = frame["instructionPointerReference"]
     found = client.ask(
@@ -161,14 +161,14 @@ def test_code_is_disassembled_around_where_a_program_stands(client: Client) -> N
     assert here["symbol"] == "main"
 
 
-def test_the_librarys_source_is_told_by_a_number(client: Client) -> None:
+def test_library_source_has_a_source_reference(client: Client) -> None:
     sources = client.ask("loadedSources")["sources"]
     assert [each["name"] for each in sources] == ["loop.c"]
     text = client.ask("source", source=sources[0], sourceReference=0)["content"]
     assert text == LOOP
 
 
-def test_data_is_watched_where_it_lies(client: Client) -> None:
+def test_data_breakpoints_watch_the_object(client: Client) -> None:
     row = next(each for each in client.scope("Locals") if each["name"] == "row")
     info = client.ask(
         "dataBreakpointInfo", variablesReference=row["variablesReference"], name="[2]"
@@ -189,7 +189,7 @@ def test_data_is_watched_where_it_lies(client: Client) -> None:
     assert client.move("continue")["reason"] == "exited"
 
 
-def test_what_is_no_object_cannot_be_watched(client: Client) -> None:
+def test_only_objects_can_be_watched(client: Client) -> None:
     frame = client.frames()[0]["id"]
     for name in ("i + 1", "nothing", "3"):
         info = client.ask("dataBreakpointInfo", name=name, frameId=frame)
@@ -201,7 +201,7 @@ def test_what_is_no_object_cannot_be_watched(client: Client) -> None:
     assert all(each["message"] for each in made)
 
 
-def test_a_pointer_to_a_struct_is_unfolded_into_its_members(client: Client, tmp_path: Path) -> None:
+def test_a_pointer_to_a_struct_expands_to_its_members(client: Client, tmp_path: Path) -> None:
     frame = client.frames()[0]["id"]
     found = client.ask("evaluate", expression="&here", context="watch", frameId=frame)
     assert found["namedVariables"] == 2
@@ -227,9 +227,7 @@ int main(void)
 """
 
 
-def test_a_hidden_variable_is_shown_and_is_not_the_one_that_hides_it(
-    client: Client, tmp_path: Path
-) -> None:
+def test_a_shadowed_variable_is_shown_separately(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "hide.c"
     path.write_text(HIDING)
     client.ask("restart", arguments={"program": str(path)})
@@ -241,5 +239,5 @@ def test_a_hidden_variable_is_shown_and_is_not_the_one_that_hides_it(
     frame = client.frames()[0]["id"]
     mine = client.ask("scopes", frameId=frame)["scopes"][0]["variablesReference"]
     hidden = {"variablesReference": mine, "name": "n (hidden)"}
-    assert "no name in C" in client.refused("setVariable", **hidden, value="5")
+    assert "cannot be expressed in C" in client.refused("setVariable", **hidden, value="5")
     assert client.ask("dataBreakpointInfo", **hidden)["dataId"] is None

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import SourceNames
 from crs_cc.debug.errors import DebugError
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 SOURCE = r"""
 #include <stdlib.h>
@@ -139,29 +139,29 @@ REFUSED = {
     "foo": "use of undeclared identifier 'foo'",
     "outer": "use of undeclared identifier 'outer'",
     "1 +": "expected an expression",
-    "": "there is no expression",
+    "": "expected an expression",
     "n + 1": "invalid operands",
     "1 / 0": "integer division or modulo by zero",
     "*(int *)0": "the pointer is null",
     "order[6]": "is past the end of 'order'",
     "*freed": "a heap block of 24 bytes is freed at",
-    "*(int *)0x7fffffff": "is outside of all objects",
+    "*(int *)0x7fffffff": "is not inside any object",
     "array[1] + 1": "'array[1]' is uninitialised",
     "p->at.y + 1": "a heap block of 24 bytes is uninitialised",
     "fails(3)": "integer division or modulo by zero",
     'printf("x")': "the program has no function 'printf'",
     "calloc(1, 2)": "the program has no function 'calloc'",
     "nothing()": "the program has no function 'nothing'",
-    "deep(1)": "too many calls inside each other",
-    "endless()": "not done after 1,000,000 instructions",
-    "((int (*)(int))12)(1)": "0xc is no function",
+    "deep(1)": "too many nested calls",
+    "endless()": "evaluation exceeds 1,000,000 instructions",
+    "((int (*)(int))12)(1)": "0xc is not a function's address",
     "(" * 5000: "nested too deeply",
     "9" * 20000: "too long",
 }
 
 
 @pytest.mark.parametrize("text", REFUSED, ids=lambda text: text[:20])
-def test_a_mistake_is_told_in_a_line_and_changes_nothing(
+def test_an_error_is_one_line_and_changes_nothing(
     evaluator: Evaluator, stopping: Stopping, text: str
 ) -> None:
     before = stopping.state()
@@ -187,7 +187,7 @@ def test_assignments_change_the_program(tmp_path: Path) -> None:
     assert evaluator.evaluate("letter").value.text == "-56"
 
 
-def test_the_program_goes_on_with_what_was_assigned(tmp_path: Path) -> None:
+def test_the_program_continues_with_assigned_values(tmp_path: Path) -> None:
     source = """\
 struct pair { int a, b; };
 int main(void)
@@ -219,7 +219,7 @@ def test_names_mean_the_innermost_variable(tmp_path: Path) -> None:
     assert evaluator.evaluate("speed").value.text == "4"
 
 
-def test_conditions_take_back_what_they_do(evaluator: Evaluator, stopping: Stopping) -> None:
+def test_side_effects_of_conditions_are_undone(evaluator: Evaluator, stopping: Stopping) -> None:
     before = stopping.state()
     assert evaluator.holds("bump(1) == 1")
     assert evaluator.holds("bump(1) == 1")
@@ -230,7 +230,7 @@ def test_conditions_take_back_what_they_do(evaluator: Evaluator, stopping: Stopp
     assert stopping.state() == before
 
 
-def test_places(evaluator: Evaluator) -> None:
+def test_locations_of_objects(evaluator: Evaluator) -> None:
     place = evaluator.place("order[2]")
     known = evaluator.evaluate("&order[0]").value.number
     assert (place.address, place.size, place.frame) == (known + 8, 4, None)
@@ -239,7 +239,7 @@ def test_places(evaluator: Evaluator) -> None:
     assert inner.frame is not None
     assert inner.frame.function == "work"
     for text in ("1 + 2", '"abc"', "twice", "&total"):
-        with pytest.raises(DebugError, match="is a value and no object in memory"):
+        with pytest.raises(DebugError, match="is a value, not an object in memory"):
             evaluator.place(text)
 
 
@@ -248,7 +248,7 @@ def shown(evaluator: Evaluator) -> list[tuple[str, str, str]]:
     return [(each.name, each.value.text, each.scope + " hidden" * each.is_hidden) for each in found]
 
 
-def test_variables_are_those_of_the_open_blocks(tmp_path: Path) -> None:
+def test_variables_are_those_in_scope(tmp_path: Path) -> None:
     source = """\
 static int calls = 3;
 int work(int a, char *name)
@@ -292,7 +292,7 @@ int main(void) { return work(1, "x") + work(9, 0); }
         evaluator.evaluate("later + 1")
 
 
-def test_a_variable_that_is_declared_behind_the_place_may_be_named(tmp_path: Path) -> None:
+def test_a_variable_declared_later_may_be_named(tmp_path: Path) -> None:
     source = """\
 int x = 5;
 int main(void)
@@ -359,14 +359,14 @@ def special(tmp_path_factory: pytest.TempPathFactory) -> Stopping:
         ("depth::calls", "13"),
     ],
 )
-def test_slices_and_names_of_elsewhere(special: Stopping, text: str, wanted: str) -> None:
+def test_slices_and_qualified_names(special: Stopping, text: str, wanted: str) -> None:
     before = special.state()
     found = special.evaluator().evaluate(text)
     assert found.value.text == wanted
     assert special.state() == before
 
 
-def test_elements_of_slices_have_the_numbers_of_the_array(special: Stopping) -> None:
+def test_elements_of_slices_have_array_indices(special: Stopping) -> None:
     evaluator = special.evaluator()
     parts = list(evaluator.evaluate("pairs[1..2]").value.children())
     assert [(name, part.text) for name, part in parts] == [
@@ -385,23 +385,23 @@ def test_elements_of_slices_have_the_numbers_of_the_array(special: Stopping) -> 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("pairs[2..1]", "a slice has 1 to 100,000 elements, not 0"),
+        ("pairs[2..1]", "invalid slice length 0 (expected 1 to 100,000)"),
         ("pairs[1..3]", "is past the end of 'pairs'"),
-        ("pairs@200000", "a slice has 1 to 100,000 elements"),
+        ("pairs@200000", "invalid slice length 200,000 (expected"),
         ("count[1..2]", "'count' is neither an array nor a pointer"),
-        ("(count + 1)@2", "only objects in memory stand in a row"),
-        ("numbers@2", "'numbers' lives in a register: nothing is beside it"),
-        ("pairs[0.5..2]", "'0.5' is no whole number"),
+        ("(count + 1)@2", "only objects in memory can form a slice"),
+        ("numbers@2", "'numbers' is in a register: nothing is adjacent to it"),
+        ("pairs[0.5..2]", "'0.5' is not an integer"),
         ("pairs[count++..3]", "'count++' would change the program"),
-        ("nobody::x", "there is no function 'nobody'"),
+        ("nobody::x", "no function 'nobody'"),
         ("depth::nothing", "'depth' has no variable 'nothing'"),
-        ("depth::own", "'depth' is not active: it has no variables now"),
-        ("test.c::nothing", "there is no variable 'nothing' in test.c"),
+        ("depth::own", "'depth' is not active: it has no variables"),
+        ("test.c::nothing", "no variable 'nothing' in test.c"),
         ("depth::calls.x", "member reference type 'int' is not a structure or union"),
-        ("$nothing", "no value is kept as $nothing"),
+        ("$nothing", "no convenience variable $nothing"),
     ],
 )
-def test_what_is_wrong_with_these(special: Stopping, text: str, message: str) -> None:
+def test_errors_of_extended_notation(special: Stopping, text: str, message: str) -> None:
     before = special.state()
     with pytest.raises(DebugError) as caught:
         special.evaluator().evaluate(text)
@@ -409,7 +409,7 @@ def test_what_is_wrong_with_these(special: Stopping, text: str, message: str) ->
     assert special.state() == before
 
 
-def test_variables_of_functions_that_called(tmp_path: Path) -> None:
+def test_variables_of_callers(tmp_path: Path) -> None:
     stopping = Stopping(tmp_path, SPECIAL, OTHER).run("DEEP").run("DEEP").run("DEEP")
     evaluator = stopping.evaluator()
     frames = [each for each in stopping.fleet.stopped(0).stack if each.function.endswith("depth")]
@@ -419,7 +419,7 @@ def test_variables_of_functions_that_called(tmp_path: Path) -> None:
     assert evaluator.evaluate("main::table[1][0]").value.text == "4.0"
 
 
-def test_values_can_be_kept(special: Stopping) -> None:
+def test_convenience_variables(special: Stopping) -> None:
     evaluator = special.evaluator()
     evaluator.evaluate("$p = pairs[1]")
     evaluator.evaluate("$n = $p.b * 2")
@@ -430,14 +430,14 @@ def test_values_can_be_kept(special: Stopping) -> None:
     assert evaluator.evaluate("$q->a").value.text == "5"
 
 
-def test_a_file_that_was_edited_meanwhile(tmp_path: Path) -> None:
+def test_an_edited_source_file_is_reported(tmp_path: Path) -> None:
     stopping = Stopping(tmp_path, OTHER + "int main(void) { return 0; /* STOP */ }\n").run()
     (tmp_path / "test.c").write_text("int count;\nint main(void) { return 1; }\n")
     with pytest.raises(DebugError, match="has changed since the program was built"):
         stopping.evaluator().evaluate("count")
 
 
-def test_in_the_library_there_are_global_names_only(evaluator: Evaluator) -> None:
+def test_only_globals_are_in_scope_in_the_library(evaluator: Evaluator) -> None:
     frame = evaluator._stopped().stack[-1]
     assert frame.function == "__crs_start"
     assert evaluator.evaluate("total + order[1]", frame).value.text == "9"
@@ -446,7 +446,7 @@ def test_in_the_library_there_are_global_names_only(evaluator: Evaluator) -> Non
         evaluator.evaluate("i", frame)
 
 
-def test_a_program_that_has_failed_can_be_looked_at(tmp_path: Path) -> None:
+def test_a_failed_program_can_be_inspected(tmp_path: Path) -> None:
     source = """\
 int order[4];
 static int sum(int n)
@@ -462,14 +462,14 @@ int main(void) { int m = 3; return sum(m); }
         stopping.run()
     stopped = stopping.fleet.failure(0).stopped
     assert stopped is not None
-    evaluator = Evaluator(lambda: stopped, Names(stopping.program))
+    evaluator = Evaluator(lambda: stopped, SourceNames(stopping.program))
     assert [each[:2] for each in shown(evaluator)] == [
         ("i", "0"), ("k", "7"), ("unset", "uninitialised"), ("n", "3"),
     ]  # fmt: skip
     assert evaluator.evaluate("order[k - 4] + main::m").value.text
 
 
-def test_endless_recursion_can_be_looked_at(tmp_path: Path) -> None:
+def test_a_stack_overflow_can_be_inspected(tmp_path: Path) -> None:
     source = """\
 struct big { int numbers[40]; };
 static int down(int n, struct big big) { int next = n + 1; big.numbers[3] = n;
@@ -481,7 +481,7 @@ int main(void) { struct big big = {{0}}; return down(0, big); }
         stopping.run()
     stopped = stopping.fleet.failure(0).stopped
     assert stopped is not None
-    evaluator = Evaluator(lambda: stopped, Names(stopping.program))
+    evaluator = Evaluator(lambda: stopped, SourceNames(stopping.program))
     depth = len(stopped.stack) - 3
     frames = [evaluator.evaluate("n", each).value.number for each in stopped.stack[:2]]
     assert frames == [depth, depth - 1]
@@ -491,7 +491,7 @@ int main(void) { struct big big = {{0}}; return down(0, big); }
         assert each.value.full
 
 
-def test_functions_of_headers_know_the_names_of_their_files(tmp_path: Path) -> None:
+def test_functions_in_headers_use_the_scope_of_their_file(tmp_path: Path) -> None:
     (tmp_path / "shared.h").write_text(
         "static int scaled(int by) { return by * factor; /* STOP */ }\n"
         "int once(int by) { return by + factor; /* ONCE */ }\n"

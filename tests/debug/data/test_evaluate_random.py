@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 COUNT = 40
 VARIABLES = """\
@@ -40,7 +40,7 @@ WHOLE = [
 
 
 def number(chance: random.Random, depth: int) -> str:
-    """Makes an expression of any arithmetic type."""
+    """Make an expression of any arithmetic type."""
     if depth == 0:
         return chance.choice([*WHOLE, "f", "d", "3", "-1", "0.5", "2000000000u", "'a'", "1.5f"])
     left, right = number(chance, depth - 1), number(chance, depth - 1)
@@ -62,7 +62,7 @@ def number(chance: random.Random, depth: int) -> str:
 
 
 def whole(chance: random.Random, depth: int) -> str:
-    """Makes an expression of an integer type."""
+    """Make an expression of an integer type."""
     if depth == 0:
         return chance.choice(WHOLE)
     left, right = whole(chance, depth - 1), whole(chance, depth - 1)

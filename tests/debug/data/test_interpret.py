@@ -16,7 +16,7 @@ from crs_cc.runtime.link import ROOT
 from crs_cc.session.host import Host, HostRequest
 from tests.c.execution import build, cases
 
-MOST = 150_000
+MAX = 150_000
 """Instructions of a case; those that run longer are left alone."""
 
 
@@ -59,7 +59,7 @@ class Talking(Interpreter):
         super().__init__(executable.program, executable.detail().compiled.addresses, memory)
 
     def _request(self, code: int, message: int) -> int:
-        """Answers as a host does; robots there are none."""
+        """Answer as a host does; robots there are none."""
         row = np.frombuffer(bytearray(self._read(message, MESSAGE.itemsize)), MESSAGE)
         self.host.serve(code, HostRequest(0, row[0], 0.0, 0.0))
         if self.host.exit_status[0] is not None:
@@ -68,7 +68,7 @@ class Talking(Interpreter):
         return int(row["result"][0])
 
     def write(self, _robot: int, stream: int, content: bytes) -> None:
-        """Takes what the program prints."""
+        """Take what the program prints."""
         if stream == 1:
             self.output += content
 
@@ -77,11 +77,11 @@ CASES = [path for path in cases("valid") if path.with_suffix(".out").exists()]
 
 
 @pytest.mark.parametrize("path", CASES[::6], ids=lambda path: path.stem)
-def test_programs_print_what_gcc_says(path: Path) -> None:
+def test_interpreted_programs_print_what_gcc_programs_do(path: Path) -> None:
     executable = build(path)
     talking = Talking(executable)
     try:
-        talking._left = MOST
+        talking._left = MAX
         talking._call(executable.program.functions[ROOT], [])
     except EndError:
         pass

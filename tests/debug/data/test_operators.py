@@ -34,7 +34,7 @@ EDGES["f32"] = [single(value) for value in EDGES["f64"]]
 
 
 def processor(operator: Operator):
-    """Gives the operator as the processor has it."""
+    """Return the operator as the processor has it."""
     body = [("local.get", number) for number in range(len(operator.operands))]
     code = Code("op", (operator.operands, (operator.result,)), [], [*body, (operator.name,)])
     module = Module(functions=[code], exports=[("op", "func", 0)])

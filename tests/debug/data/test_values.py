@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.data.evaluate import Evaluator
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 SOURCE = r"""
 #include <stdio.h>
@@ -109,7 +109,7 @@ def test_values_as_text(evaluator: Evaluator, text: str, wanted: str) -> None:
     assert value.text == wanted.replace("ADDRESS", address)
 
 
-def test_pointers_tell_what_became_of_their_objects(evaluator: Evaluator) -> None:
+def test_pointers_describe_dead_objects(evaluator: Evaluator) -> None:
     shown = {
         name: evaluator.evaluate(name).value.text.partition(" ")[2]
         for name in ("heap", "freed", "wild", "stale", "&heap->at.y")
@@ -117,7 +117,7 @@ def test_pointers_tell_what_became_of_their_objects(evaluator: Evaluator) -> Non
     assert shown["heap"] == "(heap block of 36 bytes from test.c:27)"
     assert shown["&heap->at.y"] == "(4 bytes into heap block of 36 bytes from test.c:27)"
     assert shown["freed"] == "(freed heap block of 24 bytes from test.c:27)"
-    assert shown["wild"] == "(nothing is there)"
+    assert shown["wild"] == "(no object)"
     assert shown["stale"] == "(ended 'gone')"
 
 
@@ -143,7 +143,7 @@ def test_parts(evaluator: Evaluator) -> None:
     ]  # fmt: skip
 
 
-def test_state_has_the_names_of_its_numbers(evaluator: Evaluator) -> None:
+def test_state_elements_have_names(evaluator: Evaluator) -> None:
     value = evaluator.evaluate("State").value
     assert [(name, each.text) for name, each in value.children(17, 2)] == [
         ("[17] STATE_SONAR_0", "48 in = 1.219 m"), ("[18] STATE_SONAR_1", "255 (no echo)"),
@@ -163,7 +163,7 @@ def test_numbers_of_values(evaluator: Evaluator) -> None:
     assert number("half[0]") is None
 
 
-def test_what_is_asked_for_is_written_at_length(evaluator: Evaluator) -> None:
+def test_full_values_are_written_at_length(evaluator: Evaluator) -> None:
     value = evaluator.evaluate("part").value
     assert value.text.endswith("...")
     assert value.full == (
@@ -173,7 +173,7 @@ def test_what_is_asked_for_is_written_at_length(evaluator: Evaluator) -> None:
     )
 
 
-def test_a_program_without_checks_can_be_looked_at(tmp_path: Path) -> None:
+def test_an_unchecked_program_can_be_inspected(tmp_path: Path) -> None:
     evaluator = Stopping(tmp_path, SOURCE, checked=False).run().evaluator()
     assert evaluator.evaluate("part.at.y + local").value.text == "9"
     assert evaluator.evaluate("mid").value.text == "&order[3]"

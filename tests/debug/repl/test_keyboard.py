@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.processes import wait_until_it_waits
+
 ENDLESS = """#include <stdio.h>
 int rounds;
 int main(void)
@@ -22,7 +24,8 @@ int main(void)
     if (scanf("%8s", word) == 1)
         printf("<%s>\\n", word);
     for (;;)
-        rounds++;
+        if (rounds++ == 1000)
+            fputs("on its way\\n", stderr);
 }
 """
 MOST_S = 60.0
@@ -54,7 +57,7 @@ class Session:
         os.write(self._own, text.encode())
 
     def wait_for(self, wanted: str) -> str:
-        """Gives what is shown up to some words, and forgets it."""
+        """Return what is shown up to some words, and forgets it."""
         end = time.monotonic() + MOST_S
         while wanted not in self._text:
             if not select.select([self._own], [], [], max(0.0, end - time.monotonic()))[0]:
@@ -63,12 +66,16 @@ class Session:
         before, _, self._text = self._text.partition(wanted)
         return before + wanted
 
+    def wait_until_it_waits(self) -> None:
+        """Return when the process waits for what is typed."""
+        wait_until_it_waits(self._process.pid)
+
     def end(self) -> int:
-        """Gives the exit status."""
+        """Return the exit status."""
         return self._process.wait(MOST_S)
 
     def kill(self) -> None:
-        """Ends it whatever it does."""
+        """End it whatever it does."""
         self._process.kill()
         self._process.wait()
         os.close(self._own)
@@ -83,12 +90,10 @@ def session(tmp_path: Path) -> Iterator[Session]:
     session.kill()
 
 
-@pytest.mark.slow
-def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session: Session) -> None:
+def test_terminal_session_with_completion_input_and_interrupt(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
     session.wait_for("a word? ")
-    time.sleep(0.5)  # until the program waits
     session.type("hello\r")
     session.wait_for("=>    8")
     session.type("\r")  # again
@@ -102,7 +107,7 @@ def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session
     session.wait_for("(crs) ")
     session.type("continue\r")
     session.wait_for("continue\r\n")
-    time.sleep(1)
+    session.wait_for("on its way")
     session.type("\x03")
     session.wait_for("Interrupted.")
     session.wait_for("(crs) ")
@@ -113,12 +118,11 @@ def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session
     assert session.end() == 0
 
 
-@pytest.mark.slow
-def test_ctrl_c_ends_the_input_of_a_program_that_waits_for_it(session: Session) -> None:
+def test_ctrl_c_ends_the_input_of_a_waiting_program(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
     session.wait_for("a word? ")
-    time.sleep(0.5)
+    session.wait_until_it_waits()
     session.type("\x03")
     session.wait_for("Interrupted.")
     session.wait_for("(crs) ")

@@ -9,7 +9,7 @@ import pytest
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 ENDLESS = "int i; int main(void) { for (;;) i++; }\n"
 
@@ -24,11 +24,11 @@ class Screen:
         self.repl = Repl(debugger_of(source, folder=folder), terminal, self.keyboard)
 
     def at_log_points(self, do: Callable[[], None]) -> None:
-        """Lets something be done whenever a log point is passed."""
-        self.repl.shell.debugger.say = lambda _: do()
+        """Let something be done whenever a log point is passed."""
+        self.repl.shell.debugger.stop_points.say = lambda _: do()
 
     def run(self, *commands: str, file: Path | None = None) -> list[str]:
-        """Gives the lines that are shown."""
+        """Return the lines that are shown."""
         files = [] if file is None else [file]
         self.failed = self.repl.run(Scripts(files, commands), batch=True)
         return self.stream.getvalue().decode().splitlines()
@@ -39,30 +39,30 @@ def endless(tmp_path: Path) -> Screen:
     return Screen(ENDLESS, tmp_path)
 
 
-def test_ctrl_c_stops_what_runs_and_the_script(endless: Screen) -> None:
+def test_ctrl_c_interrupts_the_run_and_the_script(endless: Screen) -> None:
     endless.at_log_points(endless.keyboard.on_interrupt)
     shown = endless.run("log 1 going on", "continue", "print 42")
     assert "Interrupted." in shown
-    assert shown[-1] == "the script is left where it was interrupted"
+    assert shown[-1] == "script interrupted"
     assert endless.failed == 1
 
 
-def test_ctrl_c_stops_scripts_that_are_read_by_a_command(endless: Screen, tmp_path: Path) -> None:
+def test_ctrl_c_interrupts_scripts_read_by_source(endless: Screen, tmp_path: Path) -> None:
     (tmp_path / "inner.dbg").write_text("continue\nprint 42\n")
     endless.at_log_points(endless.repl.shell.debugger.interrupt)
     shown = endless.run("log 1 going on", f"source {tmp_path}/inner.dbg", "print 43")
     assert "$1 = 43" in shown
 
 
-def test_a_script_that_cannot_be_read_is_a_failure(endless: Screen, tmp_path: Path) -> None:
+def test_an_unreadable_script_is_a_failure(endless: Screen, tmp_path: Path) -> None:
     assert endless.run(file=tmp_path)[-1] == f"'{tmp_path}' cannot be read: Is a directory"
     assert endless.failed == 1
 
 
-def test_what_log_points_say_stands_where_it_belongs(tmp_path: Path) -> None:
+def test_log_messages_appear_in_order(tmp_path: Path) -> None:
     screen = Screen("int i; int main(void)\n{\n i++;\n i++; return 0; }\n", tmp_path)
     shown = screen.run("log 4 i is {i}", "continue")
     assert shown[-2:] == [
         "i is 1",
-        "All programs have ended: robot0 exited with 0. The way leads back from here.",
+        "All programs have ended: robot0 exited with 0. Step back, or quit.",
     ]

@@ -3,7 +3,7 @@ from __future__ import annotations
 import io
 import re
 
-from crs_cc.debug.commands.command import Line, SourceLine
+from crs_cc.debug.commands.answer import Line, SourceLine
 from crs_cc.debug.repl.terminal import Terminal
 
 
@@ -17,7 +17,7 @@ def shown(of: Terminal) -> str:
     return stream.getvalue().decode()
 
 
-def test_what_one_robot_prints_goes_through_and_answers_begin_a_line() -> None:
+def test_output_of_one_robot_is_unchanged_and_answers_start_a_line() -> None:
     screen = terminal()
     screen.program(0, 1, b"no end of li\xff")
     screen.line(Line("Interrupted.", "stop"))
@@ -28,7 +28,7 @@ def test_what_one_robot_prints_goes_through_and_answers_begin_a_line() -> None:
     assert content == b"no end of li\xff\nInterrupted.\na line\n=>*  12          x = 3;\n"
 
 
-def test_two_streams_of_a_robot_do_not_mix_in_a_line() -> None:
+def test_stdout_and_stderr_do_not_mix_in_a_line() -> None:
     screen = terminal(names=("a", "b"))
     screen.program(0, 1, b"out")
     screen.program(0, 2, b"err\n")
@@ -40,7 +40,7 @@ def test_two_streams_of_a_robot_do_not_mix_in_a_line() -> None:
     assert [len(line) for line in lines[2:]] == [4 + 4096, 4 + 904]
 
 
-def test_colours_are_round_the_words_and_take_nothing_away() -> None:
+def test_colours_do_not_change_the_text() -> None:
     plain, coloured = terminal(), terminal(is_coloured=True)
     rows = (
         Line("Undefined", "error"),
@@ -56,7 +56,7 @@ def test_colours_are_round_the_words_and_take_nothing_away() -> None:
     assert re.sub(r"\x1b\[[\d;]*m", "", shown(coloured)) == shown(plain)
 
 
-def test_what_would_harm_a_terminal_is_not_passed_on() -> None:
+def test_control_characters_are_not_passed_on() -> None:
     for is_coloured in (False, True):
         screen = terminal(is_coloured=is_coloured)
         screen.line(Line("\x1b]0;title\x07\u202e"))
@@ -65,7 +65,7 @@ def test_what_would_harm_a_terminal_is_not_passed_on() -> None:
         assert not set(text) & set("\x1b\x07\x9b\u202e")
 
 
-def test_what_is_typed_by_nobody_is_shown_as_if_it_were() -> None:
+def test_script_lines_are_echoed() -> None:
     screen = terminal()
     screen.program(0, 1, b"12")
     screen.echo("(crs) ", "next\x1b")

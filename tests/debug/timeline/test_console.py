@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.core.errors import InternalError
-from crs_cc.debug.timeline.console import Console
+from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.session.host import discard, no_input
 
 
@@ -19,8 +19,8 @@ class Keyboard:
         return self.lines.pop(0)[:wanted] if self.lines else b""
 
 
-def test_what_is_written_again_is_taken_once() -> None:
-    console = Console(discard, no_input)
+def test_replayed_output_is_recorded_once() -> None:
+    console = ReplayConsole(discard, no_input)
     console.write(0, 1, b"a")
     place = console.snapshot()
     console.write(1, 2, b"bc")
@@ -35,8 +35,8 @@ def test_what_is_written_again_is_taken_once() -> None:
     assert list(console.pieces()) == [(0, 1, b"a"), (1, 2, b"bc"), (0, 1, b""), (0, 1, b"d")]
 
 
-def test_a_text_is_cut_by_robot_and_place() -> None:
-    console = Console(discard, no_input)
+def test_text_is_selected_by_robot_and_position() -> None:
+    console = ReplayConsole(discard, no_input)
     for number in range(6):
         console.write(number % 3, 1, b"%d" % number)
     assert console.text(1) == b"14"
@@ -45,8 +45,8 @@ def test_a_text_is_cut_by_robot_and_place() -> None:
     assert console.text(7) == b""
 
 
-def test_other_output_than_before_is_our_fault() -> None:
-    console = Console(discard, no_input)
+def test_different_output_on_replay_is_an_internal_error() -> None:
+    console = ReplayConsole(discard, no_input)
     start = console.snapshot()
     console.write(0, 1, b"x = 1\n")
     console.restore(start)
@@ -56,9 +56,9 @@ def test_other_output_than_before_is_our_fault() -> None:
         console.write(0, 2, b"x = 1\n")
 
 
-def test_output_is_shown_while_it_is_wanted_also_again() -> None:
+def test_output_is_shown_while_live_also_on_replay() -> None:
     shown: list[bytes] = []
-    console = Console(lambda _robot, _stream, content: shown.append(content), no_input)
+    console = ReplayConsole(lambda _robot, _stream, content: shown.append(content), no_input)
     start = console.snapshot()
     console.write(0, 1, b"quiet")
     console.restore(start)
@@ -68,8 +68,8 @@ def test_output_is_shown_while_it_is_wanted_also_again() -> None:
     assert shown == [b"quiet", b"loud"]
 
 
-def test_behind_a_change_the_output_is_another() -> None:
-    console = Console(discard, no_input)
+def test_output_after_a_change_is_replaced() -> None:
+    console = ReplayConsole(discard, no_input)
     console.write(0, 1, b"one ")
     place = console.snapshot()
     console.write(0, 1, b"two")
@@ -79,8 +79,8 @@ def test_behind_a_change_the_output_is_another() -> None:
     assert console.text() == b"one three"
 
 
-def test_the_same_is_read_again_and_nothing_is_asked_for_twice() -> None:
-    console = Console(discard, Keyboard(b"first", b"second", b"third"))
+def test_input_is_replayed_and_never_requested_twice() -> None:
+    console = ReplayConsole(discard, Keyboard(b"first", b"second", b"third"))
     start = console.snapshot()
     assert [console.read(0, 100), console.read(2, 100)] == [b"first", b"second"]
     console.restore(start)
@@ -89,8 +89,8 @@ def test_the_same_is_read_again_and_nothing_is_asked_for_twice() -> None:
     assert [console.read(0, 100), console.read(0, 100)] == [b"third", b""]
 
 
-def test_behind_a_change_the_input_is_still_there_to_be_read() -> None:
-    console = Console(discard, Keyboard(b"first\n", b"second\n"))
+def test_input_survives_a_change() -> None:
+    console = ReplayConsole(discard, Keyboard(b"first\n", b"second\n"))
     start = console.snapshot()
     assert [console.read(0, 100), console.read(0, 100)] == [b"first\n", b"second\n"]
     console.restore(start)

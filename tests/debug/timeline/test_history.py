@@ -7,16 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from crs_cc.debug.timeline.console import ConsolePlace
-from crs_cc.debug.timeline.history import INTERVAL, History, Kept
+from crs_cc.debug.timeline.console import ConsolePosition
+from crs_cc.debug.timeline.history import INTERVAL, History, RunSnapshot
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.runtime.resident_pages import CHUNK
 
 
-def moment(number: int, size: int = 100) -> Kept:
-    """Gives a snapshot that is unlike all others."""
+def moment(number: int, size: int = 100) -> RunSnapshot:
+    """Return a snapshot that is unlike all others."""
     content: Any = np.random.default_rng(number).integers(0, 256, size, np.uint8)
-    return Kept(content, ConsolePlace(number, ()))
+    return RunSnapshot(content, ConsolePosition(number, ()))
 
 
 def at(timestep: int) -> Position:
@@ -24,7 +24,7 @@ def at(timestep: int) -> Position:
 
 
 def forward(history: History, first: int, last: int, size: int = 100) -> None:
-    """Runs over some timesteps as the engine does."""
+    """Run over some timesteps as the engine does."""
     for timestep in range(first, last):
         if history.wants(at(timestep)):
             history.keep(at(timestep), moment(timestep, size))
@@ -44,7 +44,7 @@ def timesteps(history: History, until: int) -> list[int]:
     return places[::-1]
 
 
-def test_before_gives_the_latest_that_is_not_later() -> None:
+def test_before_returns_the_latest_snapshot_not_later() -> None:
     history = begun()
     history.keep(at(5), moment(5))
     history.keep(Position(5, 2, 0, 40), moment(6))
@@ -57,7 +57,7 @@ def test_before_gives_the_latest_that_is_not_later() -> None:
     assert np.array_equal(kept.session, moment(6).session)
 
 
-def test_on_the_way_forward_there_is_one_in_each_interval() -> None:
+def test_forward_there_is_one_snapshot_per_interval() -> None:
     history = begun()
     forward(history, 0, 4 * INTERVAL + 1)
     assert timesteps(history, 100) == [n * INTERVAL for n in range(5)]
@@ -69,7 +69,7 @@ def test_many_robots_have_longer_intervals() -> None:
     assert timesteps(history, 100) == [0, 15]
 
 
-def test_where_the_user_goes_back_to_gaps_are_filled() -> None:
+def test_gaps_are_filled_where_the_user_goes_back() -> None:
     history = begun()
     forward(history, 0, 101)
     found, _ = history.before(Position(83, 1, 0, 7))
@@ -92,7 +92,7 @@ def test_old_snapshots_are_thinned_and_the_start_is_kept() -> None:
     assert all(gap <= max(INTERVAL, 0.5 * distance) for distance, gap in away)
 
 
-def test_snapshots_lie_dense_where_the_user_is() -> None:
+def test_snapshots_are_dense_near_the_user() -> None:
     history = begun(most_bytes=100 * CHUNK)
     forward(history, 0, 2000, CHUNK)
     found, _ = history.before(at(700))
@@ -102,7 +102,7 @@ def test_snapshots_lie_dense_where_the_user_is() -> None:
     assert history.size <= 100 * CHUNK
 
 
-def test_what_the_user_changed_is_never_thinned() -> None:
+def test_snapshots_of_changes_are_never_thinned() -> None:
     history = begun(most_bytes=30 * CHUNK)
     forward(history, 0, 12, CHUNK)
     edit = Position(11, 3, 0, 99)
@@ -114,7 +114,7 @@ def test_what_the_user_changed_is_never_thinned() -> None:
     assert history.next_edit(edit) is None
 
 
-def test_a_change_drops_all_that_was_later() -> None:
+def test_a_change_drops_later_snapshots() -> None:
     history = begun()
     forward(history, 0, 31)
     history.branch(at(20), moment(777))
@@ -125,14 +125,14 @@ def test_a_change_drops_all_that_was_later() -> None:
     assert history.next_edit(at(10)) is None
 
 
-def test_changes_alone_may_take_more_than_there_is() -> None:
+def test_changes_may_exceed_the_limit() -> None:
     history = begun(most_bytes=3 * CHUNK)
     for timestep in range(1, 9):
         history.branch(at(timestep), moment(timestep, CHUNK))
     assert timesteps(history, 9) == list(range(9))
 
 
-def test_a_walk_back_begins_with_small_steps_and_goes_on_in_large_ones() -> None:
+def test_backward_search_intervals_grow() -> None:
     history = begun()
     forward(history, 0, 2001)
     walk = [place.timestep for place in history.back_from(at(1998))]
@@ -142,7 +142,7 @@ def test_a_walk_back_begins_with_small_steps_and_goes_on_in_large_ones() -> None
     assert list(history.back_from(BEGINNING)) == []
 
 
-def test_a_branch_takes_no_memory_for_what_it_has_in_common_with_the_other() -> None:
+def test_a_branch_shares_common_snapshots() -> None:
     history = begun()
     forward(history, 0, 100, 10 * CHUNK)
     before = history.size
@@ -154,7 +154,7 @@ def test_a_branch_takes_no_memory_for_what_it_has_in_common_with_the_other() -> 
     assert history.places(at(20)) == [at(0), at(5), at(10), at(15)]
 
 
-def test_a_branch_has_room_for_snapshots_of_its_own() -> None:
+def test_a_branch_has_memory_for_its_own_snapshots() -> None:
     history = begun(most_bytes=40 * CHUNK)
     forward(history, 0, 1000, CHUNK)
     other = history.fork(at(500))

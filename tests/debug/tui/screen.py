@@ -8,8 +8,8 @@ from collections.abc import Awaitable, Callable
 from textual.pilot import Pilot
 
 from crs_cc.debug.tui.app import DebugApp
+from crs_cc.debug.tui.backend import Backend
 from crs_cc.debug.tui.command_line import CommandLine
-from crs_cc.debug.tui.work import Work
 
 SMALL, LARGE, TINY = (80, 24), (160, 50), (40, 10)
 
@@ -19,11 +19,11 @@ NO_BARS = dict.fromkeys(map(ord, "▁▂▃▄▅▆▇▉▊▋▌▍▎▏"), 
 Session = Callable[[Pilot[int], DebugApp], Awaitable[None]]
 
 
-def drive(work: Work, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
-    """Lets somebody use a screen of this size; gives the app when it has ended."""
+def drive(backend: Backend, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
+    """Let somebody use a screen of this size; return the app when it has ended."""
 
     async def run() -> DebugApp:
-        app = DebugApp(work)
+        app = DebugApp(backend)
         async with app.run_test(size=size) as pilot:
             await settle(pilot)
             await session(pilot, app)
@@ -33,7 +33,7 @@ def drive(work: Work, session: Session, size: tuple[int, int] = SMALL) -> DebugA
 
 
 async def settle(pilot: Pilot[int]) -> None:
-    """Waits until the debugger has nothing to do and the screen shows what there is."""
+    """Wait until the debugger has nothing to do and the screen shows what there is."""
     app = pilot.app
     assert isinstance(app, DebugApp)
     await pilot.pause()
@@ -44,7 +44,7 @@ async def settle(pilot: Pilot[int]) -> None:
 
 
 async def until(pilot: Pilot[int], holds: Callable[[], bool]) -> None:
-    """Waits for something that is to happen soon, however busy the computer is."""
+    """Wait for something that is to happen soon, however busy the computer is."""
     for _ in range(500):
         if holds():
             return
@@ -59,6 +59,6 @@ async def enter(pilot: Pilot[int], line: str) -> None:
 
 
 def text_of(app: DebugApp) -> str:
-    """Gives the characters on the screen, without scroll bars and what is empty at the right."""
+    """Return the characters on the screen, without scroll bars and what is empty at the right."""
     strips = app.screen._compositor.render_strips()
     return "\n".join(strip.text.translate(NO_BARS).rstrip() for strip in strips) + "\n"

@@ -6,20 +6,20 @@ import pytest
 from textual.pilot import Pilot
 
 from crs_cc.debug.tui.app import DebugApp
-from crs_cc.debug.tui.bars import StatusBar
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
 from crs_cc.debug.tui.keys import SHORTCUTS
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.source_pane import SourcePane
+from crs_cc.debug.tui.status_bars import StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from tests.debug.tui.fake import FakeWork
+from tests.debug.tui.fake_backend import FakeWork
 from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of, until
 
 
-def test_function_keys_work_while_somebody_types_and_letters_elsewhere() -> None:
-    work = FakeWork()
+def test_function_keys_work_while_typing_and_letters_elsewhere() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("p", "f11")
@@ -31,12 +31,12 @@ def test_function_keys_work_while_somebody_types_and_letters_elsewhere() -> None
         await pilot.press("S")
         await settle(pilot)
 
-    drive(work, session)
-    assert work.lines == ["step", "step", "reverse-step"]
+    drive(backend, session)
+    assert backend.lines == ["step", "step", "reverse-step"]
 
 
-def test_what_is_typed_is_answered_in_the_console_which_comes_to_the_front() -> None:
-    work = FakeWork()
+def test_typed_commands_are_answered_in_the_console_pane() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await enter(pilot, "print sum")
@@ -47,11 +47,11 @@ def test_what_is_typed_is_answered_in_the_console_which_comes_to_the_front() -> 
         await settle(pilot)
         assert 'Undefined command: "foo".  Try "help".' in text_of(app)
 
-    drive(work, session)
+    drive(backend, session)
 
 
-def test_earlier_lines_come_back_and_lines_are_completed() -> None:
-    work = FakeWork()
+def test_history_and_completion_of_the_command_line() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         line = app.query_one(CommandLine)
@@ -63,11 +63,11 @@ def test_earlier_lines_come_back_and_lines_are_completed() -> None:
         await pilot.press("s", "tab")
         assert line.value == "reverse-step "
 
-    drive(work, session)
+    drive(backend, session)
 
 
-def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
-    work = FakeWork()
+def test_the_screen_is_responsive_while_the_program_runs() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("f5")
@@ -82,12 +82,12 @@ def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
         assert not app.query_one(StatusBar).running
         assert "2 2" not in text_of(app)  # what counts is the run's own account
 
-    drive(work, session)
-    assert work.lines == ["continue"]
+    drive(backend, session)
+    assert backend.lines == ["continue"]
 
 
-def test_a_click_in_the_gutter_sets_a_breakpoint_and_another_one_removes_it() -> None:
-    work = FakeWork()
+def test_a_click_in_the_gutter_toggles_a_breakpoint() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         top = app.query_one(SourcePane).scroll_offset.y
@@ -100,13 +100,13 @@ def test_a_click_in_the_gutter_sets_a_breakpoint_and_another_one_removes_it() ->
         await pilot.press("f9")
         await settle(pilot)
 
-    drive(work, session)
-    assert work.lines == ["break sum.c:10", "delete 1", "break sum.c:8"]
-    assert sorted(work.breakpoints) == [8, 10]
+    drive(backend, session)
+    assert backend.lines == ["break sum.c:10", "delete 1", "break sum.c:8"]
+    assert sorted(backend.breakpoints) == [8, 10]
 
 
-def test_values_unfold_and_what_has_changed_is_marked() -> None:
-    work = FakeWork()
+def test_values_expand_and_changes_are_highlighted() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         assert "i = 0" in text_of(app)
@@ -126,11 +126,11 @@ def test_values_unfold_and_what_has_changed_is_marked() -> None:
         await settle(pilot)
         assert "├ x = 1.5" not in text_of(app)
 
-    drive(work, session)
+    drive(backend, session)
 
 
-def test_frames_and_robots_are_picked() -> None:
-    work = FakeWork()
+def test_frames_and_robots_are_selected() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.click("#stack", offset=(4, 2))
@@ -138,12 +138,12 @@ def test_frames_and_robots_are_picked() -> None:
         await pilot.click("#robots", offset=(4, 1))
         await settle(pilot)
 
-    drive(work, session, LARGE)
-    assert work.lines == ["frame 1", "robot 0"]
+    drive(backend, session, LARGE)
+    assert backend.lines == ["frame 1", "robot 0"]
 
 
-def test_the_time_line_is_dragged_and_stepped() -> None:
-    work = FakeWork()
+def test_the_time_line_is_dragged_and_moved_by_keys() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         line = app.query_one(TimeLine)
@@ -157,7 +157,7 @@ def test_the_time_line_is_dragged_and_stepped() -> None:
             await pilot.press(key)
             await settle(pilot)
 
-    drive(work, session)
+    drive(backend, session)
     goto = [
         "goto 3.333333",
         "goto 0.000000",
@@ -166,10 +166,10 @@ def test_the_time_line_is_dragged_and_stepped() -> None:
         "goto 7.000000",
         "goto 10.000000",
     ]
-    assert work.lines == goto
+    assert backend.lines == goto
 
 
-def test_the_time_line_says_what_happened_under_the_pointer() -> None:
+def test_the_time_line_shows_the_event_under_the_pointer() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         line = app.query_one(TimeLine)
         await pilot.hover(line, offset=(11 + round(0.7 * 57), 0))
@@ -179,7 +179,7 @@ def test_the_time_line_says_what_happened_under_the_pointer() -> None:
 
 
 def test_another_file_of_the_program_is_shown_until_the_run_moves() -> None:
-    work = FakeWork()
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("escape", "o")
@@ -190,7 +190,7 @@ def test_another_file_of_the_program_is_shown_until_the_run_moves() -> None:
         await settle(pilot)
         assert app.query_one(SourcePane).file == "sum.c"
 
-    drive(work, session)
+    drive(backend, session)
 
 
 def test_f1_shows_the_keys() -> None:
@@ -203,12 +203,12 @@ def test_f1_shows_the_keys() -> None:
         await pilot.press("escape")
         await until(pilot, lambda: not isinstance(app.screen, HelpPage))
 
-    work = FakeWork()
-    drive(work, session)
-    assert work.lines == ["step", "delete 1"]
+    backend = FakeWork()
+    drive(backend, session)
+    assert backend.lines == ["step", "delete 1"]
 
 
-def test_a_pane_can_have_the_screen_for_itself() -> None:
+def test_a_pane_can_be_maximised() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         source = app.query_one(SourcePane)
         await pilot.press("escape", "z")
@@ -219,7 +219,7 @@ def test_a_pane_can_have_the_screen_for_itself() -> None:
     drive(FakeWork(), session)
 
 
-def test_in_the_smallest_terminals_answers_take_the_place_of_the_source() -> None:
+def test_in_the_smallest_terminals_answers_replace_the_source() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         assert "sum += i * i" in text_of(app)
         await enter(pilot, "print sum")
@@ -232,7 +232,7 @@ def test_in_the_smallest_terminals_answers_take_the_place_of_the_source() -> Non
     drive(FakeWork(), session, TINY)
 
 
-def test_ctrl_q_leaves_even_while_something_runs() -> None:
+def test_ctrl_q_quits_even_while_the_program_runs() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("f5")
         await pilot.press("ctrl+q")
@@ -240,7 +240,7 @@ def test_ctrl_q_leaves_even_while_something_runs() -> None:
     assert drive(FakeWork(), session).return_value == 0
 
 
-def test_ctrl_d_and_the_command_quit_leave() -> None:
+def test_ctrl_d_and_quit_exit() -> None:
     async def with_key(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("ctrl+d")
 
@@ -252,8 +252,8 @@ def test_ctrl_d_and_the_command_quit_leave() -> None:
     assert drive(FakeWork(), with_command).return_value == 0
 
 
-def test_what_a_program_reads_is_typed_where_commands_are() -> None:
-    work = FakeWork()
+def test_input_of_programs_is_typed_in_the_command_line() -> None:
+    backend = FakeWork()
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         for answer in ("enter", "ctrl+d"):
@@ -264,12 +264,12 @@ def test_what_a_program_reads_is_typed_where_commands_are() -> None:
             await settle(pilot)
             assert "(crs) a command" in text_of(app)
 
-    drive(work, session)
-    assert work.given == [" 42", None]
-    assert work.lines == ["until", "until"]
+    drive(backend, session)
+    assert backend.given == [" 42", None]
+    assert backend.lines == ["until", "until"]
 
 
-def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it(
+def test_an_internal_error_closes_the_screen_and_is_raised(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fail(self: StatusBar) -> None:
@@ -283,9 +283,8 @@ def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it
     assert "Traceback" not in shown.out + shown.err
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
-def test_whatever_is_pressed_does_no_harm(seed: int) -> None:
+def test_random_keys_do_no_harm(seed: int) -> None:
     random = Random(seed)
     keys = [key for each in SHORTCUTS for key in (*each.keys.split(","), each.letter)]
     keys = [key for key in keys if key not in {"", "ctrl+q", "f5", "c"}]

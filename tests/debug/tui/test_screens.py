@@ -15,10 +15,10 @@ from textual.pilot import Pilot
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.tui.app import DebugApp
-from crs_cc.debug.tui.controller import Desk
-from crs_cc.debug.tui.streams import Streams
+from crs_cc.debug.tui.controller import Controller
+from crs_cc.debug.tui.program_streams import ProgramStreams
 from crs_cc.sim.files.world_xml import load_world
-from tests.debug.debuggee import ROOT, debug_program
+from tests.debug.debuggers import ROOT, debug_program
 from tests.debug.tui.screen import LARGE, NO_BARS, SMALL, TINY, drive, enter, settle, text_of
 
 SCREENS = Path(__file__).parent / "screens"
@@ -33,14 +33,14 @@ def in_the_project(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)  # so that files are shown by the same names everywhere
 
 
-def desk(program: str, world: str) -> Desk:
-    model, reads = load_world(Path(world)), Streams()
+def controller(program: str, world: str) -> Controller:
+    model, reads = load_world(Path(world)), ProgramStreams()
     programs = [debug_program(Path(program))] * len(model.robots)
-    return Desk(Debugger(model, programs, read=reads.read), reads)
+    return Controller(Debugger(model, programs, read=reads.read), reads)
 
 
-def show(work: Desk, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
-    """Gives the screen as text in each size, and as a picture, after commands and keys: `<f5>`."""
+def show(backend: Controller, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
+    """Return the screen as text in each size, and as a picture, after commands and keys: `<f5>`."""
     texts: list[str] = []
     pictures: list[str] = []
 
@@ -57,7 +57,7 @@ def show(work: Desk, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], st
             texts.append(text_of(app))
         pictures.append(app.export_screenshot(simplify=True))
 
-    drive(work, session, sizes[0])
+    drive(backend, session, sizes[0])
     return texts, pictures[0]
 
 
@@ -75,20 +75,19 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_the_screen_shows(case: str, check_golden: CheckGolden) -> None:
     sources, inputs = CASES[case]
-    texts, _ = show(desk(*sources), [LARGE, SMALL], *inputs)
+    texts, _ = show(controller(*sources), [LARGE, SMALL], *inputs)
     together = "\n".join(texts)
     check_golden(SCREENS / f"{case}.txt", together.encode())
 
 
-def test_the_smallest_screens_show_where_the_program_stands(check_golden: CheckGolden) -> None:
-    texts, _ = show(desk(*WANDER), [TINY], *BREAK)
+def test_the_smallest_screens_show_the_current_line(check_golden: CheckGolden) -> None:
+    texts, _ = show(controller(*WANDER), [TINY], *BREAK)
     check_golden(SCREENS / "tiny.txt", texts[0].encode())
 
 
-@pytest.mark.slow
 def test_the_picture_in_the_readme_shows_a_session(check_golden: CheckGolden) -> None:
     inputs = ["display state", "break enter", *["continue"] * 4, *["reverse-continue"] * 2]
-    texts, picture = show(desk(*WANDER), [(132, 42)], *inputs, "<f10>")
+    texts, picture = show(controller(*WANDER), [(132, 42)], *inputs, "<f10>")
     assert "state • 0" in texts[0]
     picture = plain(picture)
     if not PICTURE.exists() or words(PICTURE.read_text()) != words(picture):
@@ -96,7 +95,7 @@ def test_the_picture_in_the_readme_shows_a_session(check_golden: CheckGolden) ->
 
 
 def plain(picture: str) -> str:
-    """Gives a picture that takes nothing from outside, and is half as long."""
+    """Return a picture that takes nothing from outside, and is half as long."""
     picture = re.sub(r"@font-face \{.*?\}", "", picture, flags=re.DOTALL)
     picture = re.sub(r"terminal-\d+", "t", picture.replace("&#160;", "\N{NO-BREAK SPACE}"))
     picture = re.sub(r'<clipPath id="t-line-\d+">.*?</clipPath>', "", picture, flags=re.DOTALL)
@@ -105,6 +104,6 @@ def plain(picture: str) -> str:
 
 
 def words(picture: str) -> list[str]:
-    """Gives what a picture says, whatever its colours."""
+    """Return what a picture says, whatever its colours."""
     texts = re.findall(r"<text [^>]*>(.*?)</text>", picture, re.DOTALL)
     return " ".join(unescape(each) for each in texts).translate(NO_BARS).split()

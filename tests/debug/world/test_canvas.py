@@ -15,13 +15,13 @@ def text(canvas: Canvas) -> list[str]:
     [(0, 0, "⠁"), (0, 1, "⠂"), (0, 2, "⠄"), (0, 3, "⡀"),
      (1, 0, "⠈"), (1, 1, "⠐"), (1, 2, "⠠"), (1, 3, "⢀")],
 )  # fmt: skip
-def test_each_dot_has_its_place_in_a_cell(x, y, character) -> None:
+def test_each_dot_sets_its_bit_in_a_cell(x, y, character) -> None:
     canvas = Canvas(2, 2)
     canvas.dots(np.array([2.0 + x]), np.array([4.0 + y]), "", 0)
     assert text(canvas) == ["  ", f" {character}"]
 
 
-def test_what_lies_outside_is_left_out() -> None:
+def test_dots_outside_are_clipped() -> None:
     canvas = Canvas(1, 1)
     canvas.dots(np.array([-0.1, 2.0, 0.0, 1.9]), np.array([0.0, 0.0, -0.5, 3.9]), "", 0)
     canvas.put(-1, 0, "abc", "", 1)
@@ -30,7 +30,7 @@ def test_what_lies_outside_is_left_out() -> None:
     canvas.lines(np.array([[-1e9, -1e9, -1e9, 1e9]]), "", 0)
 
 
-def test_lines_that_are_seen_keep_their_styles_whatever_else_is_outside() -> None:
+def test_visible_lines_keep_their_styles_when_others_are_clipped() -> None:
     canvas = Canvas(1, 1)
     ends = np.array([[-9.0, 0.0, -5.0, 3.0], [9.0, 0.0, 9.0, 3.0], [0.0, 0.0, 1.0, 0.0]])
     canvas.lines(ends, ["a", "b", "c"], 0)
@@ -39,7 +39,7 @@ def test_lines_that_are_seen_keep_their_styles_whatever_else_is_outside() -> Non
     assert canvas.pieces() == [[("⠉", "d")]]
 
 
-def test_a_cell_has_the_style_of_the_highest_rank_in_it_whatever_came_first() -> None:
+def test_a_cell_has_the_style_of_the_highest_rank() -> None:
     for order in ((0, 1), (1, 0)):
         canvas = Canvas(1, 1)
         for number in order:
@@ -47,7 +47,7 @@ def test_a_cell_has_the_style_of_the_highest_rank_in_it_whatever_came_first() ->
         assert canvas.pieces() == [[("⠉", "high")]]
 
 
-def test_a_text_gives_way_to_what_ranks_higher_and_knows_where_there_is_room() -> None:
+def test_a_text_does_not_overwrite_higher_ranks() -> None:
     canvas = Canvas(4, 1)
     canvas.put(1, 0, "→", "robot", 5)
     assert [canvas.is_free(column, 0, 2) for column in range(4)] == [False, False, True, False]
@@ -55,7 +55,7 @@ def test_a_text_gives_way_to_what_ranks_higher_and_knows_where_there_is_room() -
     assert canvas.pieces() == [[("a", "label"), ("→", "robot"), ("cd", "label")]]
 
 
-def test_lines_have_no_holes_and_dotted_ones_have() -> None:
+def test_lines_are_solid_and_dotted_lines_have_gaps() -> None:
     canvas = Canvas(4, 1)
     canvas.lines(np.array([[0.0, 0.0, 7.0, 3.0]]), "", 0)
     assert sum((ord(character) - 0x2800).bit_count() for character in text(canvas)[0]) == 8
@@ -64,7 +64,7 @@ def test_lines_have_no_holes_and_dotted_ones_have() -> None:
     assert text(dotted) == ["⠁⠁⠁⠁"]
 
 
-def test_clipping_keeps_what_is_inside_to_the_same_place() -> None:
+def test_clipping_keeps_the_inner_part_of_lines() -> None:
     random = np.random.default_rng(1)
     ends = random.uniform(-10.0, 20.0, (500, 4))
     share = np.linspace(0.0, 1.0, 4001)[:, None]

@@ -21,21 +21,21 @@ def driver() -> Driver:
     return Driver.of(world_of(WORLD))
 
 
-def test_robots_and_things_are_moved_in_metres_and_degrees_or_other_units(driver) -> None:
+def test_robots_and_objects_are_moved_in_various_units(driver) -> None:
     environment, state = driver.environment, driver.state
     assert edit(environment, "move a to 1 3") == "a is at 1.000, 3.000 m, 0.0 deg now"
     assert edit(environment, "move a to 100cm 50in -90") == "a is at 1.000, 1.270 m, 270.0 deg now"
     assert state.heading_rad[0] == -math.pi / 2
     assert edit(environment, "move a to 2 2").endswith("270.0 deg now")  # it keeps its heading
-    assert edit(environment, "turn b to 45deg") == "b points to 45.0 deg now"
+    assert edit(environment, "turn b to 45deg") == "b has heading 45.0 deg now"
     assert (state.x_m[1], state.heading_rad[1]) == (5.0, math.pi / 4)
     assert edit(environment, "move crate to 8 8 90") == "crate is at 8.000, 8.000 m, 90.0 deg now"
-    assert edit(environment, "turn crate to 0") == "crate points to 0.0 deg now"
+    assert edit(environment, "turn crate to 0") == "crate has heading 0.0 deg now"
     assert state.bodies.position_m[2].tolist() == [8.0, 8.0]
     assert state.bodies.angle_rad[2] == 0.0
 
 
-def test_devices_are_degraded_in_the_words_of_world_files(driver) -> None:
+def test_devices_are_degraded_with_the_attributes_of_world_files(driver) -> None:
     environment = driver.environment
     assert edit(environment, "degrade a sonar.3 dead") == "a has degradation0 now: sonar 3, dead"
     edit(environment, "degrade a drive.left gain=0.8 delay=200ms for 5s recovery 1s")
@@ -48,14 +48,14 @@ def test_devices_are_degraded_in_the_words_of_world_files(driver) -> None:
         Degradation("b", "sonar", None, stuck="hold", id="degradation2"),
         Degradation("b", "sonar", 0, stuck=1.5, dropouts=0.25, id="degradation3"),
     )  # fmt: skip
-    assert edit(environment, "heal b sonar.0") == "b has lost degradation3"
-    assert edit(environment, "heal a drive") == "a has lost degradation1"
-    assert edit(environment, "heal degradation2") == "b has lost degradation2"
-    assert edit(environment, "heal a") == "a has lost degradation0"
+    assert edit(environment, "heal b sonar.0") == "b no longer has degradation3"
+    assert edit(environment, "heal a drive") == "a no longer has degradation1"
+    assert edit(environment, "heal degradation2") == "b no longer has degradation2"
+    assert edit(environment, "heal a") == "a no longer has degradation0"
     assert environment.degradations.all() == ()
 
 
-def test_what_is_wrong_acts_from_now_on(driver) -> None:
+def test_degradations_take_effect_immediately(driver) -> None:
     for _ in range(10):
         driver.environment.step()
     assert math.isfinite(driver.state.sonar.echo_m[0, 0])
@@ -66,15 +66,15 @@ def test_what_is_wrong_acts_from_now_on(driver) -> None:
     assert math.isfinite(driver.state.sonar.echo_m[1, 0])
 
 
-def test_things_and_robots_go(driver) -> None:
-    assert edit(driver.environment, "remove screen") == "screen is gone"
+def test_objects_and_robots_are_removed(driver) -> None:
+    assert edit(driver.environment, "remove screen") == "screen is removed"
     assert edit(driver.environment, "remove b") == "b leaves the world at 0.050 s"
     driver.environment.step()
     assert driver.state.presence.present.tolist() == [True, False]
     assert "screen" not in driver.environment.names
 
 
-def test_energy_heat_and_ways_of_messages() -> None:
+def test_charge_heat_and_links_are_changed() -> None:
     driver = Driver.of(
         open_world('<robot x="0" y="0" definition="nomad150"/><robot x="3m" y="0"/>')
     )
@@ -93,42 +93,42 @@ def test_energy_heat_and_ways_of_messages() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "change what? write move, turn, remove, degrade"),
-        ("jump a", "'jump' is no change of the world: write move, turn"),
-        ("move", "write move NAME to X Y [HEADING]"),
-        ("move a 1 2", "write move NAME to X Y [HEADING]"),
-        ("move c to 1 2", "there is no robot or movable thing 'c': there are a, b, crate"),
-        ("move screen to 1 2", "'screen' stands firm: what can be moved is a, b, crate"),
+        ("", "missing change (expected move, turn, remove, degrade"),
+        ("jump a", "'jump' is not a change of the world (expected move, turn"),
+        ("move", "expected: move NAME to X Y [HEADING]"),
+        ("move a 1 2", "expected: move NAME to X Y [HEADING]"),
+        ("move c to 1 2", "unknown robot or movable object 'c' (known: a, b, crate)"),
+        ("move screen to 1 2", "'screen' cannot be moved (movable: a, b, crate"),
         ("move a to 5 5", "'a' cannot be there: 'b' is in its place"),
         ("move a to 99 5", "'a' cannot be there: the edge of the world is in its place"),
         ("move a to nan 5", "'nan' is not a length (expected a number and one of m, cm"),
         ("move a to 1 2 north", "'north' is not an angle (expected a number and one of deg, rad"),
-        ("turn a 90", "write turn NAME to HEADING"),
-        ("degrade a sonar.3", "write degrade ROBOT DEVICE[.ELEMENT] FAULT..."),
-        ("degrade c sonar dead", "there is no robot 'c': there are a, b"),
-        ("degrade a sonra dead", "device: there is no device 'sonra': there are sonar, bumper"),
-        ("degrade a sonar.16 dead", "element: sonar has no '16'; it has 0 to 15"),
+        ("turn a 90", "expected: turn NAME to HEADING"),
+        ("degrade a sonar.3", "expected: degrade ROBOT DEVICE[.ELEMENT] FAULT..."),
+        ("degrade c sonar dead", "unknown robot 'c' (known: a, b)"),
+        ("degrade a sonra dead", "device: unknown device 'sonra' (known: sonar, bumper"),
+        ("degrade a sonar.16 dead", "element: unknown '16' of sonar (known: 0 to 15)"),
         ("degrade a compass dead", "the robot has no compass"),
-        ("degrade a sonar loud", "there is no fault 'loud': there are bias, gain"),
-        ("degrade a sonar noise", "noise has a value"),
-        ("degrade a sonar dead yes", "dead has no value"),
+        ("degrade a sonar loud", "unknown fault 'loud' (known: bias, gain"),
+        ("degrade a sonar noise", "'noise' needs a value"),
+        ("degrade a sonar dead yes", "'dead' takes no value"),
         ("degrade a sonar noise 5kg", "noise: '5kg' is not a length (expected a number"),
         ("degrade a sonar dropouts 2", "dropouts must be a number from 0 to 1, not 2.0"),
-        ("heal a", "nothing is wrong with a"),
-        ("heal a sonar.3", "nothing is wrong with a sonar.3"),
-        ("heal degradation7", "there is no robot 'degradation7': there are a, b"),
-        ("remove edge-north", "there is no thing 'edge-north': there are screen, crate"),
-        ("charge a 120", "'120' is no charge: write 0 to 100, in per cent"),
-        ("heat crate -1", "a heat is 0 or more"),
-        ("heat moon 1", "there is no thing 'moon': there are a, b, crate"),
-        ("shut smoke", "there is no channel 'smoke': there are"),
-        ("shut", "write shut [CHANNEL] [from ROBOT] [to ROBOT]"),
-        ("shut radio near a", "write shut [CHANNEL] [from ROBOT] [to ROBOT]"),
+        ("heal a", "no degradation of a"),
+        ("heal a sonar.3", "no degradation of a sonar.3"),
+        ("heal degradation7", "unknown robot 'degradation7' (known: a, b)"),
+        ("remove edge-north", "unknown thing 'edge-north' (known: screen, crate)"),
+        ("charge a 120", "'120' is not a state of charge (expected 0 to 100 percent)"),
+        ("heat crate -1", "heat must not be negative"),
+        ("heat moon 1", "unknown object 'moon' (known: a, b, crate"),
+        ("shut smoke", "unknown channel 'smoke' (known: "),
+        ("shut", "expected: shut [CHANNEL] [from ROBOT] [to ROBOT]"),
+        ("shut radio near a", "expected: shut [CHANNEL] [from ROBOT] [to ROBOT]"),
         ("open radio", "nothing is shut that was shut in these words"),
         ("move a to " + "1 " * 99, "a change has at most 40 words"),
     ],
 )
-def test_what_cannot_be_done_is_told_and_nothing_changes(driver, text, message) -> None:
+def test_invalid_changes_are_refused_and_change_nothing(driver, text, message) -> None:
     before = driver.environment.hash()
     with pytest.raises(DebugError) as caught:
         edit(driver.environment, text)
@@ -137,7 +137,7 @@ def test_what_cannot_be_done_is_told_and_nothing_changes(driver, text, message) 
     assert driver.environment.hash() == before
 
 
-def test_robots_that_are_not_there_are_not_changed() -> None:
+def test_absent_robots_cannot_be_changed() -> None:
     driver = Driver.of(world_of('<robot x="2m" y="2m"/><robot x="5m" y="5m" join="9s"/>'))
     for text in ("move robot1 to 1 1", "turn robot1 to 90", "charge robot1 50"):
         with pytest.raises(DebugError, match="robot 'robot1' is not in the world"):

@@ -42,7 +42,7 @@ def after(session: Session, steps: int) -> Session:
     return session
 
 
-def test_a_robot_that_drives_and_waits(drives) -> None:
+def test_rows_of_a_robot_that_drives_and_waits(drives) -> None:
     # 20 in with 10 in/s2 and 10 in/s: 1 s of ramp (5 in), 1 s of cruise (10 in), 1 s of brake.
     session = after(Session(open_world().with_ideal_link(), [drives], seed=1), 30)
     rows = rows_of(session)
@@ -60,7 +60,7 @@ def test_a_robot_that_drives_and_waits(drives) -> None:
     assert rows_of(session)["command"] == "none runs"
 
 
-def test_a_program_on_the_link_and_one_that_has_not_joined(drives) -> None:
+def test_rows_of_a_program_on_the_link_and_of_an_absent_robot(drives) -> None:
     world = world_of('<robot x="2m" y="2m"/><robot x="5m" y="5m" join="9s"/>')
     session = after(Session(world, [drives, drives], seed=1), 1)
     name = session.fleet.executable(0).name
@@ -73,7 +73,7 @@ def test_a_program_on_the_link_and_one_that_has_not_joined(drives) -> None:
     assert [row.name for row in robot_rows(session, 1)] == ["robot", "program", "clock"]
 
 
-def test_what_touches_it_and_what_is_wrong_with_it(drives) -> None:
+def test_rows_have_contacts_and_degradations(drives) -> None:
     wall = '<wall id="screen" x1="2.3m" y1="0" x2="2.3m" y2="4m" thickness="10cm"/>'
     session = Session(world_of(f'<robot x="2m" y="2m"/>{wall}'), [drives], seed=1)
     session.environment.degradations.add(Degradation("robot0", "sonar", 3, dead=True))
@@ -82,7 +82,7 @@ def test_what_touches_it_and_what_is_wrong_with_it(drives) -> None:
     assert rows["touches"] == "screen"
     assert rows["bumpers"] == "bumper 0 (ahead)"
     assert rows["sonar"].startswith("nearest ")
-    assert rows["degradations"] == "1 of 2 act"
+    assert rows["degradations"] == "1 of 2 active"
     shown = list(lines(robot_rows(session, 0)))
     assert "  degradation0  sonar 3, dead (acts)" in shown
     assert "  degradation1  drive left, gain 0.5 (waits)" in shown

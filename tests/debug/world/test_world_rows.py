@@ -5,7 +5,7 @@ from crs_cc.debug.world.world_rows import world_rows
 from tests.sim.driver import Driver, world_of
 
 
-def test_a_world_tells_time_robots_things_and_messages() -> None:
+def test_world_rows_have_time_robots_objects_and_messages() -> None:
     driver = Driver.of(
         world_of(
             '<robot id="a" x="2m" y="2m"/><robot id="b" x="4m" y="2m"/>'
@@ -26,9 +26,9 @@ def test_a_world_tells_time_robots_things_and_messages() -> None:
         "  a  2.000, 2.000 m, 0.0 deg",
         "  b  4.000, 2.000 m, 0.0 deg",
         "  c  not in the world",
-        "things     6 fixed, 1 that can be pushed",
+        "objects    6 fixed, 1 movable",
         "  crate  6.000, 6.000 m, 90.0 deg",
-        "obstacles  1 put there by programs",
+        "obstacles  1 added by programs",
         "radio      1 messages sent",
         "  sent       1",
         "  delivered  1",

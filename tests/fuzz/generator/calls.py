@@ -21,7 +21,7 @@ def _argument(expressions: Expressions, letter: str, pair: str, wide: str) -> st
 
 
 def varargs(source: Source, functions: list[Function], name: str) -> None:
-    """A variadic function of its own: numbers, strings, structs, handed on to another one."""
+    """Variadic functions: numbers, strings, structs, and lists passed on."""
     chance = source.chance
     pair, wide, outer, inner = (source.name(each) for each in ("Pair", "Wide", "vary", "each"))
     take = {
@@ -93,7 +93,7 @@ def function_pointers(source: Source, functions: list[Function], name: str) -> N
 
 
 def recursion(source: Source, functions: list[Function], name: str) -> None:
-    """Functions that call themselves and each other, to a depth that is counted."""
+    """Functions that call themselves and each other, to a limited depth."""
     chance = source.chance
     one, two = source.name("r"), source.name("r")
     source.add(f"static long long {two}(int depth, unsigned long long x);")
@@ -114,7 +114,7 @@ def recursion(source: Source, functions: list[Function], name: str) -> None:
 
 
 def long_jumps(source: Source, functions: list[Function], name: str) -> None:
-    """Jumps out of nested calls, back to where `setjmp` was."""
+    """Jumps out of nested calls, back to `setjmp`."""
     chance = source.chance
     place, dive = source.name("place"), source.name("dive")
     source.add("#include <setjmp.h>", f"static jmp_buf {place};")

@@ -1,4 +1,4 @@
-"""Random expressions that are defined whatever their variables hold.
+"""Random expressions that are defined for any values of their variables.
 
 Divisors are made positive, shift counts are masked, numbers are limited before they are converted
 from floating to integer types, subscripts are masked. Signed overflow wraps, by our rules and by
@@ -64,13 +64,13 @@ class Function:
 
 @dataclass
 class Expressions:
-    """What expressions are made of.
+    """Generates expressions.
 
     Attributes:
-        chance: what every choice is drawn from.
+        chance: the random number generator.
         readable: operands: variables, members, elements.
         arrays: arrays of eight elements.
-        functions: what may be called.
+        functions: functions to call.
     """
 
     chance: Random
@@ -79,23 +79,23 @@ class Expressions:
     functions: list[Function] = field(default_factory=list)
 
     def any(self, depth: int) -> Typed:
-        """Gives an expression of some arithmetic type."""
+        """Return an expression of some arithmetic type."""
         return self.floating(depth) if self.chance.random() < 0.3 else self.integer(depth)
 
     def of(self, ctype: Type, depth: int) -> str:
-        """Gives an expression that can be assigned to an object of a type."""
+        """Return an expression that can be assigned to an object of a type."""
         text, own = self.any(depth)
         return self.fitted(text, own, ctype)
 
     def fitted(self, text: str, own: Type, ctype: Type) -> str:
-        """Gives an expression brought into a type's range, if it must be."""
+        """Return an expression limited to a type's range, if necessary."""
         if not own.is_float or ctype.is_float or ctype.rank == 0:
             return text
         most = float(min(ctype.highest, 2**62))
         return f"{'limit' if ctype.signed else 'size'}({text}, {most})"
 
     def integer(self, depth: int) -> Typed:
-        """Gives an expression of an integer type."""
+        """Return an expression of an integer type."""
         if depth <= 0 or self.chance.random() < 0.1:
             return self._integer_leaf()
         kind = self.chance.choice(
@@ -106,7 +106,7 @@ class Expressions:
         return made
 
     def floating(self, depth: int) -> Typed:
-        """Gives an expression of a floating type."""
+        """Return an expression of a floating type."""
         draw = self.chance.random()
         if depth <= 0 or draw < 0.1:
             known = [each for each in self.readable if each[1].is_float]
@@ -133,13 +133,13 @@ class Expressions:
         return f"({self.condition(depth - 1)} ? {yes} : {no})", common(yes_type, no_type)
 
     def condition(self, depth: int) -> str:
-        """Gives an expression for `if` and the like."""
+        """Return an expression for `if` and the like."""
         if self.chance.random() < 0.2:
             return self.any(depth)[0]
         return self._compare(depth)[0]
 
     def literal(self) -> Typed:
-        """Gives an integer constant, with a suffix or without."""
+        """Return an integer constant, with a suffix or without."""
         value = self.chance.choice(INTERESTING) + self.chance.randint(-1, 1)
         value = self.chance.choice([abs(value), self.chance.randint(0, 300)])
         form = self.chance.choice(["d", "d", "d", "#x", "#o"])

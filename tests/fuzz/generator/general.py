@@ -1,4 +1,4 @@
-"""Topics: arithmetic, control flow, objects that outlive calls."""
+"""Topics: arithmetic, control flow, static objects."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from tests.fuzz.generator.types import ARITHMETIC, FLOAT, INT, INTEGERS, Type
 
 
 def pure_function(source: Source, known: list[Function]) -> Function:
-    """Writes a function that computes something of its parameters alone."""
+    """Write a function of its parameters, without side effects."""
     chance = source.chance
     result = chance.choice(ARITHMETIC)
     parameters = tuple(chance.choice(ARITHMETIC) for _ in range(chance.randint(1, 4)))

@@ -107,7 +107,7 @@ def lists(source: Source, functions: list[Function], name: str) -> None:
 
 
 def variable_arrays(source: Source, functions: list[Function], name: str) -> None:
-    """Arrays whose lengths are found out while running, also as parameters."""
+    """Arrays of variable length, also as parameters."""
     chance = source.chance
     ctype, total = chance.choice(ARITHMETIC[6:]), source.name("total")
     with source.block(f"static {ctype.name} {total}(int n, int m, {ctype.name} table[n][m])"):

@@ -14,7 +14,7 @@ from tests.fuzz.generator.expressions import PRELUDE, Function
 from tests.fuzz.generator.source import Source
 
 Topic = Callable[[Source, list[Function], str], None]
-"""Writes a function of a given name that prints what it computes, and what it needs."""
+"""Writes a function with a name that prints its results, and the declarations it needs."""
 
 TOPICS: dict[str, Topic] = {
     "control": general.control,
@@ -39,7 +39,7 @@ TOPICS: dict[str, Topic] = {
 
 
 def generate(seed: int) -> str:
-    """Gives a program without undefined behaviour that prints what it computes."""
+    """Return a program without undefined behaviour that prints its results."""
     source = Source(seed)
     source.add(*PRELUDE.splitlines(), "")
     functions: list[Function] = []

@@ -33,7 +33,7 @@ class Record:
 
 
 def _bit_field(source: Source) -> tuple[str, Typed | None]:
-    """Gives a declaration of a bit-field, and how its value takes part in expressions."""
+    """Return a declaration of a bit-field, and how its value takes part in expressions."""
     chance = source.chance
     ctype = chance.choice(BIT_FIELD_TYPES)
     width = 1 if ctype is BOOL else chance.randint(1, ctype.bits)
@@ -46,7 +46,7 @@ def _bit_field(source: Source) -> tuple[str, Typed | None]:
 
 
 def record(source: Source, inside: list[Record], *, bits: float, word: str = "struct") -> Record:
-    """Declares a record type with members of all kinds."""
+    """Declare a record type with members of all kinds."""
     chance = source.chance
     made = Record(f"{word} {source.name('S')}", [])
     with source.block(made.name, "};"):
@@ -77,7 +77,7 @@ def record(source: Source, inside: list[Record], *, bits: float, word: str = "st
 
 
 def _promoted(members: list[Typed]) -> list[Typed]:
-    """Gives members as operands; gcc computes in as many bits as a wide bit-field has."""
+    """Return members as operands; gcc computes in the width of a wide bit-field."""
     return [
         (f"({_wide(ctype).name}){path}", _wide(ctype))
         if ctype.name == "bit-field"
@@ -88,7 +88,7 @@ def _promoted(members: list[Typed]) -> list[Typed]:
 
 
 def _wide(ctype: Type) -> Type:
-    """Gives the type that a bit-field's value is promoted or cast to."""
+    """Return the type that a bit-field's value is promoted or cast to."""
     if ctype.bits < INT.bits or (ctype.bits == INT.bits and ctype.signed):
         return INT
     if ctype.bits == INT.bits:
@@ -97,7 +97,7 @@ def _wide(ctype: Type) -> Type:
 
 
 def dump_function(source: Source) -> str:
-    """Writes a function that prints the bytes of an object."""
+    """Write a function that prints the bytes of an object."""
     name = source.name("dump")
     with source.block(f"static void {name}(const void *object, unsigned size)"):
         source.add("const unsigned char *byte = object;")
@@ -109,7 +109,7 @@ def dump_function(source: Source) -> str:
 
 
 def bit_fields(source: Source, functions: list[Function], name: str) -> None:
-    """Bit-fields: where they lie, what fits, and what stays beside them."""
+    """Bit-fields: layout, truncation, and neighbours."""
     inner = record(source, [], bits=0.8)
     outer = record(source, [inner], bits=0.6)
     dump = dump_function(source)

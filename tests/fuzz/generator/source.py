@@ -1,4 +1,4 @@
-"""The text of a program while it is generated: lines, indentation, fresh names, chance."""
+"""The text of a program while it is generated: lines, indentation, unique names."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ class Source:
     """The text so far.
 
     Attributes:
-        chance: what every choice is drawn from.
+        chance: the random number generator.
         lines: one statement, declaration or brace each, for the reducer to leave out.
     """
 
@@ -22,7 +22,7 @@ class Source:
         self._named = 0
 
     def name(self, prefix: str) -> str:
-        """Gives a name that nothing else has."""
+        """Return a unique name."""
         self._named += 1
         return f"{prefix}{self._named}"
 
@@ -31,7 +31,7 @@ class Source:
 
     @contextlib.contextmanager
     def block(self, head: str, tail: str = "}") -> Iterator[None]:
-        """Puts what is added meanwhile between braces."""
+        """Put the lines that are added meanwhile between braces."""
         self.add(f"{head} {{" if head else "{")
         self._depth += 1
         yield

@@ -1,7 +1,6 @@
-"""Random statements: assignments of every kind, branches, loops that end, jumps.
+"""Random statements: assignments, branches, loops that end, jumps.
 
-A statement has at most one side effect between sequence points, and what it changes is not read
-beside it.
+A statement has at most one side effect between sequence points, and does not read what it changes.
 """
 
 from __future__ import annotations
@@ -13,19 +12,19 @@ from tests.fuzz.generator.source import Source
 from tests.fuzz.generator.types import ARITHMETIC, INT, INTEGERS, Type
 
 TURNS = 400
-"""How often the statements of a function may run, all loops together."""
+"""How often a statement may be executed in all nested loops together."""
 
 
 @dataclass
 class Statements:
-    """Writes statements over some variables.
+    """Generates statements over some variables.
 
     Attributes:
-        source: takes the text.
-        expressions: what may be read.
-        writable: what may be assigned to, all of it also readable.
-        turns: how often the place that is written runs.
-        loops: enclosing loops and switches that `break` leaves, and loops for `continue`.
+        source: receives the text.
+        expressions: generates operands.
+        writable: lvalues to assign to, all of them also readable.
+        turns: how often the current statement is executed.
+        loops: enclosing loops and switches for `break`, and loops for `continue`.
     """
 
     source: Source
@@ -35,7 +34,7 @@ class Statements:
     loops: list[str] = field(default_factory=list)
 
     def declare(self, ctype: Type, depth: int = 2, storage: str = "") -> str:
-        """Declares a variable of a type, and makes it known."""
+        """Declare a variable of a type, and add it to the operands."""
         name = self.source.name("v")
         value = self.expressions.of(ctype, depth)
         if storage.startswith("static"):
@@ -46,7 +45,7 @@ class Statements:
         return name
 
     def declare_array(self, ctype: Type) -> str:
-        """Declares an array of eight elements."""
+        """Declare an array of eight elements."""
         name = self.source.name("a")
         count = self.source.chance.randint(1, 8)
         values = ", ".join(self.expressions.of(ctype, 1) for _ in range(count))
@@ -55,14 +54,14 @@ class Statements:
         return name
 
     def show(self, text: str, ctype: Type) -> None:
-        """Prints a value."""
+        """Print a value."""
         if ctype.is_float:
             self.source.add(f"show({text});")
         else:
             self.source.add(f'printf("{ctype.conversion}\\n", {text});')
 
     def show_all(self) -> None:
-        """Prints everything that the statements could change."""
+        """Print everything that the statements could change."""
         for text, ctype in self.writable:
             self.show(text, ctype)
         for name, ctype in self.expressions.arrays:
@@ -71,12 +70,12 @@ class Statements:
                 self.show(f"{name}[{index}]", ctype)
 
     def some(self, count: int, depth: int) -> None:
-        """Writes some statements."""
+        """Write some statements."""
         for _ in range(count):
             self.any(depth)
 
     def any(self, depth: int) -> None:
-        """Writes a statement."""
+        """Write a statement."""
         simple = [self.assign] * 5 + [self.compound] * 3 + [self.step, self.step_in_expression]
         simple += [self.store] * 2
         if depth > 0:
@@ -99,7 +98,7 @@ class Statements:
             statement(depth - 1)
 
     def body(self, depth: int) -> None:
-        """Writes the inside of a block, with variables of its own now and then."""
+        """Write the inside of a block, sometimes with local variables."""
         known = len(self.expressions.readable), len(self.writable), len(self.expressions.arrays)
         if self.source.chance.random() < 0.4:
             self.declare(self.source.chance.choice(ARITHMETIC), 1)
@@ -113,7 +112,7 @@ class Statements:
         self.source.add(f"{target} = {self.expressions.of(ctype, depth)};")
 
     def store(self, depth: int) -> None:
-        """Writes to an element whose index is found out while running."""
+        """Write to an element with a variable index."""
         if not self.expressions.arrays:
             return self.assign(depth)
         name, ctype = self.source.chance.choice(self.expressions.arrays)
@@ -122,7 +121,7 @@ class Statements:
         return None
 
     def compound(self, depth: int) -> None:
-        """Writes a compound assignment; its result is in range whatever the operands are."""
+        """Write a compound assignment whose result is always in range."""
         target, ctype = self.source.chance.choice(self.writable)
         chance, make = self.source.chance, self.expressions
         if ctype.is_float:
@@ -147,7 +146,7 @@ class Statements:
         self.source.add(form.format(target) + ";")
 
     def step_in_expression(self, depth: int) -> None:
-        """Writes an assignment that steps another variable, which is read nowhere else in it."""
+        """Write an assignment that steps another variable, which is not read elsewhere in it."""
         target, ctype = self.source.chance.choice(self.writable)
         others = [each for each in self.writable if each[0] != target and not each[1].is_float]
         plain = [each for each in others if each[0].startswith("v")]
@@ -175,7 +174,7 @@ class Statements:
             self.body(depth)
 
     def loop(self, depth: int) -> None:
-        """Writes a loop that counts something that nothing else writes to."""
+        """Write a loop with a counter that nothing else changes."""
         counter, turns = self.source.name("n"), self.source.chance.randint(1, 5)
         kind = self.source.chance.choice(["for", "for", "down", "while", "do"])
         heads = {
@@ -198,7 +197,7 @@ class Statements:
         self.turns //= turns
 
     def switch(self, depth: int) -> None:
-        """Writes a switch with fall-through, the default anywhere, now and then on `long long`."""
+        """Write a switch with fall-through, a default anywhere, sometimes on `long long`."""
         chance = self.source.chance
         value, ctype = self.expressions.integer(2)
         values = sorted(chance.sample(range(-3, 12), chance.randint(1, 5)))
@@ -244,7 +243,7 @@ class Statements:
 
 
 def scalar_variables(statements: Statements, count: int) -> None:
-    """Declares some variables of random types, and an array."""
+    """Declare some variables of random types, and an array."""
     chance = statements.source.chance
     for _ in range(count):
         statements.declare(chance.choice(ARITHMETIC), 1)

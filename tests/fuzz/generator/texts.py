@@ -1,4 +1,4 @@
-"""Topics: printing, strings, numbers written and read again."""
+"""Topics: printing, strings, conversion of numbers to text and back."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ INTEGER_ARGUMENTS = {
 
 
 def word(chance: Random, longest: int) -> str:
-    """Gives a string literal."""
+    """Return a string literal."""
     letters = chance.choices("abcdexyz 019,%", k=chance.randint(0, longest))
     extra = chance.choice(["", "", "", "\\n", "\\t", "\\x41", "\\0after", "\\\\", '\\"', "\\377"])
     return '"' + "".join(letters) + extra + '"'
@@ -32,7 +32,7 @@ def _width(chance: Random, arguments: list[str], limit: int) -> str:
 
 
 def conversion(expressions: Expressions) -> tuple[str, list[str]]:
-    """Gives a conversion specification of `printf` and its arguments."""
+    """Return a conversion specification of `printf` and its arguments."""
     chance = expressions.chance
     arguments: list[str] = []
     kind = chance.choice("ddiuxXocsseEfFgGaA%")
@@ -118,7 +118,7 @@ def strings(source: Source, functions: list[Function], name: str) -> None:
 
 
 def numbers(source: Source, functions: list[Function], name: str) -> None:
-    """Numbers written as text and read again, by all that reads numbers."""
+    """Numbers written as text and read again by all functions that read numbers."""
     chance = source.chance
     expressions = Expressions(chance, functions=functions)
     with source.block(f"static void {name}(void)"):

@@ -1,4 +1,4 @@
-"""The arithmetic types of generated programs, and what C17 6.3.1 makes of them in expressions."""
+"""The arithmetic types of generated programs, and their conversions (C17 6.3.1)."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ class Type:
     """An arithmetic type.
 
     Attributes:
-        name: as C spells it.
-        rank: its place in the usual arithmetic conversions.
+        name: its name in C.
+        rank: its rank in the usual arithmetic conversions.
         bits: its width.
-        signed: whether it has negative values.
-        conversion: how `printf` prints it.
+        signed: whether it is signed.
+        conversion: its conversion for `printf`.
     """
 
     name: str
@@ -55,12 +55,12 @@ ARITHMETIC = [*INTEGERS, FLOAT, DOUBLE]
 
 
 def promoted(ctype: Type) -> Type:
-    """Gives the type of an integer operand after its promotion (C17 6.3.1.1)."""
+    """Return the type of an integer operand after its promotion (C17 6.3.1.1)."""
     return INT if ctype.rank < INT.rank else ctype
 
 
 def common(left: Type, right: Type) -> Type:
-    """Gives the type that two operands are brought to (C17 6.3.1.8)."""
+    """Return the common type of two operands (C17 6.3.1.8)."""
     if left.is_float or right.is_float:
         return left if left.rank > right.rank else right
     low, high = sorted((promoted(left), promoted(right)), key=lambda ctype: ctype.rank)

@@ -179,19 +179,16 @@ def test_random_graphs_run_as_drawn_however_they_are_suspended(seed: int) -> Non
     assert walk(program, 10**6, debug=True) == plain
 
 
-@pytest.mark.slow
 def test_a_suspended_walk_resumes_in_another_robot() -> None:
     program = walker(7, 9)
     assert walk(program, 1, debug=False, move=True)[0] == expected(program)
 
 
-@pytest.mark.slow
 def test_a_long_function_needs_no_recursion() -> None:
     program = walker(3, 3000)
     assert walk(program, 10**6, debug=False)[0] == expected(program)
 
 
-@pytest.mark.slow
 def test_irreducible_control_flow_compiles_in_linear_size() -> None:
     size = 1000
     program = walker(5, size, tangled=True)

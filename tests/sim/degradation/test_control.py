@@ -47,6 +47,16 @@ def test_it_begins_fades_and_is_over_at_its_instants():
     assert events(driver, 20) == []
 
 
+def test_at_its_very_onset_it_waits_and_what_is_told_of_it_is_told_in_the_next_cycle():
+    before = dataclasses.replace(SONAR, element=1, onset_s=1.98)
+    driver = driver_of(dataclasses.replace(SONAR, onset_s=2.0), before)
+    assert events(driver, 40) == [(1.98, "degradation1 began: sonar 1, stuck at 1m")]
+    assert driver.environment.time_s == 2.0
+    assert driver.environment.degradations.phase("degradation0") == "waits"
+    assert events(driver, 1) == [(2.0, "degradation0 began: sonar 0, stuck at 1m")]
+    assert driver.environment.degradations.phase("degradation0") == "acts"
+
+
 def test_what_is_added_begins_now_and_what_is_removed_ends_now():
     driver = driver_of()
     driver.run_s(2)
@@ -91,6 +101,24 @@ def test_a_change_of_times_puts_it_where_it_would_be(changes, phase):
         assert driver.environment.degradations.phase("degradation0") == "acts"
 
 
+@pytest.mark.parametrize(
+    ("changes", "phase", "turn"),
+    [({"onset_s": 2.0}, "waits", "began"), ({"duration_s": 1.0, "recovery_s": 9.0}, "acts",
+     "began to fade"), ({"duration_s": 0.5, "recovery_s": 0.5}, "fades", "ended")],
+)  # fmt: skip
+def test_a_turn_at_the_very_instant_of_a_change_is_still_to_come(changes, phase, turn):
+    """The degradation is changed at 2 s so that it begins, or fades, or is over at 2 s."""
+    driver = driver_of(dataclasses.replace(SONAR, onset_s=1.0))
+    driver.run_s(2)
+    control = driver.environment.degradations
+    control.change("degradation0", **changes)
+    assert control.phase("degradation0") == phase
+    assert events(driver, 1) == [
+        (2.0, "degradation0 changed: sonar 0, stuck at 1m"),
+        (2.0, f"degradation0 {turn}: sonar 0, stuck at 1m"),
+    ]
+
+
 def test_a_change_and_a_removal_leave_what_the_others_remember():
     held = Degradation("robot0", "sonar", 0, stuck="hold")
     later = [dataclasses.replace(held, element=n, delay_s=1.0, stuck=None) for n in (1, 2)]
@@ -115,11 +143,11 @@ def memory(state, name: str) -> np.ndarray:
 @pytest.mark.parametrize(
     ("degradation", "why"),
     [
-        (Degradation(7, "sonar", dead=True), "there is no robot '7'"),
-        (Degradation("robot9", "sonar", dead=True), "there is no robot 'robot9'"),
-        (Degradation("robot0", "radar", dead=True), "there is no device 'radar'"),
+        (Degradation(7, "sonar", dead=True), "unknown robot '7'"),
+        (Degradation("robot9", "sonar", dead=True), "unknown robot 'robot9'"),
+        (Degradation("robot0", "radar", dead=True), "unknown device 'radar'"),
         (Degradation("robot0", "compass", dead=True), "the robot has no compass"),
-        (Degradation("robot0", "sonar", -1, dead=True), "no element -1"),
+        (Degradation("robot0", "sonar", -1, dead=True), "unknown element -1"),
         (Degradation("robot0", "sonar", gain=math.nan), "gain must be a number"),
         (Degradation("robot0", "sonar", bias=math.inf), "bias must be a number"),
         (Degradation("robot0", "sonar", stuck=math.nan), "or it must be a number"),
@@ -128,17 +156,17 @@ def memory(state, name: str) -> np.ndarray:
             "'hold', or it must be a number",
         ),
         (Degradation("robot0", "sonar", gain="2"), "gain must be a number"),
-        (Degradation("robot0", "sonar", True, dead=True), "no element True"),
-        (Degradation("robot0", "sonar", 0.5, dead=True), "no element 0.5"),
+        (Degradation("robot0", "sonar", True, dead=True), "unknown element True"),
+        (Degradation("robot0", "sonar", 0.5, dead=True), "unknown element 0.5"),
         (Degradation("robot0", "sonar", dead=True, duration_s=math.inf), "duration must be"),
         (Degradation("robot0", "sonar", delay_s=1e9), "delay must be"),
         (Degradation("robot0", "sonar", gain=10**400), "gain must be a number"),
         (Degradation("robot0", "sonar", gain=True), "gain must be a number"),
         (Degradation("robot0", "sonar", dead=1), "dead must be True or False"),
-        (Degradation("robot0", ["sonar"], dead=True), "must be texts"),
+        (Degradation("robot0", ["sonar"], dead=True), "must be strings"),
         (Degradation("robot0", "sonar", dead=True, id=[1]), "must be a text"),
         (Degradation("robot0", "sonar", dead=True, id=5), "must be a text"),
-        (Degradation("robot0", "sonar"), "nothing is wrong"),
+        (Degradation("robot0", "sonar"), "no fault given"),
         (Degradation("robot0", "sonar", dead=True, id="x" * 65), "at most 64"),
         (Degradation("robot0", "sonar", dead=True, id="degradation0"), "a second degradation"),
     ],
@@ -158,10 +186,10 @@ def test_changes_of_what_cannot_change_are_refused():
         control.change("degradation0", robot="robot1", device="laser")
     with pytest.raises(ValueError, match="has no colour"):
         control.change("degradation0", colour="red")
-    with pytest.raises(ValueError, match="nothing is wrong"):
+    with pytest.raises(ValueError, match="no fault given"):
         control.change("degradation0", stuck=None)
     for missing in (control.remove, control.change, control.phase):
-        with pytest.raises(ValueError, match="no degradation 'x': there are degradation0"):
+        with pytest.raises(ValueError, match=r"unknown degradation 'x' \(known: degradation0"):
             missing("x")
 
 

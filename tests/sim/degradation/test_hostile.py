@@ -5,11 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
-from crs_cc.requests import CODES, MESSAGE
+from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model.degradation import DEVICES, Degradation, complaint
+from crs_cc.sim.model.degradation import Degradation, complaint, degradables
 from crs_cc.sim.model.world import Robot
 from tests.sim.degradation.law import world_with
 
@@ -20,8 +19,8 @@ TIMES_S = (0.0, 1e-300, 0.05, 0.1, 0.15, 0.3, 1.0, 60.0, 1e7)
 
 def anything(rng: np.random.Generator, robot: Robot) -> Degradation:
     """Gives a degradation by chance, of a device that the robot has."""
-    names = [name for name, device in DEVICES.items() if device.elements(robot.model)]
-    device = DEVICES[str(rng.choice(names))]
+    names = [name for name, device in degradables().items() if device.elements(robot.model)]
+    device = degradables()[str(rng.choice(names))]
     count = len(device.elements(robot.model))
     chance = rng.random(12) < 0.4
 
@@ -63,7 +62,7 @@ def test_nothing_breaks(seed, kind):
     )  # fmt: skip
     faults = [dataclasses.replace(each, id=f"fault{n}") for n, each in enumerate(some(rng, bare))]
     environment = Environment(dataclasses.replace(bare, degradations=tuple(faults)), seed)
-    codes = [*HANDLERS]
+    codes = [code for code, row in REQUESTS.items() if row.server != "host"]
     ask(environment, CODES["CONNECT"], rng, 0.0)
     for cycle in range(25):
         for code in [*rng.choice(codes, 6), CODES["VM"], CODES["GS"]]:
@@ -95,7 +94,7 @@ def ask(environment: Environment, code: int, rng: np.random.Generator, at_s: flo
 def test_many_faults_of_one_device_work_one_after_the_other():
     faults = [Degradation("robot0", "sonar", bias=0.01) for _ in range(100)]
     environment = Environment(world_with(*faults), seed=1)
-    values = environment._equipment.degradations.alter(
+    values = environment._data.constants.degradations.alter(
         environment.state, "sonar", np.array([0]), np.array([[1.0]]), np.array([0.0])
     )
     assert values[0, 0] == pytest.approx(2.0)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.model.degradation import DEVICES, Degradation
+from crs_cc.sim.model.degradation import Degradation, degradables
 from tests.sim.degradation.law import Law
 
 
@@ -78,6 +78,16 @@ def test_what_is_stuck_keeps_the_last_value_before_the_onset_and_lets_go_slowly(
         )
     ]
     assert told == pytest.approx([3.0, 4.0, 4.0, 4.0, 5.0, 7.0, 8.0])  # fmt: skip
+
+
+def test_rounding_moves_no_value_across_the_onset():
+    """0.1 + 0.2 is a little more than 0.3, and both are the same instant."""
+    law = Law.of(fault(stuck="hold", onset_s=0.1 + 0.2))
+    assert [law.read(value, at_s) for at_s, value in ((0.2, 4.0), (0.3, 9.0))] == [4.0, 4.0]
+    law = Law.of(fault(device="drive", stuck="hold", onset_s=0.3))
+    for speed, from_s, to_s in ((4.0, 0.1, 0.2), (9.0, 0.2, 0.1 + 0.2)):
+        assert law.go((speed, 0.0, 0.0), from_s, to_s)[0] == speed * (to_s - from_s)
+    assert law.go((0.0, 0.0, 0.0), 0.3, 0.4)[0] == pytest.approx(0.9)
 
 
 def test_what_has_told_nothing_yet_is_stuck_at_its_first_value():
@@ -173,7 +183,7 @@ def test_many_robots_at_once_are_told_the_same_as_one_after_the_other():
 def test_a_sound_device_is_left_as_it_is():
     law = Law.of(fault(bias=1.0))
     values = np.ones((1, 3))
-    for name in set(DEVICES) - {"sonar"}:
+    for name in set(degradables()) - {"sonar"}:
         told = law.degradations.alter(law.state, name, np.array([0]), values, np.ones(1))
         assert told is values
 

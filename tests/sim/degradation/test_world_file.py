@@ -48,14 +48,14 @@ def test_an_element_decides_the_unit_of_its_values(element, number, bias):
 @pytest.mark.parametrize(
     ("attributes", "said"),
     [
-        ('robot="r" device="sonar" dead="yes"', "robot: there is no robot 'r': there are robot0"),
-        ('robot="robot0" device="radar" dead="yes"', "there is no device 'radar': there are sonar"),
+        ('robot="r" device="sonar" dead="yes"', "robot: unknown robot 'r' (known: robot0)"),
+        ('robot="robot0" device="radar" dead="yes"', "unknown device 'radar' (known: sonar"),
         ('robot="robot0" device="compass" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="compass" element="1" dead="yes"', "the robot has no compass"),
-        ('robot="robot0" device="sonar" element="16" dead="yes"', "has no '16'; it has 0 to 15"),
-        ('robot="robot0" device="drive" element="up" dead="yes"', "it has 0 (right), 1 (left)"),
-        ('robot="robot0" device="sonar"', "nothing is wrong: give gain, bias"),
-        ('robot="robot0" device="sonar" gain="1" bias="0m"', "nothing is wrong"),
+        ('robot="robot0" device="sonar" element="16" dead="yes"', "unknown '16' of sonar (known"),
+        ('robot="robot0" device="drive" element="up" dead="yes"', "(known: 0 (right), 1 (left))"),
+        ('robot="robot0" device="sonar"', "no fault given: set gain, bias"),
+        ('robot="robot0" device="sonar" gain="1" bias="0m"', "no fault given"),
         ('robot="robot0" device="sonar" bias="3kg"', "bias: '3kg' is not a length"),
         ('robot="robot0" device="drive" bias="1m"', "bias: '1m' is not a speed"),
         ('robot="robot0" device="sonar" stuck="here"', "stuck: 'here' is not a length"),
@@ -66,8 +66,8 @@ def test_an_element_decides_the_unit_of_its_values(element, number, bias):
         ('robot="robot0" device="sonar" dead="yes" onset="-1s"', "onset must be a number from 0"),
         ('robot="robot0" device="sonar" dead="yes" duration="-1s"', "duration must be a number"),
         ('robot="robot0" device="sonar" dead="perhaps"', "dead"),
-        ('robot="robot0" dead="yes"', "<degradation> lacks the attribute 'device'"),
-        ('id="robot0" robot="robot0" device="sonar" dead="yes"', "a second thing with the id"),
+        ('robot="robot0" dead="yes"', "missing attribute 'device' in <degradation>"),
+        ('id="robot0" robot="robot0" device="sonar" dead="yes"', "duplicate id"),
     ],
 )  # fmt: skip
 def test_mistakes_are_told_with_their_line(attributes, said):
@@ -80,7 +80,7 @@ def test_mistakes_are_told_with_their_line(attributes, said):
 
 def test_a_value_for_axes_of_different_units_needs_an_element():
     nomad = '<robot x="0" y="0" definition="nomad200"/>'
-    with pytest.raises(WorldError, match=r"differ in their units: name one, 0 \(translation\), 1"):
+    with pytest.raises(WorldError, match=r"differ in unit .known: 0 \(translation\), 1"):
         read('robot="robot0" device="drive" bias="0.1m/s"', nomad)
     assert read('robot="robot0" device="drive" gain="0.5"', nomad).gain == 0.5
 

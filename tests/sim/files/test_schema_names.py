@@ -1,4 +1,4 @@
-"""Names are compared with what the schemas declare, however they declare it."""
+"""Unknown names in documents, for all forms of declarations in the schemas."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FILES = [
 
 
 @pytest.mark.parametrize(("path", "schema"), FILES, ids=lambda each: Path(each).stem)
-def test_what_is_right_has_known_names_only(path: Path, schema: str) -> None:
+def test_valid_documents_have_no_unknown_names(path: Path, schema: str) -> None:
     parser = etree.XMLParser(remove_comments=True)
     document, known = etree.parse(path, parser), etree.parse(SIM / "files" / schema)
     assert list(unknown_names(document.getroot(), known.getroot())) == []

@@ -1,11 +1,11 @@
-"""A sonar that touches or overlaps a thing reads 0, not how far away the thing's far side is."""
+"""A sonar that touches or overlaps an object reads 0, not the distance of the far side."""
 
 import math
 
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.devices.sonar import SonarRing
 from crs_cc.sim.devices.vendor_state import BUMPER, SONAR_0
 from crs_cc.sim.engine.environment import Environment
@@ -39,17 +39,17 @@ THINGS = {  # all have their near side at x = 2 m
 
 
 def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) -> list[int]:
-    """Gives the readings of a Scout whose shell reaches x = 2 m and `deep_m` more.
+    """Return the readings of a Scout whose shell reaches x = 2 m and `deep_m` more.
 
-    The readings are as if it headed along x: the first is of the sonar that points there.
+    The first reading is that of the sonar that points along x.
     """
     world = open_world(f'<robot x="0" y="0"/>{things}')
     state = Environment(world, 1).state
     state.x_m[0], state.y_m[0] = 2 + deep_m - SCOUT_RADIUS_M, y_m
     state.heading_rad[0] = math.radians(heading)
     ring, pose = SonarRing(world, 1), [state.x_m[0], y_m, state.heading_rad[0]]
-    around = Surroundings(Scene(world), ring.fans)
-    readings = ring.look(state, around, np.array([0]), np.array([pose]))[0].tolist()
+    rays = RayCaster(Scene(world), ring.fans)
+    readings = ring.look(state, rays, np.array([0]), np.array([pose]))[0].tolist()
     turned = round(heading / 22.5)
     return readings[-turned:] + readings[:-turned]
 
@@ -57,16 +57,16 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
 @pytest.mark.parametrize("deep_m", [0.0, 1e-12, HAIR_M, 0.005])
 @pytest.mark.parametrize("heading", [0, 90])
 @pytest.mark.parametrize("name", THINGS)
-def test_a_transducer_a_hair_inside_does_not_read_the_far_side(name, heading, deep_m):
+def test_transducer_slightly_inside_does_not_read_the_far_side(name, heading, deep_m):
     assert sonars_at(deep_m, THINGS[name], heading)[0] == 0
 
 
 @pytest.mark.parametrize("name", THINGS)
-def test_a_transducer_just_outside_measures_as_before(name):
+def test_transducer_just_outside_is_not_masked(name):
     assert sonars_at(-0.0254, THINGS[name])[0] == 1
 
 
-def test_only_the_transducers_that_lie_inside_read_0():
+def test_only_transducers_inside_read_0():
     readings = sonars_at(HAIR_M, THINGS["wall"])
     # Sonar 1 sits 0.61 in behind the front of the shell; its cone begins at 12.5 degrees.
     gap_in = 8 * (1 - math.cos(math.radians(22.5))) - HAIR_M / 0.0254
@@ -89,7 +89,7 @@ OBSTACLES = {
 
 
 def drive_into(things: str, time_s: float, heading: int = 0) -> list[tuple[int, int]]:
-    """Gives the front sonar and the bumpers at each cycle of a drive straight ahead."""
+    """Return the front sonar and the bumpers in each cycle of a drive straight ahead."""
     driver = Driver.of(world_of(f'{things}<robot x="1m" y="1.5m" heading="{heading}"/>', ROOM))
     driver.ask("CONF_SN", 0, data=bytes([0]))
     driver.ask("VM", 100, 100)
@@ -102,7 +102,7 @@ def drive_into(things: str, time_s: float, heading: int = 0) -> list[tuple[int, 
 
 
 @pytest.mark.parametrize("name", OBSTACLES)
-def test_a_robot_driven_into_a_thing_reads_less_and_less_and_then_keeps_0(name):
+def test_readings_fall_to_0_in_a_collision_and_stay_there(name):
     turned = "turned" in name
     heading = round(math.degrees(math.atan2(0.8, 3))) if turned else 0
     told = drive_into(OBSTACLES[name], 16 if name == "edge wall" else 6, heading)
@@ -114,8 +114,7 @@ def test_a_robot_driven_into_a_thing_reads_less_and_less_and_then_keeps_0(name):
     assert set(touching[LATE:]) == {0}
 
 
-@pytest.mark.slow
-def test_a_robot_that_pushes_a_box_reads_0_all_the_way():
+def test_robot_pushing_a_box_reads_0():
     box = '<box x="2m" y="1.5m" length="30cm" width="60cm" mass="3kg"/>'
     told = drive_into(box, 14)
     first = next(number for number, (_, bumper) in enumerate(told) if bumper)
@@ -124,7 +123,7 @@ def test_a_robot_that_pushes_a_box_reads_0_all_the_way():
 
 
 def crowd() -> tuple[WorldModel, np.ndarray]:
-    """Gives many things, half of them pushable, and places of robots among them."""
+    """Return many objects, half of them movable, and positions of robots among them."""
     rng = np.random.default_rng(5)
     boxes = tuple(
         Box(f"b{n}", Pose(*rng.uniform(0, 20, 2), rng.uniform(0, 7)), *rng.uniform(0.02, 2, 2),
@@ -141,13 +140,13 @@ def crowd() -> tuple[WorldModel, np.ndarray]:
 
 
 def star(rng: np.random.Generator) -> np.ndarray:
-    """Gives the corners of a polygon with dents around the origin."""
+    """Return the corners of a concave polygon around the origin."""
     angles = np.arange(9) * math.tau / 9
     return rng.uniform(0.3, 1.5, (9, 1)) * np.column_stack([np.cos(angles), np.sin(angles)])
 
 
 def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
-    """Tells whether a place is in a thing, or in a wall without its round ends."""
+    """Return whether a point is in an object, or in a wall without its round ends."""
     if isinstance(solid, Polygon):
         return bool(distance_from_m(solid, np.array(x), np.array(y)) <= 0)
     if isinstance(solid, Box):
@@ -162,9 +161,8 @@ def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
     return abs(x * cos + y * sin) <= length / 2 and abs(y * cos - x * sin) <= width / 2
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("few", [0, 10**9])
-def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkeypatch):
+def test_vectorised_contact_mask_matches_pairwise_computation(few, monkeypatch):
     monkeypatch.setattr("crs_cc.sim.geometry.cell_list._FEW_PAIRS", few)
     world, poses = crowd()
     scene = Scene(world)

@@ -1,4 +1,4 @@
-"""Finding what is near: nothing may be missed, wherever the points lie."""
+"""Neighbour search: no near point may be missed, for any distribution of points."""
 
 import math
 
@@ -36,21 +36,20 @@ def test_every_point_within_reach_is_found_once(points, queries, reach_m):
     assert asked.tolist() == sorted(asked.tolist())
 
 
-def test_most_points_out_of_reach_are_not_looked_at():
+def test_most_points_out_of_reach_are_skipped():
     rng = np.random.default_rng(1)
     x, y = rng.uniform(0, 100, (2, 3000))
     asked, _ = CellList(x, y, 2.0).near(x, y)
     assert len(asked) < 3000 * 3000 / 50
 
 
-@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.tuples(*[st.floats(-30, 30)] * 4), min_size=1, max_size=30),
     st.lists(st.tuples(st.floats(-60, 60), st.floats(-60, 60)), min_size=40, max_size=40),
     st.floats(0.5, 20),
 )
-def test_the_grid_finds_every_shape_within_reach(ends, places, reach_m):
+def test_grid_finds_every_shape_within_reach(ends, places, reach_m):
     ends_m, radius_m = np.array(ends), np.full(len(ends), 0.25)
     place = np.array([complex(*spot) for spot in places])
     asked, found = Grid(ends_m, radius_m, reach_m).near(np.repeat(place, 40))  # no short cut
@@ -75,7 +74,7 @@ def test_the_grid_finds_every_shape_within_reach(ends, places, reach_m):
         ('<wall x1="2m" y1="2m" x2="4m" y2="5m" thickness="20cm"/>', 0.9),
     ],
 )
-def test_clearance_is_the_shortest_way_to_anything(things, room_m):
+def test_clearance_is_the_distance_to_the_nearest_object(things, room_m):
     scene = Scene(world_of(f'<robot x="5m" y="5m"/>{things}'))
     found_m = clearance_m(scene, scene.start[:, :2], scene.start[:, 2])
     assert found_m == pytest.approx(room_m - SCOUT_RADIUS_M)

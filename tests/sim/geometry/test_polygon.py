@@ -1,4 +1,4 @@
-"""Polygons: what is one, and its triangles."""
+"""Polygons: validity and triangulation."""
 
 import math
 
@@ -17,7 +17,7 @@ SQUARE = np.array([(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0)])
 
 @st.composite
 def stars(draw):
-    """Corners of a polygon around the origin, with dents and with corners on straight sides."""
+    """Draw a concave polygon around the origin, in some cases with collinear corners."""
     radii = draw(st.lists(st.floats(0.2, 5), min_size=3, max_size=30))
     angles = np.arange(len(radii)) * math.tau / len(radii)
     star = np.array(radii)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -27,9 +27,8 @@ def stars(draw):
     return np.stack([star, middles], axis=1).reshape(-1, 2)
 
 
-@pytest.mark.slow
 @given(stars())
-def test_triangles_fill_a_polygon_and_lie_counter_clockwise(star):
+def test_triangulation_covers_the_polygon_counter_clockwise(star):
     parts = [area_m2(star[three]) for three in triangles(star)]
     assert min(parts) > 0
     assert sum(parts) == pytest.approx(area_m2(star))
@@ -48,14 +47,14 @@ def spiral(turns: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("corners", [comb(60), spiral(5)], ids=["comb", "spiral"])
-def test_triangles_fill_polygons_that_wind(corners):
+def test_triangulation_of_combs_and_spirals(corners):
     assert complaint(corners) == ""
     parts = [area_m2(corners[three]) for three in triangles(corners)]
     assert min(parts) > 0
     assert sum(parts) == pytest.approx(area_m2(corners))
 
 
-def test_area_middle_and_moment_are_those_of_the_textbook():
+def test_area_centroid_and_moment_match_the_formulas():
     assert area_m2(SQUARE) == 4.0
     assert area_m2(SQUARE[::-1]) == -4.0
     assert centroid_m(SQUARE).tolist() == centroid_m(SQUARE[::-1]).tolist() == [2.0, 2.0]
@@ -64,18 +63,18 @@ def test_area_middle_and_moment_are_those_of_the_textbook():
 
 @pytest.mark.parametrize("turn", range(5))
 @pytest.mark.parametrize("step", [1, -1])
-def test_a_side_that_comes_too_near_is_told_whichever_corner_is_first(turn, step):
+def test_sides_too_close_are_found_for_any_first_corner(turn, step):
     narrow = np.array([(0, 0), (4, 0), (4, 3), (2, 0.0005), (0, 3)])
     assert "meets the side" in complaint(np.roll(narrow, turn, axis=0)[::step])
     spike = np.array([(0, 0), (4, 0), (4, 3), (6, 3), (2, 3.0001)])
     assert "meets the side" in complaint(np.roll(spike, turn, axis=0)[::step])
 
 
-def test_clockwise_corners_are_turned_round():
+def test_clockwise_corners_are_reversed():
     assert area_m2(np.array(Polygon.of("p", SQUARE[::-1]).corners_m)) == 4.0
 
 
-def test_robots_of_all_sizes_are_found_in_things_of_all_sizes():
+def test_initial_overlaps_are_found_for_all_sizes():
     rng = np.random.default_rng(3)
     cylinders = tuple(
         Cylinder(f"c{n}", Pose(*rng.uniform(5, 95, 2)), float(rng.choice([0.01, 0.3, 4.0])))
@@ -91,7 +90,7 @@ def test_robots_of_all_sizes_are_found_in_things_of_all_sizes():
         for pose, radius_m, name in [*things, *before]:
             away_m = math.dist((pose.x_m, pose.y_m), (robot.start.x_m, robot.start.y_m))
             if away_m < radius_m + robot.model.radius_m - 1e-6:
-                expected.add((number, f"robot {robot.id!r} stands inside {name}"))
+                expected.add((number, f"robot {robot.id!r} overlaps {name}"))
     assert set(misplaced(world)) == expected
     assert len(expected) > 50
     assert len(misplaced(world, 7)) == 7

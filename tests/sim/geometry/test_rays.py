@@ -17,7 +17,7 @@ TEN_DEG = math.radians(10)
 
 
 def measure(*things, beams=((0.0, 0.0, 0.0, TEN_DEG, 8.0),), pose=(0.0, 0.0, 0.0)):
-    """Gives what beams measure from a pose among things."""
+    """Return the distances that beams measure from a pose."""
     world = WorldModel(
         "w",
         Area(-50, -50, 100, 100, 0),
@@ -90,29 +90,29 @@ BY_HAND = {
 
 
 @pytest.mark.parametrize("name", BY_HAND)
-def test_a_beam_measures_what_geometry_says(name):
+def test_beam_measures_the_computed_distance(name):
     thing, expected_m = BY_HAND[name]
     assert measure(thing)[0] == pytest.approx(expected_m, abs=1e-9)
 
 
 @pytest.mark.parametrize("heading_deg", [0, 17, 90, 135, 250])
-def test_geometry_turns_with_the_robot(heading_deg):
+def test_beams_turn_with_the_robot(heading_deg):
     heading = math.radians(heading_deg)
     cylinder = Cylinder("c", Pose(5 + 3 * math.cos(heading), 1 + 3 * math.sin(heading)), 0.5)
     assert measure(cylinder, pose=(5, 1, heading)) == pytest.approx([2.5])
 
 
-def test_the_nearest_of_several_things_counts():
+def test_nearest_object_wins():
     near, far = Cylinder("c", Pose(3, 0), 0.5), wall(5, -5, 5, 5)
     assert measure(far, near) == pytest.approx([2.5])
 
 
-def test_distance_counts_from_where_the_sensor_sits():
+def test_distance_is_measured_from_the_sensor():
     left = (0.0, 0.2, math.pi / 2, TEN_DEG, 8.0)
     assert measure(wall(-5, 2, 5, 2), beams=[left]) == pytest.approx([1.7])
 
 
-def test_a_ray_without_width_hears_only_what_lies_on_it():
+def test_ray_without_width_hits_only_objects_on_it():
     ray = (0.0, 0.0, 0.0, 0.0, 8.0)
     off, on = Cylinder("c", Pose(4, 0.51), 0.5), Cylinder("c", Pose(4, 0.3), 0.5)
     assert measure(off, beams=[ray]) == [math.inf]
@@ -120,7 +120,7 @@ def test_a_ray_without_width_hears_only_what_lies_on_it():
     assert measure(wall(3, -1, 3, 1), beams=[ray]) == pytest.approx([2.9])
 
 
-def test_results_come_in_the_order_in_which_the_beams_were_given():
+def test_results_are_in_the_order_of_the_given_beams():
     directions = [math.pi, 0.0, math.pi / 2]
     beams = [(0.0, 0.0, direction, TEN_DEG, 8.0) for direction in directions]
     found = measure(wall(2, -5, 2, 5), wall(-3, -5, -3, 5), wall(-5, 4, 5, 4), beams=beams)
@@ -134,7 +134,7 @@ RING = [
 
 
 def crowd(robots: int, seed: int) -> WorldModel:
-    """Gives a crowded world in which no robot stands in anything."""
+    """Return a crowded world without initial overlaps."""
     rng = np.random.default_rng(seed)
     size_m = 2.5 * math.sqrt(robots)
     model = RobotModel("m", 0.2, Drive(0.3))
@@ -165,7 +165,7 @@ def look_around(world: WorldModel, fan: Fan):
 
 
 @pytest.mark.parametrize("robots", [40, 300])
-def test_choosing_shapes_and_beams_changes_no_bit(robots, monkeypatch):
+def test_candidate_filtering_changes_no_bit(robots, monkeypatch):
     world, fan = crowd(robots, seed=robots), Fan.of(RING)
     chosen = look_around(world, fan)
     monkeypatch.setattr(rays, "_FEW", 10**9)
@@ -175,7 +175,7 @@ def test_choosing_shapes_and_beams_changes_no_bit(robots, monkeypatch):
     assert 0 < np.isinf(chosen).mean() < 0.5
 
 
-def test_a_cone_measures_what_many_thin_rays_in_it_measure():
+def test_cone_matches_many_thin_rays():
     world = crowd(30, seed=3)
     cones = look_around(world, Fan.of(RING))
     thin = 201

@@ -1,4 +1,4 @@
-"""How many things lie between two places, against every pair tried by hand."""
+"""Objects between two points, compared with testing every pair."""
 
 import numpy as np
 import pytest
@@ -30,12 +30,12 @@ def between(things: str, *lines: tuple[complex, complex]) -> list[int]:
         ((2 + 0.5j, 2 + 3.5j), 1),  # lengthwise through it
     ],
 )
-def test_a_wall_is_as_thick_as_it_is_and_round_at_its_ends(line, count):
+def test_wall_has_its_thickness_and_round_ends(line, count):
     """A wall from (2, 1) to (2, 3), 10 cm thick."""
     assert between('<wall x1="2m" y1="1m" x2="2m" y2="3m"/>', line) == [count]
 
 
-def test_a_thing_counts_once_however_often_its_outline_is_met():
+def test_object_counts_once_for_any_number_of_intersections():
     """A comb of three teeth: the line goes in and out of it three times.
 
          #  #  #
@@ -46,14 +46,14 @@ def test_a_thing_counts_once_however_often_its_outline_is_met():
     assert between(f'<polygon points="{points}"/>', (1 + 2j, 6 + 2j), (1 + 4j, 6 + 4j)) == [1, 0]
 
 
-def test_a_long_line_meets_each_thing_once():
+def test_long_line_counts_each_object_once():
     """Eight walls, and a line of 8 m, which is cut into four."""
     walls = "".join(f'<wall x1="{x}m" y1="1m" x2="{x}m" y2="3m"/>' for x in range(1, 9))
     assert between(walls, (0.5 + 2j, 8.5 + 2j)) == [8]
 
 
-def test_many_lines_among_many_things_are_as_one_after_the_other():
-    """Random lines among random things, fixed and to be pushed, against sampled points."""
+def test_vectorised_lines_match_single_lines():
+    """Random lines among random fixed and movable objects, compared with sampled points."""
     rng = np.random.default_rng(2)
     things = []
     for n in range(40):
@@ -81,7 +81,7 @@ def test_many_lines_among_many_things_are_as_one_after_the_other():
 
 
 def _inside(solid, points):
-    """Tells which points lie in a thing."""
+    """Return which points are in an object."""
     if isinstance(solid, Cylinder):
         return np.abs(points - complex(solid.pose.x_m, solid.pose.y_m)) < solid.radius_m
     if isinstance(solid, Wall):
@@ -99,7 +99,7 @@ def _inside(solid, points):
     return np.all(sides, axis=0)
 
 
-def test_who_has_left_is_in_no_arrays_that_matter():
+def test_absent_robot_does_not_affect_line_of_sight():
     """A robot leaves; two others still see each other, past a box that can be pushed."""
     things = """<robot id="gone" x="5m" y="5m"/><robot id="a" x="0" y="0"/>
         <robot id="b" x="2m" y="0"/><robot id="c" x="0" y="2m"/>

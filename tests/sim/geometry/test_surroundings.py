@@ -1,14 +1,14 @@
-"""Which thing a beam hits: by hand, and by where the place that it hits lies."""
+"""The object that a beam hits: by hand, and by the position of the hit point."""
 
 import math
 
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.world import Wall
 from crs_cc.sim.state.env_state import EnvState
 from tests.sim.driver import open_world
@@ -16,19 +16,19 @@ from tests.sim.geometry.test_rays import crowd
 
 
 def looked(world, fan):
-    """Gives the distances that all robots see along their beams, and the names of what they see."""
+    """Return the distances along all robots' beams, and the names of the objects hit."""
     scene, state = Scene(world), EnvState.at_start(world)
     count = len(world.robots)
-    around = Surroundings(scene, [fan])
-    distance_m, thing = around.seen(state, fan, scene.start[:count], np.arange(count))
+    rays = RayCaster(scene, [fan])
+    distance_m, thing = rays.seen(state, fan, scene.start[:count], np.arange(count))
     assert np.array_equal(
-        distance_m, around.distances_m(state, fan, scene.start[:count], np.arange(count))
+        distance_m, rays.distances_m(state, fan, scene.start[:count], np.arange(count))
     )
     return distance_m, thing, scene
 
 
-def test_beams_name_the_nearest_thing_of_each_kind():
-    """The robot is R, which looks ahead, to the left, back, to the right, and past the pole.
+def test_beams_name_the_nearest_object():
+    """The robot R has beams ahead, to the left, back, to the right, and past the pole.
 
                  crate
                    |
@@ -51,8 +51,8 @@ def test_beams_name_the_nearest_thing_of_each_kind():
     assert distance_m[0, :3] == pytest.approx([1.9, 1.75, 3 - 8 * 0.0254])
 
 
-def test_a_beam_that_starts_in_a_thing_hits_that():
-    """The sensor is 21 cm ahead of the robot's middle, and half a cm deep in the box."""
+def test_beam_that_starts_inside_an_object_hits_it():
+    """The sensor is 21 cm ahead of the robot's centre, and half a cm deep in the box."""
     world = open_world(
         '<robot x="0" y="0"/><cylinder x="-1m" y="0" radius="0.1m"/>'
         '<box id="box" x="0.705m" y="0" length="1m" width="1m"/>'
@@ -62,8 +62,8 @@ def test_a_beam_that_starts_in_a_thing_hits_that():
 
 
 @pytest.mark.parametrize("robots", [3, 150])
-def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
-    """A few robots, of which all shapes are tried; and many, for which they are chosen first."""
+def test_hit_point_is_on_the_named_object(robots):
+    """A few robots, for which all shapes are tested; and many, for which they are filtered."""
     world = crowd(robots, seed=robots)
     beams = [(0.1, 0.0, math.tau / 40 * number, 0.0, 4.0) for number in range(40)]
     distance_m, thing, scene = looked(world, Fan.of(beams))
@@ -77,25 +77,25 @@ def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
     seen = (thing != NO_THING) & (distance_m > 0.0)
     seen &= ~is_wall[np.where(seen, thing, 0)]
     assert seen.sum() > 20 * len(world.robots) / 3
-    things = Things.of(scene)
+    things = ShapeTable.of(scene)
     poses = np.concatenate([scene.start, things.fixed])
     off_m = things.distance_m(poses, thing[seen], x_m[seen], y_m[seen])
     assert np.abs(off_m).max() < 1e-7
 
 
-def test_beams_see_where_things_are_however_long_they_stood_there():
-    """A robot looks at a crate, which is there for two cycles, then farther off, back, turned."""
+def test_beams_see_objects_at_their_current_poses():
+    """A robot measures a crate, which stays for two cycles, then moves away, back, and turns."""
     world = open_world(
         '<robot x="0" y="0"/><box x="2m" y="0" length="1m" width="1m" mass="5kg"/>'
         '<cylinder x="0" y="9m" radius="0.1m" mass="5kg"/>'
     )
     scene, state = Scene(world), EnvState.at_start(world)
     fan, own = Fan.of([(0.0, 0.0, 0.0, 0.0, 5.0)]), np.array([0])
-    around, seen = Surroundings(scene, [fan]), []
+    rays, seen = RayCaster(scene, [fan]), []
     for x_m in (2.0, 2.0, 3.0, 2.0):
         state.bodies.position_m[1, 0] = x_m
-        seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+        seen.append(float(rays.distances_m(state, fan, scene.start[:1], own)[0, 0]))
         state.cycle += 1
     state.bodies.angle_rad[1] = math.pi / 4
-    seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+    seen.append(float(rays.distances_m(state, fan, scene.start[:1], own)[0, 0]))
     assert seen == pytest.approx([1.5, 1.5, 2.5, 1.5, 2 - math.sqrt(0.5)])

@@ -1,4 +1,4 @@
-"""Ground from a picture: heights and slopes between its pixels, cliffs, and what beams meet.
+"""Ground from an image: heights and slopes between its pixels, cliffs, and beams.
 
 row of pixels, 1 m each:    0  .25  .5  .75  1   1   1   0      rises by 0.25 from 0.5 to 4.5 m,
 and drops between 6.5 and 7.5 m
@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from crs_cc.core.errors import WorldError
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
@@ -27,7 +27,7 @@ RISE = 0.25
 def write(
     folder, picture: np.ndarray, rest: str = "", height: str = "1m", robot: str = 'x="2" y="2"'
 ):
-    """Writes a world of 8 by 4 m with a picture of 1 m pixels, and gives its path."""
+    """Write a world of 8 by 4 m with an image of 1 m pixels, and return its path."""
     Image.fromarray(picture.astype(np.uint8)).save(folder / "ground.png")
     path = folder / "w.xml"
     path.write_text(
@@ -64,14 +64,14 @@ def test_slopes_are_the_derivatives_of_heights():
     assert np.abs(gradient[:, 1] - along_y).max() < 1e-6
 
 
-def test_the_uppermost_row_of_a_picture_is_that_with_the_largest_y(tmp_path):
+def test_top_row_has_the_largest_y(tmp_path):
     rows = np.array([[255, 255], [0, 0], [0, 0], [0, 0]])
     terrain = Terrain(load_world(write(tmp_path, rows)).surface)
     height_m = terrain.height_m(np.array([1.0, 1.0]), np.array([3.5, 0.5]))
     assert height_m.tolist() == [1.0, 0.0]
 
 
-def test_a_limp_robot_rolls_down_a_hill(tmp_path):
+def test_limp_robot_rolls_downhill(tmp_path):
     driver = Driver.of(hill(tmp_path, robot='x="4" y="2"'))
     driver.ask("LP")
     driver.run_s(1.0)
@@ -80,8 +80,7 @@ def test_a_limp_robot_rolls_down_a_hill(tmp_path):
     assert 4 - driver.state.x_m[0] == pytest.approx(expected_m, rel=0.03)
 
 
-@pytest.mark.slow
-def test_a_cliff_blocks_from_below_and_not_from_above(tmp_path):
+def test_cliff_blocks_only_from_below(tmp_path):
     """The drop is as steep as 45 degrees, which a Scout does not climb, and begins at 7.5 m."""
     robot = 'x="7.75" y="2" heading="180"'
     driver = Driver.of(hill(tmp_path, robot=robot))
@@ -94,34 +93,33 @@ def test_a_cliff_blocks_from_below_and_not_from_above(tmp_path):
     assert driver.state.x_m[0] == pytest.approx(8 - SCOUT_RADIUS_M, abs=0.01)
 
 
-def test_a_beam_meets_the_first_pixel_that_is_as_high(tmp_path):
-    """0.4 m: the pixel of 0.5 m begins at 2 m; from above nothing is met but the edge."""
+def test_beam_hits_the_first_pixel_above_it(tmp_path):
+    """0.4 m: the pixel of 0.5 m begins at 2 m; a beam from above hits only the edge."""
     world = hill(tmp_path)
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 9.0)], 0.4)
-    around, state = Surroundings(Scene(world), [fan]), Driver.of(world).state
+    rays, state = RayCaster(Scene(world), [fan]), Driver.of(world).state
     poses = np.array([[0.4, 2.0, 0.0], [5.2, 2.0, 0.0], [7.9, 2.0, math.pi]])
-    seen_m = around.distances_m(state, fan, poses, np.array([0, 0, 0]))[:, 0]
+    seen_m = rays.distances_m(state, fan, poses, np.array([0, 0, 0]))[:, 0]
     assert seen_m == pytest.approx([1.6, 2.8, 0.9])
 
 
 @pytest.mark.parametrize(
-    ("size", "wrong"), [((1, 4), "2 to 128 a side"), ((129, 4), "2 to 128 a side")]
+    ("size", "wrong"), [((1, 4), "2 to 128 pixels a side"), ((129, 4), "2 to 128 pixels a side")]
 )
-def test_pictures_of_other_sizes_are_refused(tmp_path, size, wrong):
+def test_image_of_invalid_size_is_rejected(tmp_path, size, wrong):
     path = write(tmp_path, np.zeros(size))
     with pytest.raises(WorldError, match=wrong):
         load_world(path)
 
 
-def test_what_is_no_picture_is_refused(tmp_path):
+def test_invalid_image_is_rejected(tmp_path):
     path = write(tmp_path, np.zeros((4, 4)))
     (tmp_path / "ground.png").write_bytes(b"P6 1 1 255 abc")
-    with pytest.raises(WorldError, match="is not a PNG file"):
+    with pytest.raises(WorldError, match="not a PNG file"):
         load_world(path)
 
 
-@pytest.mark.slow
-def test_a_run_on_hills_goes_on_from_a_snapshot_to_the_same_bits(tmp_path):
+def test_snapshot_on_hills_replays_to_the_same_bits(tmp_path):
     robots = "".join(f'<robot x="{1 + n}" y="1" heading="{60 + 20 * n}"/>' for n in range(6))
     boxes = "".join(
         f'<box x="{1.5 + n}" y="2.5" length="30cm" width="30cm" mass="2kg"/>' for n in range(5)

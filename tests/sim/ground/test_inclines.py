@@ -1,4 +1,4 @@
-"""Slopes: what they do to robots and to things, against mechanics worked by hand.
+"""Slopes: motion of robots and objects, compared with mechanics worked out by hand.
 
 Most worlds here are one wide ramp that rises along x by `slope` with each metre:
 
@@ -26,7 +26,7 @@ def ramp(slope: float, things: str = '<robot x="0" y="0"/>', timestep: str = "10
 
 
 def slide(driver: Driver, time_s: float) -> list[float]:
-    """Gives how far all bodies get down the slope, as seen from above [m]."""
+    """Return the horizontal displacements of all bodies down the slope [m]."""
     before = driver.state.bodies.position_m.copy()
     driver.run_s(time_s)
     moved = before - driver.state.bodies.position_m
@@ -35,8 +35,8 @@ def slide(driver: Driver, time_s: float) -> list[float]:
 
 
 @pytest.mark.parametrize("heading", [0, 180])
-def test_a_limp_robot_rolls_down_as_fast_as_gravity_lets_it(heading):
-    """It is g sin a - r cos a along the ground, where r is its rolling friction over its mass."""
+def test_limp_robot_accelerates_downhill_by_gravity(heading):
+    """The acceleration along the ground is g sin a - r cos a, with r = rolling friction / mass."""
     driver, a = ramp(0.2, f'<robot x="0" y="0" heading="{heading}"/>'), math.atan(0.2)
     driver.ask("LP")
     went_m = slide(driver, 2.0)[0] / math.cos(a)
@@ -46,16 +46,16 @@ def test_a_limp_robot_rolls_down_as_fast_as_gravity_lets_it(heading):
     assert abs(turned_in) * INCH == pytest.approx(went_m, rel=0.01)
 
 
-def test_rolling_friction_holds_a_limp_robot_on_a_slope_of_its_size():
-    """That of rolling friction over weight, r / g = 0.0306."""
+def test_rolling_friction_holds_a_limp_robot_on_a_gentle_slope():
+    """The limit is rolling friction over weight, r / g = 0.0306."""
     for slope, rolls in [(0.030, False), (0.032, True)]:
         driver = ramp(slope)
         driver.ask("LP")
         assert (slide(driver, 1.0)[0] > 1e-4) is rolls
 
 
-def test_a_limp_robot_that_rolls_uphill_loses_its_speed_and_comes_back():
-    """It comes as far as v^2 / 2 (g sin a + r cos a) along the ground."""
+def test_limp_robot_rolling_uphill_stops_and_returns():
+    """It reaches v^2 / 2 (g sin a + r cos a) along the ground."""
     driver, a = ramp(0.1), math.atan(0.1)
     driver.ask("VM", 197, 197)  # 0.5 m/s
     driver.run_s(2.0)
@@ -71,7 +71,7 @@ def test_a_limp_robot_that_rolls_uphill_loses_its_speed_and_comes_back():
     assert driver.state.x_m[0] < start_m
 
 
-def test_a_limp_robot_across_the_slope_is_held_by_its_wheels():
+def test_wheels_hold_a_limp_robot_across_the_slope():
     driver = ramp(0.2, '<robot x="0" y="0" heading="90"/>')
     driver.ask("LP")
     assert abs(slide(driver, 1.0)[0]) < 1e-6
@@ -80,7 +80,7 @@ def test_a_limp_robot_across_the_slope_is_held_by_its_wheels():
 @pytest.mark.parametrize(
     "things", ['<box x="0" y="0" length="1m" width="1m"', '<cylinder x="0" y="0" radius="30cm"']
 )
-def test_a_thing_slides_where_the_slope_beats_its_friction(things):
+def test_object_slides_if_the_slope_exceeds_its_friction(things):
     """From tan a = mu on, by g (sin a - mu cos a)."""
     for slope in (FLOOR_FRICTION - 0.005, FLOOR_FRICTION + 0.005, 1.0):
         driver = ramp(slope, f'{things} mass="5kg"/><robot x="-30m" y="-9m"/>')
@@ -89,7 +89,7 @@ def test_a_thing_slides_where_the_slope_beats_its_friction(things):
         assert went_m == pytest.approx(mps2 / 2 * math.cos(a), rel=0.02, abs=1e-9)
 
 
-def test_a_robot_climbs_as_steep_a_slope_as_its_motors_can():
+def test_motor_force_limits_the_slope_that_a_robot_climbs():
     """Up to sin a = F / (m g) = 0.266."""
     steepest = math.tan(math.asin(FORCE_N / (MASS_KG * GRAVITY_MPS2)))
     up, down = (ramp(steepest * share, timestep="50ms") for share in (0.99, 1.01))
@@ -106,8 +106,8 @@ def test_a_robot_climbs_as_steep_a_slope_as_its_motors_can():
 
 
 @pytest.mark.parametrize("heading", [0, 37, 90])
-def test_brakes_hold_a_robot_as_far_as_its_grip_goes(heading):
-    """Up to tan a = grip / (m g) = 0.399, whichever way it stands."""
+def test_traction_limits_the_slope_on_which_brakes_hold(heading):
+    """Up to tan a = grip / (m g) = 0.399, for any heading."""
     steepest = GRIP_N / (MASS_KG * GRAVITY_MPS2)
     for slope, slips in [(steepest * 0.98, False), (steepest * 1.02, True)]:
         driver = ramp(slope, f'<robot x="0" y="0" heading="{heading}"/>')
@@ -117,7 +117,7 @@ def test_brakes_hold_a_robot_as_far_as_its_grip_goes(heading):
         assert driver.ask("GS")[CONF_X] == 0  # its wheels stand
 
 
-def test_a_way_on_a_slope_is_shorter_as_seen_from_above():
+def test_distance_on_a_slope_is_projected():
     """100 in up a slope of 0.2 and 100 in across it, there back, and across."""
     for heading, share in [(0, 1 / math.hypot(1, 0.2)), (90, 1.0), (180, 1 / math.hypot(1, 0.2))]:
         driver = ramp(0.2, f'<robot x="0" y="0" heading="{heading}"/>', "50ms")
@@ -129,8 +129,8 @@ def test_a_way_on_a_slope_is_shorter_as_seen_from_above():
         assert driver.state.distance_m[0] == pytest.approx(100 * INCH, abs=1e-6)
 
 
-def test_a_robot_that_drives_across_a_slope_does_not_slip():
-    """What it needs across, 77 N, is more than its motors have, but less than its grip."""
+def test_robot_driving_across_a_slope_does_not_slip():
+    """The force across, 77 N, is more than that of its motors, but less than its traction."""
     driver = ramp(
         math.tan(math.asin(77 / (MASS_KG * GRAVITY_MPS2))), '<robot x="0" y="0" heading="90"/>'
     )
@@ -140,8 +140,8 @@ def test_a_robot_that_drives_across_a_slope_does_not_slip():
     assert driver.state.y_m[0] > 0.3
 
 
-def test_robots_far_from_any_slope_do_what_they_do_in_a_flat_world():
-    """To the bit, whether others are on a slope or not."""
+def test_robots_far_from_slopes_move_as_in_a_flat_world():
+    """Equal to the bit, whether others are on a slope or not."""
     robots = '<robot x="0" y="0"/><robot x="60m" y="0" heading="20"/>'
     surface = '<surface><ramp x="0" y="0" length="9m" width="9m" to="2m"/></surface>'
     done = []

@@ -1,7 +1,7 @@
-"""What sensors see at their heights: things that are low, plateaus, ramps, and the floor below.
+"""Height occlusion: low objects, plateaus, ramps, and the floor below.
 
-A Scout's sonars sit 11 in, 0.279 m, above the ground, and their cones open by 10 degrees to each
-side. Its laser here sits 0.30 m above the ground. Readings go from the shell, 8 in from the middle.
+A Scout's sonars are 11 in, 0.279 m, above the ground, and their cones open by 10 degrees to each
+side. Its laser here is 0.30 m above the ground. Readings are from the shell, 8 in from the centre.
 
     side view:      o->  .  .  .  .  .  .  .  .  .  .
                    ( )        ___        |
@@ -13,7 +13,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
@@ -25,17 +25,17 @@ BIG = 'length="30m" width="10m"'
 
 
 def sees(things: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> float:
-    """Gives what a thin beam measures from y = 5 m."""
+    """Return the distance that a thin beam measures from y = 5 m."""
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 25.0)], z_m)
     world = world_of(things + '<robot x="29m" y="1m"/>', BIG)
-    around = Surroundings(Scene(world), [fan])
+    rays = RayCaster(Scene(world), [fan])
     state = Environment(world, 1).state
     pose = np.array([[x_m, 5.0, math.radians(direction)]])
-    return float(around.distances_m(state, fan, pose, np.array([0]))[0, 0])
+    return float(rays.distances_m(state, fan, pose, np.array([0]))[0, 0])
 
 
 def sonar_m(things: str, number: int = 0) -> float:
-    """Gives what a sonar of a robot that stands in a world measures [m], infinite for no echo."""
+    """Return the distance that a sonar of a world's robot measures [m], infinite for no echo."""
     return float(Driver.of(world_of(things, BIG)).state.sonar.echo_m[0, number])
 
 
@@ -45,7 +45,7 @@ PLATEAU = '<surface><plateau x="6m" y="5m" length="2m" width="4m" height="{}"/><
 RAMP = '<surface><ramp x="6m" y="5m" length="4m" width="4m" to="1m" heading="{}"/></surface>'
 
 
-def test_a_beam_passes_over_what_is_lower():
+def test_beam_passes_over_lower_objects():
     low = BOX.format('height="25cm"') + WALL
     assert sees(low, 0.24) == pytest.approx(2.5)
     assert sees(low, 0.26) == pytest.approx(7.9)
@@ -53,63 +53,63 @@ def test_a_beam_passes_over_what_is_lower():
 
 
 @pytest.mark.parametrize("mass", ["", 'mass="3kg"'])
-def test_round_things_fixed_or_not_are_looked_over_too(mass):
+def test_beam_passes_over_low_cylinders(mass):
     low = f'<cylinder x="4m" y="5m" radius="50cm" height="25cm" {mass}/>' + WALL
     assert sees(low, 0.24) == pytest.approx(2.5)
     assert sees(low, 0.26) == pytest.approx(7.9)
 
 
-def test_a_plateau_is_seen_from_below_and_not_from_above():
+def test_plateau_is_visible_only_from_below():
     assert sees(PLATEAU.format("40cm") + WALL, 0.3) == pytest.approx(4.0)
     assert sees(PLATEAU.format("20cm") + WALL, 0.3) == pytest.approx(7.9)
     assert sees(PLATEAU.format("40cm") + WALL, 0.3, x_m=6.0) == pytest.approx(2.9)
 
 
-def test_from_a_plateau_low_things_on_the_floor_are_looked_over():
+def test_beam_from_a_plateau_passes_over_low_objects():
     things = PLATEAU.format("40cm") + '<box x="8m" y="5m" length="40cm" width="1m" height="50cm"/>'
     assert sees(things + WALL, 0.05, x_m=6.0) == pytest.approx(1.8)
     assert sees(things + WALL, 0.20, x_m=6.0) == pytest.approx(2.9)
 
 
-def test_a_thing_on_a_plateau_is_as_much_higher():
+def test_height_of_an_object_adds_to_that_of_the_plateau():
     things = PLATEAU.format("20cm") + '<box x="6m" y="5m" length="1m" width="1m" height="20cm"/>'
     assert sees(things + WALL, 0.35) == pytest.approx(4.5)
     assert sees(things + WALL, 0.45) == pytest.approx(7.9)
 
 
-def test_a_beam_meets_a_ramp_where_it_is_as_high():
+def test_beam_hits_a_ramp_where_their_heights_are_equal():
     """0.25 for each metre from x = 4 m on: 0.3 m high at 5.2 m."""
     assert sees(RAMP.format("0") + WALL, 0.3) == pytest.approx(4.2)
     assert sees(RAMP.format("180deg") + WALL, 0.3) == pytest.approx(3.0)  # its high end
     assert sees(RAMP.format("90deg") + WALL, 0.3) == pytest.approx(3.0)  # a side, 0.5 m high
 
 
-def test_on_a_ramp_a_beam_tilts_with_the_robot():
-    """Up the ramp it stays over it; down the ramp it meets the floor, 0.8 / 0.25 m away."""
+def test_beam_tilts_with_the_robot_on_a_ramp():
+    """Up the ramp it stays above it; down the ramp it hits the floor, 0.8 / 0.25 m away."""
     assert sees(RAMP.format("0") + WALL, 0.3, x_m=6.0) == pytest.approx(2.9)
     assert sees(RAMP.format("0"), 0.3, x_m=6.0, direction=180) == pytest.approx(0.8 / 0.25)
     assert sees(RAMP.format("0"), 0.3, x_m=6.0, direction=90) == pytest.approx(5.0)
 
 
-def test_a_sonar_hears_more_of_low_things_the_further_away_they_are():
-    """The lower side of its cone is z - d tan 10 deg high, d from the robot's middle."""
+def test_sonar_cone_reaches_lower_objects_at_a_distance():
+    """The lower side of its cone is z - d tan 10 deg high at a distance d from the centre."""
     box = '<robot x="1m" y="5m"/><box x="{}m" y="5m" length="20cm" width="2m" height="10cm"/>'
     # So tops at 10 cm are met from d = (z - 0.1) / tan 10 deg = 1.017 m on.
     assert sonar_m(box.format(1 + 1.0 + 0.1)) > 5.0
     assert sonar_m(box.format(1 + 1.04 + 0.1)) == pytest.approx(1.04 - R, abs=0.01)
 
 
-def test_a_sonar_does_not_hear_the_floor_or_the_edge_on_which_its_robot_stands():
+def test_sonar_ignores_the_ground_under_its_robot():
     assert sonar_m('<robot x="1m" y="5m"/>') > 6.0
     assert sonar_m(PLATEAU.format("40cm") + '<robot x="6m" y="5m"/>') == pytest.approx(math.inf)
 
 
-def test_a_sonar_hears_a_plateau_ahead():
+def test_sonar_hears_a_plateau_ahead():
     things = PLATEAU.format("40cm") + '<robot x="3m" y="5m"/>'
     assert sonar_m(things) == pytest.approx(2.0 - R, abs=1e-6)
 
 
-def test_a_robot_at_a_ledge_hears_it_at_once():
+def test_robot_touching_a_ledge_reads_0():
     driver = Driver.of(world_of(PLATEAU.format("40cm") + '<robot x="4m" y="5m"/>', BIG))
     driver.ask("VM", 200, 200)
     driver.run_s(5.0)
@@ -118,6 +118,6 @@ def test_a_robot_at_a_ledge_hears_it_at_once():
     assert driver.state.sonar.echo_m[0, 0] < 0.01
 
 
-def test_worlds_without_heights_take_the_way_without_them():
+def test_flat_worlds_skip_height_occlusion():
     world = world_of('<robot x="1m" y="5m"/>' + BOX.format(""), BIG)
-    assert Environment(world, 1)._around._outlook is None
+    assert Environment(world, 1)._data.rays._outlook is None

@@ -1,4 +1,4 @@
-"""The ground: what a world file says of it, and how high and how steep it is."""
+"""The ground: its elements in world files, its height and its gradient."""
 
 import math
 
@@ -24,7 +24,7 @@ def at(terrain: Terrain, x_m: float, y_m: float) -> tuple[float, list[float]]:
     return float(terrain.height_m(x, y)[0]), terrain.gradient(x, y)[0].tolist()
 
 
-def test_a_world_without_surface_is_flat():
+def test_world_without_surface_is_flat():
     assert world("").surface.is_flat
     assert at(Terrain(world("").surface), 3.0, 4.0) == (0.0, [0.0, 0.0])
 
@@ -44,7 +44,7 @@ def test_ramps_and_plateaus_are_read_with_units():
 @pytest.mark.parametrize(
     ("surface", "wrong"),
     [
-        ('<surface><ramp x="1" y="1" length="1" width="1"/></surface>', "lacks the attribute 'to'"),
+        ('<surface><ramp x="1" y="1" length="1" width="1"/></surface>', "missing attribute 'to'"),
         (
             '<surface><plateau x="1" y="1" length="1" width="1" height="-1m"/></surface>',
             "height: '-1m' must not be negative",
@@ -59,13 +59,13 @@ def test_ramps_and_plateaus_are_read_with_units():
         ),
     ],
 )
-def test_a_surface_that_cannot_be_is_refused(surface, wrong):
+def test_invalid_surface_is_rejected(surface, wrong):
     with pytest.raises(WorldError, match=wrong):
         world(surface)
 
 
-def test_a_ramp_rises_along_its_heading_and_ends_at_its_sides():
-    """A ramp that goes up along y, 2 m long, 1 m wide, to 0.5 m: x 3.5 to 4.5, y 1 to 3."""
+def test_ramp_rises_along_its_heading_and_ends_at_its_sides():
+    """A ramp that rises along y, 2 m long, 1 m wide, to 0.5 m: x 3.5 to 4.5, y 1 to 3."""
     terrain = Terrain(Ground((Patch(4.0, 2.0, math.pi / 2, 2.0, 1.0, 0.0, 0.5),)))
     assert at(terrain, 4.0, 1.0)[0] == pytest.approx(0.0)
     assert at(terrain, 4.4, 2.5)[0] == pytest.approx(0.375)
@@ -75,8 +75,8 @@ def test_a_ramp_rises_along_its_heading_and_ends_at_its_sides():
         assert at(terrain, x_m, y_m) == (0.0, [0.0, 0.0])
 
 
-def test_the_highest_of_patches_that_overlap_counts():
-    """A ramp from 0 to 1 m, x 0 to 4, and a plateau of 0.5 m over its middle, x 1 to 3."""
+def test_highest_of_overlapping_patches_counts():
+    """A ramp from 0 to 1 m, x 0 to 4, and a plateau of 0.5 m over its centre, x 1 to 3."""
     terrain = Terrain(
         Ground((Patch(2, 0, 0, 4, 1, 0.0, 1.0), Patch(2.0, 0.0, 0.0, 2.0, 1.0, 0.5, 0.5)))
     )
@@ -85,7 +85,7 @@ def test_the_highest_of_patches_that_overlap_counts():
     assert at(terrain, 2.8, 0.0) == (pytest.approx(0.7), [pytest.approx(0.25), 0.0])
 
 
-def test_many_places_and_patches_are_told_as_one_by_one():
+def test_vectorised_heights_match_single_points():
     rng = np.random.default_rng(1)
     patches = tuple(
         Patch(*rng.uniform(0, 20, 2), rng.uniform(0, 7), *rng.uniform(0.5, 4, 2), 0.1, float(top))

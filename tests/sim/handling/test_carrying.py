@@ -1,4 +1,4 @@
-"""What is carried moves with its robot, gets into nothing, and replays to the bit."""
+"""Loads move with their robots, do not penetrate objects, and replay to the bit."""
 
 import math
 
@@ -16,7 +16,7 @@ FACING = '<robot x="-53cm" y="0"/><robot x="53cm" y="0" heading="180"/>'
 
 
 def holding(tmp_path, things, area=WIDE):
-    """Gives a world in which all robots have closed their grippers."""
+    """Return a world in which all robots have closed their grippers."""
     driver = gripping(tmp_path, things, area)
     for robot in range(len(driver.state.heading_rad)):
         driver.post("GRIPPER", CLOSE, robot=robot)
@@ -24,7 +24,7 @@ def holding(tmp_path, things, area=WIDE):
     return driver
 
 
-def test_it_keeps_its_place_in_the_fingers_when_the_robot_drives_and_turns(tmp_path):
+def test_load_keeps_its_pose_in_the_gripper(tmp_path):
     driver = holding(tmp_path, '<robot x="0" y="0"/>' + CAN)
     driver.post("VM", 120, 60)
     driver.run_s(5)
@@ -35,7 +35,7 @@ def test_it_keeps_its_place_in_the_fingers_when_the_robot_drives_and_turns(tmp_p
     assert state.bodies.angle_rad[1] % (2 * math.pi) == pytest.approx(heading_rad)
 
 
-def test_a_robot_that_carries_goes_where_one_goes_that_does_not(tmp_path):
+def test_load_does_not_change_the_robots_motion(tmp_path):
     driver = holding(tmp_path, '<robot x="0" y="0"/><robot x="0" y="5m"/>' + CAN)
     for robot in (0, 1):
         driver.post("VM", 120, 60, robot=robot)
@@ -44,8 +44,8 @@ def test_a_robot_that_carries_goes_where_one_goes_that_does_not(tmp_path):
     assert with_load == pytest.approx(without - [0, 5], abs=1e-9)
 
 
-def test_a_wall_stops_the_load_and_with_it_the_robot(tmp_path):
-    """The can's front is 30 cm ahead of the robot's middle, the wall's face at 1 m."""
+def test_wall_that_stops_the_load_stops_the_robot(tmp_path):
+    """The can's front is 30 cm ahead of the robot's centre, the wall's face at 1 m."""
     wall = '<wall x1="1.05m" y1="-1m" x2="1.05m" y2="1m" thickness="10cm"/>'
     driver = holding(tmp_path, '<robot x="0" y="0"/>' + CAN + wall)
     driver.post("VM", 150, 150)
@@ -56,7 +56,7 @@ def test_a_wall_stops_the_load_and_with_it_the_robot(tmp_path):
     assert not driver.state.bumpers.pressed.any()
 
 
-def test_a_load_that_is_turned_into_a_wall_slides_along_it_with_its_robot(tmp_path):
+def test_load_turned_into_a_wall_slides_along_it(tmp_path):
     """A rod of 30 cm ahead of the robot, whose side faces a wall 25 cm away."""
     rod = '<box x="36cm" y="0" length="30cm" width="4cm" mass="1kg"/>'
     wall = '<wall x1="-2m" y1="30cm" x2="2m" y2="30cm" thickness="10cm"/>'
@@ -72,7 +72,7 @@ def test_a_load_that_is_turned_into_a_wall_slides_along_it_with_its_robot(tmp_pa
     assert driver.state.y_m[0] == pytest.approx(0.25 - 0.51, abs=0.02)
 
 
-def test_a_load_that_cannot_turn_is_torn_out_of_the_fingers_and_gets_through_nothing(tmp_path):
+def test_load_that_cannot_turn_is_torn_from_the_gripper(tmp_path):
     """A rod in a passage of 60 cm, between walls that are 2 cm thick."""
     rod = '<box x="36cm" y="0" length="30cm" width="4cm" mass="1kg"/>'
     walls = "".join(
@@ -87,7 +87,7 @@ def test_a_load_that_cannot_turn_is_torn_out_of_the_fingers_and_gets_through_not
     assert abs(driver.state.y_m[0]) < 0.30 - SCOUT_RADIUS_M + 0.02
 
 
-def test_what_opens_leaves_it_at_rest_where_it_is(tmp_path):
+def test_released_load_stays_at_rest(tmp_path):
     driver = holding(tmp_path, '<robot x="0" y="0"/>' + CAN)
     driver.post("VM", 120, 120)
     driver.run_s(2)
@@ -101,7 +101,7 @@ def test_what_opens_leaves_it_at_rest_where_it_is(tmp_path):
     assert place(driver).tolist() == there.tolist()
 
 
-def test_a_load_pushes_what_lies_ahead_of_it(tmp_path):
+def test_load_pushes_objects_ahead_of_it(tmp_path):
     box = '<box id="z" x="60cm" y="0" length="20cm" width="20cm" mass="2kg"/>'
     driver = holding(tmp_path, '<robot x="0" y="0"/>' + CAN + box)
     driver.post("PR", 200, 200)
@@ -110,7 +110,7 @@ def test_a_load_pushes_what_lies_ahead_of_it(tmp_path):
     assert place(driver, 0)[0] == pytest.approx(x_m, abs=0.01)
 
 
-def test_two_grippers_hold_a_bar_and_pull_it_where_they_go_together(tmp_path):
+def test_two_grippers_move_a_bar_together(tmp_path):
     driver = holding(tmp_path, FACING + BAR)
     assert [tell(driver, robot) for robot in (0, 1)] == [[20, 1, 1000]] * 2
     driver.post("PR", -100, -100, robot=0)
@@ -120,7 +120,7 @@ def test_two_grippers_hold_a_bar_and_pull_it_where_they_go_together(tmp_path):
     assert place(driver) == pytest.approx([-0.254, 0], abs=0.005)
 
 
-def test_each_of_them_can_turn_about_what_it_holds(tmp_path):
+def test_robots_can_turn_about_a_shared_load(tmp_path):
     driver = holding(tmp_path, FACING + BAR)
     driver.post("PR", *_turn(20), robot=0)
     steps = driver.run_s(3)
@@ -134,7 +134,7 @@ def test_each_of_them_can_turn_about_what_it_holds(tmp_path):
     assert state.bodies.position_m[0] + grip_m * ahead == pytest.approx(end_m, abs=0.01)
 
 
-def test_when_one_lets_go_the_other_carries_on(tmp_path):
+def test_remaining_gripper_keeps_a_shared_load(tmp_path):
     driver = holding(tmp_path, FACING + BAR)
     driver.post("GRIPPER", OPEN, robot=0)
     driver.run(1)
@@ -146,8 +146,8 @@ def test_when_one_lets_go_the_other_carries_on(tmp_path):
     assert place(driver) - driver.state.bodies.position_m[1] == pytest.approx(before, abs=1e-9)
 
 
-def test_who_pulls_too_hard_loses_it(tmp_path):
-    """Both back away from each other, with more force than fingers of 5 N hold against."""
+def test_excessive_force_tears_a_shared_load_off(tmp_path):
+    """Both move away from each other, with more force than the grippers' 5 N."""
     driver = gripping(tmp_path, FACING + BAR, WIDE, GRIPPER.replace("/>", ' force="5N"/>'))
     for robot in (0, 1):
         driver.post("GRIPPER", CLOSE, robot=robot)
@@ -159,7 +159,7 @@ def test_who_pulls_too_hard_loses_it(tmp_path):
     assert driver.state.x_m[1] > 0.53 + 0.2
 
 
-def test_a_robot_that_is_put_elsewhere_leaves_it_behind(tmp_path):
+def test_teleported_robot_releases_its_load(tmp_path):
     driver = holding(tmp_path, FACING + BAR)
     driver.post("PLACE_ROBOT", 500, 500, 0, 0, robot=0)
     driver.run(2)
@@ -168,7 +168,7 @@ def test_a_robot_that_is_put_elsewhere_leaves_it_behind(tmp_path):
     assert place(driver) == pytest.approx([0, 0], abs=1e-6)
 
 
-def test_what_vanishes_is_held_no_more(tmp_path):
+def test_removed_object_is_released(tmp_path):
     driver = holding(tmp_path, '<robot x="0" y="0"/>' + CAN)
     driver.post("NEW_WORLD")
     driver.run(3)
@@ -179,7 +179,7 @@ def test_what_vanishes_is_held_no_more(tmp_path):
     '<robot x="0" y="0"/>' + CAN + '<box x="1.2m" y="0.3m" length="4cm" width="1m"/>',
     FACING + BAR + '<box id="y" x="0" y="30cm" length="20cm" width="20cm" mass="1kg"/>',
 ])  # fmt: skip
-def test_from_a_snapshot_in_the_middle_of_a_carry_all_happens_again_to_the_bit(tmp_path, things):
+def test_snapshot_while_carrying_replays_to_the_same_bits(tmp_path, things):
     driver = holding(tmp_path, things)
     for robot in range(len(driver.state.heading_rad)):
         driver.post("VM", 100, 90 - 200 * robot, robot=robot)
@@ -195,13 +195,13 @@ def test_from_a_snapshot_in_the_middle_of_a_carry_all_happens_again_to_the_bit(t
 
 
 def _turn(degrees: float) -> tuple[int, int]:
-    """Gives the arguments of PR that turn a Scout on the spot, to the left."""
+    """Return the arguments of PR that turn a Scout on the spot, to the left."""
     tenths = round(math.radians(degrees) * 0.345186 / 2 / 0.00254)
     return tenths, -tenths
 
 
 def _tip_y_m(driver, half_length_m, half_width_m):
-    """Gives how far up the corners of a rod reach."""
+    """Return the largest y of a rod's corners."""
     angle_rad = driver.state.bodies.angle_rad[-1]
     up_m = abs(math.sin(angle_rad)) * half_length_m + abs(math.cos(angle_rad)) * half_width_m
     return place(driver)[1] + up_m

@@ -1,4 +1,4 @@
-"""Whatever programs ask of grippers, arms, lamps and speakers, nothing breaks, and all replays."""
+"""Random requests to grippers, arms, lamps and speakers are safe, and replay."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ EDGES = np.array([-(2**31), -1, 0, 1, 2, 7, 8, 900, 2**31 - 1])
 
 
 def ask_at_random(driver, random) -> None:
-    """Posts one request of some robots, half of its arguments likely ones."""
+    """Post one request of some robots, with half of its arguments in the usual range."""
     code = CODES[NAMES[random.integers(len(NAMES))]]
     rows = np.flatnonzero(random.random(3) < 0.7)
     messages = np.zeros(len(rows), MESSAGE)
@@ -41,7 +41,7 @@ def ask_at_random(driver, random) -> None:
 
 
 def churn(driver, seed, cycles) -> None:
-    """Runs cycles full of requests."""
+    """Run cycles with many requests."""
     random = np.random.default_rng(seed)
     for _ in range(cycles):
         for _ in range(3):
@@ -53,7 +53,7 @@ def churn(driver, seed, cycles) -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_requests_at_random_do_no_harm_and_happen_again_to_the_bit(tmp_path, seed):
+def test_random_requests_are_safe_and_replay_to_the_same_bits(tmp_path, seed):
     driver = gripping(tmp_path, THINGS, AREA, *DEVICES)
     for robot in range(3):
         driver.post("GRIPPER", 1, robot=robot)

@@ -1,4 +1,4 @@
-"""Robots that talk, in few words: what every test of messages needs."""
+"""Fixtures for tests of messages: worlds with robots that send and receive."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ DT = 0.05
 def talking(
     things: str = PAIR, channel: str = "", *, shuts: str = "", seed: int = 1, timestep: str = "50ms"
 ) -> Talk:
-    """Gives robots in an open world, with a channel `test` as the text says."""
+    """Return a world of robots without walls, with a channel `test` with these attributes."""
     said = f'<communication><channel name="test" {channel}/>{shuts}</communication>'
     return Talk(Environment(open_world(f"{things}{said}", timestep), seed))
 
 
 @dataclass
 class Talk:
-    """An environment whose robots talk on channel number 3."""
+    """An environment whose robots send on channel number 3."""
 
     environment: Environment
     channel: int = 3
@@ -48,18 +48,18 @@ class Talk:
         return message[0], float(goes_on_s[0])
 
     def send(self, robot: int, to: int = -1, *, kind: int = 0, at_s=None, size: int = 0, group=-1):
-        """Sends a message of so many bytes; tells whether it was taken."""
+        """Send a message of `size` bytes; return whether it was accepted."""
         at_s = self.environment.time_s if at_s is None else at_s
         data = bytes(range(size))
         reply, _ = self.post("SEND", robot, to, group, kind, self.channel, at_s=at_s, data=data)
         return bool(reply["result"])
 
     def receive(self, robot: int, *, at_s: float, wait_ms: int = 0):
-        """Gives what a robot receives, and when it goes on."""
+        """Return what a robot receives, and when it resumes."""
         return self.post("RECEIVE", robot, wait_ms, at_s=at_s)
 
     def kinds(self, robot: int) -> list[int]:
-        """Gives the types of all messages in an inbox, and takes them."""
+        """Remove all messages from an inbox and return their types."""
         found = []
         while True:
             message, _ = self.receive(robot, at_s=self.environment.time_s)
@@ -71,12 +71,12 @@ class Talk:
         self.steps += [self.environment.step() for _ in range(cycles)]
 
     def fates(self, fate: Fate) -> np.ndarray:
-        """Gives the records of a fate so far."""
+        """Return the records with a fate so far."""
         records = np.concatenate([step.traffic for step in self.steps])
         return records[records["fate"] == fate]
 
     def many(self, count: int, sender: int = 0, to: int = 1, *, size: int = 0, each: int = 50):
-        """Sends many messages, some in each cycle, and takes what arrives."""
+        """Send many messages, some in each cycle, and receive those that arrive."""
         for first in range(0, count, each):
             for _ in range(min(each, count - first)):
                 assert self.send(sender, to, size=size)

@@ -1,4 +1,4 @@
-"""Range, walls, delay, jitter, bandwidth and queues against values worked out by hand."""
+"""Range, walls, delay, jitter, bandwidth and queues, compared with values worked out by hand."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from tests.sim.messages.radio import DT, talking
 
 
 @pytest.mark.parametrize(("distance", "hears"), [("3.999m", True), ("4.001m", False)])
-def test_a_channel_reaches_as_far_as_its_range(distance, hears):
+def test_range_limits_delivery(distance, hears):
     talk = talking(f'<robot x="0" y="0"/><robot x="{distance}" y="0"/>', 'range="4m"')
     talk.send(0, 1)
     talk.run(2)
@@ -29,8 +29,8 @@ AWAY = '<wall x1="1m" y1="0.1m" x2="1m" y2="2m"/>'
     ("things", "fate"),
     [(WALL, Fate.BLOCKED), (BOX, Fate.BLOCKED), (ROUND, Fate.BLOCKED), (AWAY, Fate.DELIVERED)],
 )
-def test_where_sight_is_needed_one_thing_in_the_way_blocks(things, fate):
-    """The wall that is away ends 5 cm from the line, as it has a thickness of 10 cm.
+def test_channel_that_needs_line_of_sight_is_blocked_by_one_object(things, fate):
+    """The wall that does not block ends 5 cm from the line, as it has a thickness of 10 cm.
 
     a . | . b
     """
@@ -41,8 +41,8 @@ def test_where_sight_is_needed_one_thing_in_the_way_blocks(things, fate):
 
 
 @pytest.mark.parametrize(("walls", "hears"), [(0, True), (1, True), (2, True), (3, False)])
-def test_each_thing_in_the_way_leaves_a_share_of_the_range(walls, hears):
-    """Range 10 m, share 0.5, distance 2 m: two walls leave 2.5 m, three 1.25 m."""
+def test_each_object_between_reduces_the_range(walls, hears):
+    """Range 10 m, factor 0.5, distance 2 m: two walls leave 2.5 m, three 1.25 m."""
     things = "".join(
         f'<wall x1="{x}cm" y1="-1m" x2="{x}cm" y2="1m" thickness="2cm"/>'
         for x in range(50, 50 + 30 * walls, 30)
@@ -53,7 +53,7 @@ def test_each_thing_in_the_way_leaves_a_share_of_the_range(walls, hears):
     assert bool(talk.kinds(1)) == hears
 
 
-def test_robots_are_in_nobodys_way():
+def test_robots_do_not_attenuate():
     things = '<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="0"/>'
     talk = talking(things, 'walls="0"')
     talk.send(0, 1)
@@ -61,7 +61,7 @@ def test_robots_are_in_nobodys_way():
     assert talk.kinds(1) == [0]
 
 
-def test_a_box_that_was_pushed_away_is_in_the_way_no_longer():
+def test_box_that_was_pushed_away_no_longer_blocks():
     """A robot pushes a box sideways out of the line between two others."""
     things = """<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="-0.5m" heading="90deg"/>
         <box x="1m" y="0" length="40cm" width="40cm" mass="2kg"/>
@@ -80,8 +80,8 @@ def test_a_box_that_was_pushed_away_is_in_the_way_no_longer():
 # -- time ------------------------------------------------------------------------------------------
 
 
-def test_a_message_arrives_when_it_has_been_sent_and_the_delay_is_over():
-    """28 bytes and a head of 12 at 400 B/s take 0.1 s, the delay 0.23 s: sent at 0.01, 0.34."""
+def test_message_arrives_after_transmission_and_delay():
+    """28 bytes and a header of 12 at 400 B/s take 0.1 s, the delay 0.23 s: sent at 0.01, 0.34."""
     talk = talking(channel='bandwidth="400B/s" delay="230ms"')
     talk.send(0, 1, at_s=0.01, size=28)
     talk.run(6)
@@ -92,7 +92,7 @@ def test_a_message_arrives_when_it_has_been_sent_and_the_delay_is_over():
     assert talk.fates(Fate.DELIVERED)["time_s"] == pytest.approx([0.34])
 
 
-def test_what_would_arrive_in_the_cycle_it_was_sent_in_arrives_at_its_end():
+def test_arrival_is_never_before_the_end_of_the_cycle_of_sending():
     talk = talking()
     talk.send(0, 1, at_s=0.001)
     assert not talk.receive(1, at_s=0.049)[0]["result"]
@@ -101,7 +101,7 @@ def test_what_would_arrive_in_the_cycle_it_was_sent_in_arrives_at_its_end():
     assert message["f"][1] == DT
 
 
-def test_a_wait_that_goes_on_ends_at_the_arrival_in_a_later_cycle():
+def test_pending_receive_ends_at_the_arrival():
     talk = talking(channel='delay="120ms"')
     assert talk.receive(1, at_s=0.0, wait_ms=-1)[1] == np.inf
     talk.send(0, 1, kind=9, at_s=0.0)
@@ -111,7 +111,7 @@ def test_a_wait_that_goes_on_ends_at_the_arrival_in_a_later_cycle():
     assert talk.steps[1].messages["i"][0, 3] == 9
 
 
-def test_a_wait_ends_when_its_time_is_up():
+def test_receive_times_out():
     talk = talking()
     message, goes_on_s = talk.receive(1, at_s=0.01, wait_ms=20)
     assert (message["result"], goes_on_s) == (0, pytest.approx(0.03))
@@ -121,7 +121,7 @@ def test_a_wait_ends_when_its_time_is_up():
     assert talk.steps[1].messages["result"] == [0]
 
 
-def test_wheels_roll_on_while_a_program_waits_for_a_message():
+def test_wheels_keep_turning_during_a_receive():
     """10 in/s, 50 in/s2: after 2 s, 19 in."""
     driver = Driver.of(open_world())
     driver.ask("AC", 500, 500)
@@ -131,7 +131,7 @@ def test_wheels_roll_on_while_a_program_waits_for_a_message():
     assert driver.state.x_m[0] == pytest.approx(19 * 0.0254)
 
 
-def test_jitter_is_uniform_and_its_own_for_each_receiver():
+def test_jitter_is_uniform_and_independent_per_receiver():
     """1,000 messages to two robots: mean 0.2 + 0.05, deviation 0.1 / sqrt(12)."""
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
     talk = talking(things, 'delay="200ms" jitter="100ms"')
@@ -159,10 +159,10 @@ def test_jitter_is_uniform_and_its_own_for_each_receiver():
 # -- bandwidth -------------------------------------------------------------------------------------
 
 
-def test_messages_of_one_sender_go_one_after_the_other():
-    """40 bytes each, head and all, at 1000 B/s: 0.04 s each, so they arrive 0.04 s apart.
+def test_messages_of_one_sender_are_transmitted_in_sequence():
+    """40 bytes each with the header, at 1000 B/s: 0.04 s each, so they arrive 0.04 s apart.
 
-    The third begins at 0.10, with a cycle: it cannot arrive before that is over, at 0.15.
+    The third begins at 0.10, with a cycle: it cannot arrive before its end, at 0.15.
     """
     talk = talking(channel='bandwidth="1kB/s"')
     for kind in range(5):
@@ -172,7 +172,7 @@ def test_messages_of_one_sender_go_one_after_the_other():
     assert talk.kinds(1) == [0, 1, 2, 3, 4]
 
 
-def test_each_sender_and_each_channel_has_a_bandwidth_of_its_own():
+def test_bandwidth_is_per_sender_and_channel():
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
     talk = talking(things, 'bandwidth="1kB/s"')
     for sender in (0, 2):
@@ -184,8 +184,8 @@ def test_each_sender_and_each_channel_has_a_bandwidth_of_its_own():
 
 
 @pytest.mark.parametrize(("drop", "left"), [("newest", [0, 1, 2]), ("oldest", [0, 3, 4])])
-def test_a_full_queue_drops_the_oldest_or_the_newest(drop, left):
-    """Number 0 is being sent, two more wait, and two are too many."""
+def test_full_queue_drops_the_oldest_or_the_newest(drop, left):
+    """Message 0 is in transmission, two more wait, and two exceed the queue."""
     talk = talking(channel=f'bandwidth="100B/s" queue="2" drop="{drop}"')
     taken = [talk.send(0, 1, kind=kind, at_s=0.01 * kind) for kind in range(5)]
     assert taken == ([True] * 3 + [False] * 2 if drop == "newest" else [True] * 5)
@@ -196,7 +196,7 @@ def test_a_full_queue_drops_the_oldest_or_the_newest(drop, left):
     assert lost["time_s"] == pytest.approx([0.03, 0.04])
 
 
-def test_there_is_room_again_when_a_transmission_has_begun():
+def test_queue_frees_a_slot_when_a_transmission_begins():
     """12 bytes at 100 B/s are sent in 0.12 s: the one that waits begins then, not before."""
     talk = talking(channel='bandwidth="100B/s" queue="1"')
     taken = [talk.send(0, 1, at_s=at_s) for at_s in (0.0, 0.01)]
@@ -205,7 +205,7 @@ def test_there_is_room_again_when_a_transmission_has_begun():
     assert taken == [True, True, False, True, False]
 
 
-def test_no_more_than_64_messages_leave_a_robot_in_a_cycle():
+def test_robot_sends_at_most_64_messages_in_a_cycle():
     talk = talking()
     assert [talk.send(0, 1) for _ in range(70)] == [True] * 64 + [False] * 6
 
@@ -213,7 +213,7 @@ def test_no_more_than_64_messages_leave_a_robot_in_a_cycle():
 # -- inboxes ---------------------------------------------------------------------------------------
 
 
-def test_what_arrives_when_the_inbox_is_full_is_lost():
+def test_message_for_a_full_inbox_is_lost():
     talk = talking()
     for kind in range(100):
         talk.send(0, 1, kind=kind)
@@ -224,7 +224,7 @@ def test_what_arrives_when_the_inbox_is_full_is_lost():
     assert talk.kinds(1) == list(range(64))
 
 
-def test_no_more_than_256_messages_are_on_their_way_to_a_robot():
+def test_robot_has_at_most_256_pending_messages():
     talk = talking(channel='delay="10s"')
     for _ in range(6):
         for _ in range(50):
@@ -234,11 +234,11 @@ def test_no_more_than_256_messages_are_on_their_way_to_a_robot():
     assert len(talk.fates(Fate.INBOX)) == 44
 
 
-def test_what_is_sent_to_all_is_not_looked_at_for_each_robot_that_has_no_room():
-    """12 robots flood each other: it was a record, and a line of sight, for every pair of them.
+def test_broadcast_to_full_inboxes_is_recorded_once():
+    """12 robots flood each other, which once made a record and a line of sight for every pair.
 
     The first 256 of the 600 messages fill the inboxes of those that sent none of these; after that
-    one record tells for all who have no room. There were 600 * 11 - 12 * 256 = 3,528 records.
+    one record stands for all full inboxes. There were 600 * 11 - 12 * 256 = 3,528 records.
     """
     talk = talking("".join(f'<robot x="{2 * x}m" y="0"/>' for x in range(12)), 'delay="10s"')
     for _ in range(50):
@@ -252,8 +252,8 @@ def test_what_is_sent_to_all_is_not_looked_at_for_each_robot_that_has_no_room():
     assert len(talk.fates(Fate.RANGE)) == 0
 
 
-def test_who_is_far_from_those_without_room_is_out_of_range_as_ever():
-    """Number 3 is 1 km away from the others, whose inboxes are full."""
+def test_full_inboxes_do_not_hide_a_receiver_out_of_range():
+    """Robot 3 is 1 km away from the others, whose inboxes are full."""
     things = "".join(f'<robot x="{x}m" y="0"/>' for x in (0, 2, 4, 900))
     talk = talking(things, 'delay="10s" range="10m"')
     for _ in range(6):
@@ -272,7 +272,7 @@ def test_who_is_far_from_those_without_room_is_out_of_range_as_ever():
 # -- who hears what --------------------------------------------------------------------------------
 
 
-def test_messages_are_received_by_arrival_then_by_sending_then_by_sender():
+def test_messages_are_ordered_by_arrival_then_sending_then_sender():
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
     talk = talking(things)
     talk.send(2, 1, kind=0, at_s=0.02)
@@ -283,7 +283,7 @@ def test_messages_are_received_by_arrival_then_by_sending_then_by_sender():
     assert talk.kinds(1) == [1, 0, 3, 2]
 
 
-def test_a_broadcast_that_nobody_hears_is_lost_once():
+def test_broadcast_without_receivers_is_lost_once():
     talk = talking(channel='range="1m"')
     talk.send(0)
     talk.run()

@@ -1,4 +1,4 @@
-"""Loss, bursts and corruption against their distributions."""
+"""Loss, bursts and corruption, compared with their distributions."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ CROWD = "".join(f'<robot x="{n % 5}m" y="{n // 5}m"/>' for n in range(21))
 
 
 def lost(channel: str) -> np.ndarray:
-    """Tells which of 200 messages to all were lost at whom, shape (receivers, messages)."""
+    """Return which of 200 broadcasts each receiver lost, shape (receivers, messages)."""
     talk = talking(CROWD, channel)
     talk.many(COUNT, to=-1)
     losses = talk.fates(Fate.LOSS)
@@ -23,16 +23,16 @@ def lost(channel: str) -> np.ndarray:
     return flags
 
 
-def test_the_share_that_is_lost_is_that_of_the_channel_and_losses_are_independent():
-    """4,000 messages, loss 0.2: standard error of the share 0.0063; of a correlation 0.016."""
+def test_loss_rate_matches_the_channel_and_losses_are_independent():
+    """4,000 messages, loss 0.2: standard error of the rate 0.0063; of a correlation 0.016."""
     flags = lost('loss="0.2"')
     assert flags.mean() == pytest.approx(0.2, abs=0.02)
     assert abs(np.corrcoef(flags[:, 1:].ravel(), flags[:, :-1].ravel())[0, 1]) < 0.05
     assert abs(np.corrcoef(flags[1:].ravel(), flags[:-1].ravel())[0, 1]) < 0.05
 
 
-def test_bursts_have_the_length_and_the_share_of_gilbert_and_elliott():
-    """With p = 0.05 and r = 0.25: bursts of 4 messages, a share of 1/6; about 167 bursts."""
+def test_bursts_follow_the_gilbert_elliott_model():
+    """With p = 0.05 and r = 0.25: bursts of 4 messages, a rate of 1/6; about 167 bursts."""
     flags = lost('burst-begin="0.05" burst-end="0.25"')
     begins = flags[:, 1:] & ~flags[:, :-1]
     bursts = begins.sum() + flags[:, 0].sum()
@@ -40,14 +40,14 @@ def test_bursts_have_the_length_and_the_share_of_gilbert_and_elliott():
     assert flags.mean() == pytest.approx(1 / 6, abs=0.04)
 
 
-def test_in_a_burst_and_outside_of_it_shares_are_lost():
-    """Share 1/2 in bursts that lose 0.6, else 0.1 is lost: 0.35 in all."""
+def test_loss_rates_inside_and_outside_of_bursts_combine():
+    """1/2 of the messages in bursts with loss 0.6, else loss 0.1: 0.35 in all."""
     flags = lost('loss="0.1" burst-begin="0.2" burst-end="0.2" burst-loss="0.6"')
     assert flags.mean() == pytest.approx(0.35, abs=0.04)
 
 
 @pytest.mark.parametrize(("begin", "end"), [(0.1, 0.2), (0.7, 0.8), (1.0, 1.0), (0.0, 0.5)])
-def test_all_steps_at_once_lead_where_one_after_the_other_leads(begin, end):
+def test_burst_chain_in_one_step_matches_single_steps(begin, end):
     rng = np.random.default_rng(3)
     chain, chance = np.sort(rng.integers(0, 7, 300)), rng.random(300)
     bad = rng.random(7) < 0.5
@@ -60,15 +60,15 @@ def test_all_steps_at_once_lead_where_one_after_the_other_leads(begin, end):
     assert bad.tolist() == state.tolist()
 
 
-def test_each_receiver_has_bursts_of_its_own():
-    """Share 1/2, bursts of 5 messages: what receivers lose together is what chance lets them."""
+def test_bursts_are_independent_per_receiver():
+    """Rate 1/2, bursts of 5 messages: joint losses of receivers are those of independence."""
     flags = lost('burst-begin="0.2" burst-end="0.2"')
     assert flags.mean() == pytest.approx(0.5, abs=0.05)
     together = np.corrcoef(flags)[np.triu_indices(20, 1)]
     assert abs(together.mean()) < 0.05
 
 
-def test_the_share_of_bytes_that_arrive_as_others_is_that_of_the_channel():
+def test_corruption_rate_matches_the_channel():
     """50 messages of 200 bytes, corruption 0.02: 200 bytes of 10,000, deviation 14."""
     talk = talking(channel='corruption="0.02"')
     changed, wholes = [], 0
@@ -86,7 +86,7 @@ def test_the_share_of_bytes_that_arrive_as_others_is_that_of_the_channel():
     assert len(talk.fates(Fate.CORRUPTED)) == 50 - wholes
 
 
-def test_what_one_receiver_gets_corrupted_another_gets_whole():
+def test_corruption_is_independent_per_receiver():
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
     talk = talking(things, 'corruption="0.01"')
     for _ in range(100):
@@ -100,8 +100,8 @@ def test_what_one_receiver_gets_corrupted_another_gets_whole():
     assert numbers[0] != numbers[1]
 
 
-def test_what_becomes_of_a_message_depends_on_no_other():
-    """Robot b hears the same of a, whether c talks or not, and on which seed."""
+def test_fate_of_a_message_depends_on_no_other_message():
+    """Robot b receives the same from a whether c sends or not, for several seeds."""
     things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
 
     def heard(others: bool, seed: int) -> list[int]:
@@ -118,7 +118,7 @@ def test_what_becomes_of_a_message_depends_on_no_other():
     assert heard(False, 1) != heard(False, 2)
 
 
-def test_chances_are_uniform_and_follow_from_their_names():
+def test_keyed_random_numbers_are_uniform_and_reproducible():
     """10,000 numbers: the mean has a standard error of 0.003."""
     chances = KeyedUniform(5, 1)
     numbers = chances.draw(np.repeat(np.arange(100), 100), np.tile(np.arange(100), 100))

@@ -1,4 +1,4 @@
-"""Channels, senders and pairs that are shut: from the world file, and by hand."""
+"""Outages of channels, senders and pairs: from the world file, and set at run time."""
 
 from dataclasses import replace
 
@@ -22,7 +22,7 @@ THREE = f'{PAIR}<robot id="c" x="0" y="2m"/>'
         ('channel="test" from="b" to="c"', [(0, 1), (0, 2), (1, 0)]),
     ],
 )
-def test_what_is_shut_is_what_its_words_have_in_common(shut, heard):
+def test_outage_applies_to_messages_that_match_all_attributes(shut, heard):
     talk = talking(THREE, shuts=f"<shut {shut}/>")
     talk.send(0)
     talk.send(1)
@@ -33,7 +33,7 @@ def test_what_is_shut_is_what_its_words_have_in_common(shut, heard):
     assert len(talk.fates(Fate.SHUT)) == 4 - len(heard)
 
 
-def test_it_is_shut_from_an_instant_to_an_instant():
+def test_outage_has_a_start_and_an_end():
     talk = talking(shuts='<shut from="a" at="0.12s" until="0.3s"/>')
     times_s = [0.11, 0.12, 0.2, 0.299, 0.3]
     for kind, at_s in enumerate(times_s):
@@ -49,8 +49,8 @@ def test_it_is_shut_from_an_instant_to_an_instant():
     ]
 
 
-def test_it_counts_when_the_transmission_begins():
-    """The first takes until 0.12 s; the second waits so long, and is then shut out."""
+def test_start_of_transmission_decides_about_an_outage():
+    """The first takes until 0.12 s; the second waits that long, and then falls into the outage."""
     talk = talking(channel='bandwidth="100B/s"', shuts='<shut at="0.1s"/>')
     talk.send(0, 1, kind=1)
     talk.send(0, 1, kind=2)
@@ -58,7 +58,7 @@ def test_it_counts_when_the_transmission_begins():
     assert talk.kinds(1) == [1]
 
 
-def test_it_is_shut_and_opened_by_hand():
+def test_outage_can_be_set_and_cleared():
     talk = talking()
     control = talk.environment.communication
     control.shut(channel="test")
@@ -75,7 +75,7 @@ def test_it_is_shut_and_opened_by_hand():
     assert talk.environment.communication.counts("test")[Fate.SHUT] == 1
 
 
-def test_a_control_that_was_kept_goes_with_the_world():
+def test_control_object_follows_a_restored_world():
     talk = talking()
     control = talk.environment.communication
     talk.run()
@@ -94,17 +94,17 @@ def test_a_control_that_was_kept_goes_with_the_world():
     ]
 
 
-def test_what_is_unknown_cannot_be_shut_nor_what_is_open_opened():
+def test_invalid_outages_are_rejected():
     control = talking().environment.communication
-    with pytest.raises(ValueError, match="there is no channel 'telepathy': there are radio, inf"):
+    with pytest.raises(ValueError, match=r"unknown channel 'telepathy' \(known: radio, inf"):
         control.shut(channel="telepathy")
-    with pytest.raises(ValueError, match="there is no robot 'z'"):
+    with pytest.raises(ValueError, match="unknown robot 'z'"):
         control.shut(receiver="z")
     with pytest.raises(ValueError, match="nothing is shut"):
         control.open(sender="a")
 
 
-def test_a_monitor_counts_pairs_and_events_say_what_became_of_each():
+def test_monitor_counts_fates_and_events_describe_them():
     talk = talking(THREE, 'range="2.1m"', shuts='<shut from="a" to="c"/>')
     talk.send(0, kind=5, size=3)
     talk.send(1, 2)

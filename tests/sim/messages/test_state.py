@@ -1,4 +1,4 @@
-"""A snapshot holds all messages, wherever they are."""
+"""A snapshot contains all messages, in every stage."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ BAD = (
 
 
 def play(talk, cycles: range) -> list:
-    """Lets robots talk and listen by chance; gives all that they hear and what happens."""
+    """Let robots send and receive at random; return all that they receive and all events."""
     seen = []
     for cycle in cycles:
         rng = np.random.default_rng(cycle)
@@ -40,7 +40,7 @@ def play(talk, cycles: range) -> list:
 
 
 @pytest.mark.parametrize("cycles", [5, 12])
-def test_from_a_snapshot_in_the_middle_of_transmissions_everything_happens_again(cycles):
+def test_snapshot_during_transmissions_replays(cycles):
     talk = talking(SIX, BAD)
     play(talk, range(cycles))
     assert len(talk.state.outbox)
@@ -56,8 +56,8 @@ def test_from_a_snapshot_in_the_middle_of_transmissions_everything_happens_again
     assert fates == set(Fate) - {Fate.BLOCKED, Fate.SHUT, Fate.INBOX, Fate.ABSENT}
 
 
-def test_every_message_comes_to_one_end():
-    """Each that was sent to one robot is delivered, or lost for one reason."""
+def test_every_message_has_exactly_one_fate():
+    """Each message to one robot is delivered, or lost for one reason."""
     talk = talking(SIX, BAD)
     play(talk, range(20))
     talk.run(200)
@@ -72,7 +72,7 @@ def test_every_message_comes_to_one_end():
     assert not len(talk.state.outbox)
 
 
-def test_nothing_is_left_of_messages_that_were_taken():
+def test_received_messages_leave_no_state():
     talk = talking()
     for _ in range(10):
         talk.send(0, 1, size=100)
@@ -82,7 +82,7 @@ def test_nothing_is_left_of_messages_that_were_taken():
     assert len(talk.state.packets) == len(talk.state.receptions) == len(talk.state.outbox) == 0
 
 
-def test_robots_that_have_left_neither_hear_nor_speak():
+def test_robots_that_left_neither_send_nor_receive():
     """Robot 2 leaves with messages waiting, on their way, and in its inbox."""
     talk = talking(SIX, 'bandwidth="1kB/s" delay="150ms"')
     for kind in range(3):
@@ -100,7 +100,7 @@ def test_robots_that_have_left_neither_hear_nor_speak():
     assert 2 not in talk.fates(Fate.DELIVERED)["receiver"]
 
 
-def test_a_robot_that_joins_hears_what_is_sent_from_then_on():
+def test_joining_robot_receives_later_messages_only():
     talk = talking(f'{SIX}<robot id="late" x="1m" y="5m" join="0.1s"/>')
     for kind in range(4):
         talk.send(0, kind=kind)
@@ -109,7 +109,7 @@ def test_a_robot_that_joins_hears_what_is_sent_from_then_on():
     assert talk.kinds(6) == [2, 3]
 
 
-def test_a_robot_that_is_added_while_others_talk_changes_nothing_for_them():
+def test_adding_a_robot_does_not_affect_others_messages():
     def heard(more: bool) -> list:
         talk = talking(SIX, BAD)
         play(talk, range(6))
@@ -123,7 +123,7 @@ def test_a_robot_that_is_added_while_others_talk_changes_nothing_for_them():
     assert heard(False) == heard(True)
 
 
-def test_a_robot_that_is_added_can_talk_at_once():
+def test_added_robot_can_send_immediately():
     talk = talking(SIX)
     old = talk.environment.world.robots[0]
     number = talk.environment.add_robot(replace(old, id="more", start=Pose(0.0, 5.0)))
@@ -133,8 +133,8 @@ def test_a_robot_that_is_added_can_talk_at_once():
     assert (talk.kinds(0), talk.kinds(number)) == ([3], [4])
 
 
-def test_in_which_order_programs_are_run_does_not_matter():
-    """Robots post at instants of their own, but are served in one order or the other."""
+def test_result_is_independent_of_the_order_of_programs():
+    """Robots post at different times, but are served in one order or the other."""
 
     def heard(order: list[int]) -> list:
         talk = talking(SIX, BAD)

@@ -1,4 +1,4 @@
-"""Objects that can be pushed move as one body."""
+"""Composite objects that can be pushed move as one body."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ def bell(x_m: float, mass: str = "6kg", y_m: float = 5.0, heading: float = 0.0) 
 
 
 def shape(driver: Driver) -> np.ndarray:
-    """Gives the distances of all parts from each other, and their turns against the first."""
+    """Return the distances between all parts, and their rotations relative to the first."""
     bodies, first = driver.state.bodies, len(driver.state.heading_rad)
     place, angle = bodies.position_m[first:], bodies.angle_rad[first:]
     apart = np.hypot(*(place[:, None] - place).T)
     return np.append(apart.ravel(), angle - angle[0])
 
 
-def test_the_mass_of_an_object_is_that_of_its_parts_by_area():
+def test_mass_is_distributed_to_parts_by_area():
     world = open_world('<robot x="0" y="0"/>' + bell(3.0))
     drum_m2, bar_m2 = math.pi * 0.04, 0.08
     whole_m2 = 2 * drum_m2 + bar_m2
@@ -46,8 +46,8 @@ def test_the_mass_of_an_object_is_that_of_its_parts_by_area():
     assert {thing.part_of for thing in (bar, left, right)} == {"b"}
 
 
-def test_a_whole_has_the_moment_and_friction_of_its_parts():
-    """Drums turn about the middle half a metre away, the bar about itself."""
+def test_composite_has_the_moment_and_friction_of_its_parts():
+    """Drums turn about the centre half a metre away, the bar about itself."""
     rigid = Rigid(Scene(open_world('<robot x="0" y="0"/>' + bell(3.0))))
     whole = rigid.wholes[0]
     drum_kg = 6 * math.pi * 0.04 / (2 * math.pi * 0.04 + 0.08)
@@ -63,7 +63,7 @@ def test_a_whole_has_the_moment_and_friction_of_its_parts():
     assert rigid.others == {1, 2}
 
 
-def test_who_pushes_the_middle_moves_all_of_it_straight_on():
+def test_push_at_the_centre_moves_the_composite_straight():
     driver = Driver.of(world_of('<robot x="1m" y="5m"/>' + bell(2.0)))
     before = shape(driver)
     driver.ask("VM", 100, 100)
@@ -75,7 +75,7 @@ def test_who_pushes_the_middle_moves_all_of_it_straight_on():
     assert bodies.angle_rad[1] == pytest.approx(0.0, abs=1e-3)
 
 
-def test_who_pushes_one_end_turns_it():
+def test_push_at_one_end_turns_the_composite():
     driver = Driver.of(world_of('<robot x="1m" y="5.5m"/>' + bell(2.0)))
     before = shape(driver)
     driver.ask("VM", 100, 100)
@@ -87,8 +87,8 @@ def test_who_pushes_one_end_turns_it():
     assert left[0] > right[0] + 0.1
 
 
-def test_an_object_turned_in_the_file_is_pushed_the_same_way():
-    """The bell along the way, pushed at its end: it goes straight on."""
+def test_composite_with_a_heading_is_pushed_likewise():
+    """The bell along the path, pushed at its end: it moves straight on."""
     driver = Driver.of(world_of('<robot x="1m" y="5m"/>' + bell(2.5, heading=90)))
     driver.ask("VM", 100, 100)
     driver.run_s(8)
@@ -97,7 +97,7 @@ def test_an_object_turned_in_the_file_is_pushed_the_same_way():
     assert bodies.angle_rad[1] == pytest.approx(math.pi / 2, abs=1e-3)
 
 
-def test_what_is_too_heavy_stays():
+def test_heavy_composite_does_not_move():
     driver = Driver.of(world_of('<robot x="1m" y="5m"/>' + bell(2.0, "60kg")))
     before = driver.state.bodies.position_m[1:].copy()
     driver.ask("VM", 100, 100)
@@ -105,8 +105,8 @@ def test_what_is_too_heavy_stays():
     assert driver.state.bodies.position_m[1:] == pytest.approx(before, abs=2e-3)
 
 
-def test_what_nobody_touches_stays_to_the_bit():
-    """The robot pushes the box, which is the first thing, and the bell stands far away."""
+def test_untouched_composite_keeps_its_exact_pose():
+    """The robot pushes the box, which is the first object, and the bell is far away."""
     things = '<robot x="1m" y="1m"/><box x="3m" y="1m" length="40cm" width="40cm" mass="2kg"/>'
     driver = Driver.of(world_of(things + bell(7.0, y_m=7.0, heading=33)))
     before = driver.state.bodies.position_m[2:].copy()
@@ -116,7 +116,7 @@ def test_what_nobody_touches_stays_to_the_bit():
     assert np.array_equal(driver.state.bodies.position_m[2:], before)
 
 
-def test_from_a_snapshot_everything_happens_again_to_the_bit():
+def test_snapshot_replays_to_the_same_bits():
     driver = Driver.of(world_of('<robot x="1m" y="5.3m"/>' + bell(2.0)))
     driver.ask("VM", 100, 100)
     driver.run_s(7)
@@ -128,7 +128,7 @@ def test_from_a_snapshot_everything_happens_again_to_the_bit():
     assert driver.environment.hash() == expected
 
 
-def test_parts_of_an_object_may_overlap_each_other_but_nothing_else():
+def test_parts_may_overlap_each_other_but_no_other_object():
     text = f"""<world version="1"><area length="9m" width="9m"/><robot x="1" y="1"/>
         {bell(5.0)}<box id="c" x="5" y="5.6" length="1" width="1"/></world>"""
     with pytest.raises(WorldError) as caught:
@@ -142,16 +142,16 @@ def test_parts_of_an_object_may_overlap_each_other_but_nothing_else():
     [
         (
             f'{FENCE}<object ref="a" x="5" y="5" mass="1"/>',
-            "object, mass: an object with walls cannot be pushed",
+            "object, mass: an object that contains walls cannot be movable",
         ),
         (
             f'{BELL}<define name="a"><object ref="bell" x="0" y="0" mass="1"/></define>',
-            "object, mass: an object within a definition has none of its own",
+            "object, mass: not allowed on an object inside a definition",
         ),
         (f'{BELL}<object ref="bell" x="5" y="5" mass="0"/>', "object, mass: '0' must be greater"),
     ],
 )
-def test_masses_that_cannot_be_are_refused(row: str, expected: str):
+def test_invalid_mass_is_rejected(row: str, expected: str):
     text = f"""<world version="1"><area length="9m" width="9m"/><robot x="1" y="1"/>{row}</world>"""
     with pytest.raises(WorldError, match=expected):
         parse_world(text.encode(), "w.xml")

@@ -1,9 +1,10 @@
-"""Contacts: nothing gets into anything, pushing is bounded, and runs repeat to the bit."""
+"""Contacts: bounded penetration, bounded pushing, and runs that repeat to the bit."""
 
 import math
 import pickle
 
 import numpy as np
+import pymunk
 import pytest
 
 from crs_cc.sim.geometry.placement import distance_from_m
@@ -34,13 +35,13 @@ class Bench:
         return self.pull(np.array(ways_m, dtype=np.float64), limp)
 
     def pull(self, ways_m, limp=False):
-        """Moves robots along ways; all face ahead, along x."""
+        """Move robots by displacements; all face ahead, along x."""
         count = len(ways_m)
         pull = Pull(ways_m, np.zeros(count), np.full(count, limp))
         return self.physics.step(self.bodies, pull)
 
     def depth_m(self) -> float:
-        """Gives how deep the deepest robot is in a fixed thing."""
+        """Return the largest penetration of a robot into a fixed solid."""
         places = self.bodies.position_m[: self.scene.robots]
         rooms = [
             distance_from_m(solid, places[:, 0], places[:, 1]).min()
@@ -57,8 +58,7 @@ class Bench:
 
 
 @pytest.mark.parametrize(("timestep", "drive_s"), [("1ms", 6), ("50ms", 60), ("100ms", 60)])
-@pytest.mark.slow
-def test_a_robot_at_full_speed_never_gets_through_or_deep_into_a_wall(timestep, drive_s):
+def test_penetration_at_full_speed_is_bounded(timestep, drive_s):
     world = world_of(MAZE + '<robot x="0.3m" y="0.3m"/>', THIN_ROOM, timestep)
     bench = Bench(world)
     rng = np.random.default_rng(11)
@@ -74,7 +74,7 @@ def test_a_robot_at_full_speed_never_gets_through_or_deep_into_a_wall(timestep, 
     assert len(touched) >= drive_s / 10
 
 
-def test_a_robot_driven_into_a_corner_stays_in_it():
+def test_robot_driven_into_a_corner_stays_there():
     bench = Bench(world_of('<robot x="1m" y="0.8m"/>', THIN_ROOM))
     for angle_deg in (225, 200, 250, 181, 269):
         angle = math.radians(angle_deg)
@@ -84,7 +84,24 @@ def test_a_robot_driven_into_a_corner_stays_in_it():
     assert bench.bodies.position_m[0] == pytest.approx([SCOUT_RADIUS_M] * 2, abs=0.01)
 
 
-def test_a_robot_slides_along_a_wall():
+@pytest.mark.parametrize("timestep", ["1ms", "50ms", "100ms"])
+def test_a_robot_at_full_speed_goes_at_most_8_mm_in_a_substep(timestep, monkeypatch):
+    """That is how deep it can get into a wall before it is stopped; and no time is left out."""
+    substeps_s, step = [], pymunk.Space.step
+    monkeypatch.setattr(
+        pymunk.Space, "step", lambda space, dt: substeps_s.append(dt) or step(space, dt)
+    )
+    world = world_of('<robot x="9m" y="5m"/>', timestep=timestep)
+    bench, speed_mps = Bench(world), world.robots[0].model.drive.wheels.speed_limit
+    while True:
+        substeps_s.clear()
+        if len(bench.push((speed_mps * world.timestep_s, 0.0)).other):
+            break
+    assert sum(substeps_s) == pytest.approx(world.timestep_s)
+    assert max(substeps_s) * speed_mps <= 0.008 + 1e-9
+
+
+def test_robot_slides_along_a_wall():
     bench = Bench(world_of('<robot x="1m" y="5m"/>'))
     angle = math.radians(30)
     for _ in range(400):
@@ -107,7 +124,7 @@ def test_robots_stop_each_other():
     assert contacts.other.tolist() == [1, 0]
 
 
-def test_contacts_name_what_was_touched_and_where():
+def test_contacts_have_object_and_position():
     bench = Bench(world_of('<cylinder id="pillar" x="5m" y="5m" radius="20cm"/>'
                            '<robot x="4m" y="5m"/>'))  # fmt: skip
     for _ in range(40):
@@ -131,7 +148,7 @@ def push_box(mass: str, seconds: float = 4.0) -> Bench:
     return bench
 
 
-def test_a_light_box_is_pushed_along_and_stops_when_the_robot_stops():
+def test_light_box_moves_and_stops_with_the_robot():
     bench = push_box("5kg")
     robot_x, box_x = bench.bodies.position_m[:, 0]
     assert robot_x == pytest.approx(2 + 4 * 0.3, abs=0.05)
@@ -145,7 +162,7 @@ def test_a_light_box_is_pushed_along_and_stops_when_the_robot_stops():
     assert rested[1, 0] - box_x < 0.05
 
 
-def test_a_box_heavier_than_the_push_stays_where_it_is():
+def test_box_too_heavy_for_the_push_does_not_move():
     # Friction of the floor: 0.4 * 9.80665 * 20 kg = 78 N, the Scout pushes with 60 N. The blow at
     # first gives both 23 * 0.3 / 43 = 0.16 m/s, which friction takes away within 3 cm.
     bench = push_box("20kg", seconds=20)
@@ -153,7 +170,7 @@ def test_a_box_heavier_than_the_push_stays_where_it_is():
     assert bench.bodies.velocity_mps[1] == pytest.approx([0, 0], abs=1e-6)
 
 
-def test_a_box_that_is_pushed_off_its_middle_turns():
+def test_box_pushed_off_centre_turns():
     bench = Bench(
         world_of(
             '<box x="3m" y="5.18m" length="40cm" width="40cm" mass="3kg"/><robot x="2m" y="5m"/>'
@@ -164,7 +181,7 @@ def test_a_box_that_is_pushed_off_its_middle_turns():
     assert bench.bodies.angle_rad[1] > 0.1
 
 
-def test_a_polygon_is_pushed_as_a_box_of_the_same_shape():
+def test_polygon_behaves_as_a_box_of_the_same_shape():
     box, corners = push_box("5kg"), "2.8m,4.8m 3.2m,4.8m 3.2m,5.2m 2.8m,5.2m"
     polygon = Bench(world_of(f'<polygon points="{corners}" mass="5kg"/><robot x="2m" y="5m"/>'))
     for _ in range(80):
@@ -172,7 +189,7 @@ def test_a_polygon_is_pushed_as_a_box_of_the_same_shape():
     assert polygon.bodies.position_m == pytest.approx(box.bodies.position_m, abs=0.01)
 
 
-def test_a_robot_goes_into_the_dent_of_a_polygon_and_no_further():
+def test_robot_can_enter_a_concave_polygon():
     bench = Bench(
         world_of(
             '<polygon points="2m,3m 4m,4.6m 4m,5.4m 2m,7m 6m,7m 6m,3m"/><robot x="2m" y="5m"/>'
@@ -184,7 +201,7 @@ def test_a_robot_goes_into_the_dent_of_a_polygon_and_no_further():
     assert contacts[-1].other.tolist() == [bench.scene.names.index("polygon0")]
 
 
-def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
+def test_box_against_a_wall_stops_the_robot():
     bench = Bench(
         world_of(
             '<box x="1.5m" y="0.8m" length="40cm" width="40cm" mass="1kg"/>'
@@ -198,7 +215,6 @@ def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
     assert bench.bodies.position_m[0, 0] == pytest.approx(1.6 - SCOUT_RADIUS_M, abs=0.02)
 
 
-@pytest.mark.slow
 def test_contacts_never_turn_a_robot():
     driver = Driver.of(world_of('<robot x="9m" y="5m" heading="70"/>'))
     driver.ask("VM", 300, 300)
@@ -221,7 +237,7 @@ SCRUM = "".join(
 
 
 def scrum(count: int, seed: int):
-    """Gives ways for a crowd that keeps running into itself and its things."""
+    """Return displacements for a crowd that keeps colliding with itself and its objects."""
     rng = np.random.default_rng(seed)
     angle = rng.uniform(0, math.tau, 16)
     for number in range(count):
@@ -236,8 +252,7 @@ def go_back(bench, snapshot):
     bench.bodies = bodies.copy()
 
 
-@pytest.mark.slow
-def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
+def test_snapshot_in_a_scrum_replays_to_the_same_bits(monkeypatch):
     monkeypatch.setattr("crs_cc.sim.physics.simulation.REBUILD", 30)
     bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
     ways = list(scrum(90, seed=2))
@@ -263,7 +278,7 @@ def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
         assert other.digest() == expected
 
 
-def test_a_snapshot_has_the_cycles_in_which_something_was_near():
+def test_snapshot_contains_only_cycles_with_near_bodies():
     bench = Bench(world_of('<robot x="5m" y="5m"/>'))
     for _ in range(70):
         bench.push((0.5 * DT, 0.0))
@@ -286,8 +301,8 @@ def test_taking_snapshots_changes_nothing():
     assert quiet.digest() == watched.digest()
 
 
-def test_a_robot_far_away_changes_no_bit_of_another_ones_collisions():
-    """What one robot does must not reach another one, not even by rounding."""
+def test_distant_robot_changes_no_bit_of_a_collision():
+    """A robot must not affect a distant one, not even by rounding."""
     things = (
         '<box x="3m" y="5m" length="40cm" width="40cm" mass="2kg"/>'
         '<box x="4m" y="5.1m" length="40cm" width="40cm" mass="2kg"/><robot x="2m" y="5m"/>'

@@ -1,4 +1,4 @@
-/* The Nomadic client: how a control program talks to its robot.
+/* The Nomadic client library, the interface of control programs to their robot.
 
    Written anew with the names, values and meanings of the vendor's header 1.29 of 1999. On the
    Scout axis 1 ("translation") is the right wheel and axis 2 ("steering") the left wheel.

@@ -1,4 +1,4 @@
-/* Memory that is freed at the end of the function. */
+/* Memory that is freed when the function returns. */
 #ifndef _ALLOCA_H
 #define _ALLOCA_H
 

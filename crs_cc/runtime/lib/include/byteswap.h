@@ -1,4 +1,4 @@
-/* GNU byteswap.h: bytes in the other order. */
+/* GNU byteswap.h: byte order reversal. */
 #ifndef _BYTESWAP_H
 #define _BYTESWAP_H
 

@@ -6,12 +6,8 @@
 #ifndef _CRS_H
 #define _CRS_H
 
-/* Where the robot is in the world, by GPS: 0.1 inch. */
-int crs_gps(int *x, int *y);
-
-/* How the robot is tilted, by an inclinometer: pitch is above 0 with the nose up, roll with the
-   left side up, 0.1 degree. */
-int crs_tilt(int *pitch, int *roll);
+/* GPS receiver, inclinometer, and other sensors that read a few numbers. */
+#include <crs/registered.h>
 
 /* A column of a camera's picture: what colour it shows, 0xRRGGBB, and how far away that is: 0.1
    inch, -1 where nothing is in range. */
@@ -44,13 +40,11 @@ int crs_heat(int *heat);
 int crs_laser(int *ranges, int most);
 
 /* Sensors that may measure by a timer of their own. */
-#define CRS_SENSOR_GPS 0
 #define CRS_SENSOR_CAMERA 1
 #define CRS_SENSOR_HEAT 2
 #define CRS_SENSOR_LASER 3
 #define CRS_SENSOR_INFRARED 4
 #define CRS_SENSOR_COMPASS 5
-#define CRS_SENSOR_TILT 6
 #define CRS_SENSOR_LIGHT 7
 #define CRS_SENSOR_SOUND 8
 

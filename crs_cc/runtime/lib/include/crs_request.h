@@ -82,7 +82,6 @@ struct __crs_message {
 #define CRS_SONAR 160
 #define CRS_HEAT 161
 #define CRS_TAG 162
-#define CRS_GPS 200
 #define CRS_CAMERA 201
 #define CRS_READINGS 202
 #define CRS_SENSE_HEAT 203
@@ -107,7 +106,6 @@ struct __crs_message {
 #define CRS_GROUP 243
 #define CRS_CHANNEL 244
 #define CRS_ROBOT 245
-#define CRS_TILT 290
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

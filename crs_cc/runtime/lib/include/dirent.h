@@ -1,4 +1,4 @@
-/* POSIX dirent.h: folders of a run cannot be listed, so that opendir fails. */
+/* POSIX dirent.h: directories cannot be listed; opendir fails. */
 #ifndef _DIRENT_H
 #define _DIRENT_H
 

@@ -1,4 +1,4 @@
-/* BSD err.h: messages on the standard error stream, beginning with the program's name. */
+/* BSD err.h: messages on the standard error stream, prefixed with the program's name. */
 #ifndef _ERR_H
 #define _ERR_H
 

@@ -1,4 +1,4 @@
-/* GNU error.h: messages on the standard error stream, beginning with the program's name. */
+/* GNU error.h: messages on the standard error stream, prefixed with the program's name. */
 #ifndef _ERROR_H
 #define _ERROR_H
 

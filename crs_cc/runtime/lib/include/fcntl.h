@@ -1,4 +1,4 @@
-/* POSIX fcntl.h: opening files, with Linux's numbers. */
+/* POSIX fcntl.h: opening files, with the constants of Linux. */
 #ifndef _FCNTL_H
 #define _FCNTL_H
 

@@ -1,4 +1,4 @@
-/* GNU features.h: everything is declared, whatever is asked for. */
+/* GNU features.h: feature test macros have no effect. */
 #ifndef _FEATURES_H
 #define _FEATURES_H
 

@@ -1,4 +1,4 @@
-/* POSIX getopt and GNU getopt_long: options of the command line. */
+/* POSIX getopt and GNU getopt_long: command-line options. */
 #ifndef _GETOPT_H
 #define _GETOPT_H
 

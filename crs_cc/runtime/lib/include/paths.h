@@ -1,4 +1,4 @@
-/* BSD paths.h: where a Unix system has things. Most of them are not here: opening them fails. */
+/* BSD paths.h: standard Unix paths. Most of them are not here: opening them fails. */
 #ifndef _PATHS_H
 #define _PATHS_H
 

@@ -1,4 +1,4 @@
-/* POSIX poll.h: waiting for input, which here is waiting for time to pass. */
+/* POSIX poll.h: waiting for input, which here only waits for the timeout. */
 #ifndef _POLL_H
 #define _POLL_H
 

@@ -1,4 +1,4 @@
-/* POSIX pwd.h: a robot's computer has one user. */
+/* POSIX pwd.h: the robot's computer has one user. */
 #ifndef _PWD_H
 #define _PWD_H
 

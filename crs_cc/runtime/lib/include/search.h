@@ -1,4 +1,4 @@
-/* POSIX search.h: tables searched from their beginning, and lists. */
+/* POSIX search.h: linear search and lists. */
 #ifndef _SEARCH_H
 #define _SEARCH_H
 

@@ -1,4 +1,4 @@
-/* Jumps out of functions (C17 7.13). */
+/* Nonlocal jumps (C17 7.13). */
 #ifndef _SETJMP_H
 #define _SETJMP_H
 

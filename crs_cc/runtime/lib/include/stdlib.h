@@ -1,4 +1,4 @@
-/* C17 7.22: general utilities, and what Linux adds. */
+/* C17 7.22: general utilities, and Linux extensions. */
 #ifndef _STDLIB_H
 #define _STDLIB_H
 

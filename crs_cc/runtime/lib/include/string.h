@@ -1,4 +1,4 @@
-/* C17 7.24: strings, and what Linux adds. */
+/* C17 7.24: strings, and Linux extensions. */
 #ifndef _STRING_H
 #define _STRING_H
 

@@ -1,4 +1,4 @@
-/* POSIX syslog.h: messages of the system's log go to the standard error stream. */
+/* POSIX syslog.h: log messages are written to the standard error stream. */
 #ifndef _SYSLOG_H
 #define _SYSLOG_H
 

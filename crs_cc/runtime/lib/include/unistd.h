@@ -1,4 +1,4 @@
-/* POSIX unistd.h: what of it a control program can have, and what it cannot, with an error. */
+/* POSIX unistd.h: the supported part; other functions fail with an error. */
 #ifndef _UNISTD_H
 #define _UNISTD_H
 

@@ -1,4 +1,4 @@
-/* POSIX utime.h: times of files, which nobody keeps. */
+/* POSIX utime.h: file times, which are not stored. */
 #ifndef _UTIME_H
 #define _UTIME_H
 

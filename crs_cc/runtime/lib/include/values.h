@@ -1,4 +1,4 @@
-/* System V values.h: limits by their old names. */
+/* System V values.h: old names of limits. */
 #ifndef _VALUES_H
 #define _VALUES_H
 

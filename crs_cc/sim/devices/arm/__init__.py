@@ -31,8 +31,8 @@ from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.state.holds import HAND
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
@@ -58,47 +58,47 @@ class Arms:
         self._hand_m = np.array([arm.hand_m for arm in found])
         self._most_kg = np.array([arm.most_kg for arm in found])
 
-    def move(self, asked: Asked) -> BoolArray:
-        """Answers ARM: joints go to angles, or on by angles; refuses robots that have no arm."""
-        mine = asked.equipment.arm[asked.rows]
+    def move(self, context: RequestContext) -> BoolArray:
+        """Answer ARM: turn joints to angles, or on by angles; refuse robots that have no arm."""
+        state, arm = context.state, context.state.arm
+        mine = context.constants.arm[context.rows]
         has = mine >= 0
-        which, at_s, words = mine[has], asked.at_s[has], asked.messages["i"][has]
-        now_rad = self._angles_rad(asked.state, which, at_s)
-        to_rad = tenths_deg_to_rad(words[:, 1:3].astype(np.float64))
-        to_rad += np.where(words[:, [0]] != 0, now_rad, 0.0)
-        to_rad = asked.equipment.degradations.alter(
-            asked.state, "arm", asked.rows[has], to_rad, at_s
-        )
-        arm = asked.state.arm
+        which, at_s = mine[has], context.at_s[has]
+        now_rad = self._angles_rad(state, which, at_s)
+        angles = context.columns("shoulder", "elbow")[has]
+        to_rad = tenths_deg_to_rad(angles.astype(np.float64))
+        to_rad += np.where(context["relative"][has, None] != 0, now_rad, 0.0)
+        to_rad = context.constants.degradations.alter(state, "arm", context.rows[has], to_rad, at_s)
         to_rad = np.where(np.isfinite(to_rad), to_rad, arm.to_rad[which])
         arm.from_rad[which], arm.since_s[which] = now_rad, at_s
         within_rad = np.minimum(np.maximum(to_rad, self._least_rad[which]), self._most_rad[which])
         arm.to_rad[which] = within_rad
         return np.asarray(has)
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers GET_ARM: the joints' angles, the tip's place, and what is in the hand."""
-        mine = asked.equipment.arm[asked.rows]
-        has = mine >= 0
-        which, told = mine[has], asked.messages["i"][has]
-        angles_rad = self._angles_rad(asked.state, which, asked.at_s[has])
-        told[:, 0:2] = np.rint(rad_to_tenths_deg(angles_rad))
-        told[:, 2:4] = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
-        pushables = asked.equipment.scene.pushables
-        held = asked.state.bodies.holds.thing[self._rows[which], HAND].tolist()
+    def get_arm(self, context: RequestContext) -> BoolArray:
+        """Answer GET_ARM: the joints' angles, the tip's place, and what is in the hand."""
+        mine = context.constants.arm[context.rows]
+        has = np.asarray(mine >= 0)
+        which = mine[has]
+        angles_rad = self._angles_rad(context.state, which, context.at_s[has])
+        angles = np.rint(rad_to_tenths_deg(angles_rad))
+        tip = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
+        pushables = context.constants.scene.pushables
+        held = context.state.bodies.holds.thing[self._rows[which], HAND].tolist()
         mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held]
         weight_g = np.array(mass_kg) * _GRAMS
-        told[:, 4] = np.minimum(np.rint(weight_g), LARGEST)
-        asked.messages["i"][has] = told
-        return np.asarray(has)
+        columns = (*angles.T, *tip.T, np.minimum(np.rint(weight_g), LARGEST))
+        for name, column in zip(("shoulder", "elbow", "x", "y", "weight"), columns, strict=True):
+            context.put(name, column, has)
+        return has
 
-    def hand(self, asked: Asked) -> BoolArray:
-        """Answers HAND: closes it or opens it; refuses robots that have no arm, and nonsense."""
-        mine, wanted = asked.equipment.arm[asked.rows], asked.messages["i"][:, 0]
-        good = (mine >= 0) & (wanted >= 0) & (wanted <= 1)
-        which, close, arm = mine[good], wanted[good] == 1, asked.state.arm
-        arm.acts[which] |= arm.closed[which] != close
-        arm.closed[which] = close
+    def hand(self, context: RequestContext) -> BoolArray:
+        """Answer HAND: close it or open it; refuse robots that have no arm, and nonsense."""
+        mine, close = context.constants.arm[context.rows], context["close"]
+        good = (mine >= 0) & (close >= 0) & (close <= 1)
+        which, closed, arm = mine[good], close[good] == 1, context.state.arm
+        arm.acts[which] |= arm.closed[which] != closed
+        arm.closed[which] = closed
         return np.asarray(good)
 
     def poses(self, state: EnvState, at_s: float) -> FloatArray:
@@ -111,7 +111,7 @@ class Arms:
         poses[self._rows] = self._hands(which, angles_rad)
         return poses
 
-    def end_cycle(self, state: EnvState, equipment: Equipment, end_s: float) -> bool:
+    def end_cycle(self, state: EnvState, constants: RobotConstants, end_s: float) -> bool:
         """Lets hands take things and let them go; tells whether any did."""
         if not state.arm.acts.any():
             return False
@@ -122,9 +122,9 @@ class Arms:
         arm.acts[arm.closed] = False
         arm.acts[opening[~held[opening]]] = False
         opened = [
-            self._open(state, equipment, arm, end_s) for arm in opening[held[opening]].tolist()
+            self._open(state, constants, arm, end_s) for arm in opening[held[opening]].tolist()
         ]
-        took = self._close(state, equipment, closing, end_s)
+        took = self._close(state, constants, closing, end_s)
         return any(opened) or took
 
     def _angles_rad(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
@@ -145,13 +145,13 @@ class Arms:
         return compose(elbows, fore)
 
     def _close(
-        self, state: EnvState, equipment: Equipment, closing: IndexArray, end_s: float
+        self, state: EnvState, constants: RobotConstants, closing: IndexArray, end_s: float
     ) -> bool:
         """Lets hands take what is at their tips; of two hands at one thing the first takes it."""
-        scene, robots = equipment.scene, len(state.heading_rad)
+        scene, robots = constants.scene, len(state.heading_rad)
         if not len(closing) or not scene.pushables:
             return False
-        bodies, things = state.bodies, equipment.things
+        bodies, things = state.bodies, constants.shapes
         hands = self._in_world(state, end_s)[closing]
         pushables = np.arange(robots, robots + len(scene.pushables))
         poses = things.poses(bodies)
@@ -172,11 +172,11 @@ class Arms:
                 self._log.say(end_s, "grip", f"took {scene.pushables[thing].id}", robot)
         return bool(taken)
 
-    def _open(self, state: EnvState, equipment: Equipment, which: int, end_s: float) -> bool:
+    def _open(self, state: EnvState, constants: RobotConstants, which: int, end_s: float) -> bool:
         """Lets a hand let go if there is room below; tells whether it did."""
-        row, scene = self._rows[which], equipment.scene
+        row, scene = self._rows[which], constants.scene
         thing = int(state.bodies.holds.thing[row, HAND])
-        if not has_room(equipment, state.bodies, thing):
+        if not has_room(constants, state.bodies, thing):
             return False
         state.bodies.holds.drop(self._rows[[which]], HAND)
         state.arm.acts[which] = False

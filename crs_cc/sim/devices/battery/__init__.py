@@ -31,7 +31,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.sensors import Battery, MotorBattery
     from crs_cc.sim.model.world import WorldModel
@@ -115,7 +115,7 @@ class Batteries:
         state.battery.moved_j[robot] = used_j - motors.power_w[kind] * for_s
 
     def told(
-        self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
+        self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
     ) -> tuple[Int32Array, Int32Array]:
         """Gives the bytes of the computers' and of the motors' battery, shape (k,) each."""
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
@@ -125,11 +125,11 @@ class Batteries:
         )
         supplies = (self._computers, self._motors)
         pairs = list(zip(supplies, charges, strict=True))
-        if not equipment.degradations.concern(state, "battery"):
+        if not constants.degradations.concern(state, "battery"):
             computers, motors = (supply.bytes(kinds, charge) for supply, charge in pairs)
             return computers, motors
         volts = np.column_stack([supply.volts(kinds, charge) for supply, charge in pairs])
-        volts = equipment.degradations.alter(state, "battery", rows, volts, at_s)
+        volts = constants.degradations.alter(state, "battery", rows, volts, at_s)
         told = np.where(np.isnan(volts), 0.0, volts)
         return _byte(told[:, 0], COMPUTERS), _byte(told[:, 1], MOTORS)
 

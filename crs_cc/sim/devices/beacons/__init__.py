@@ -10,45 +10,38 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.sim.model.beacons import TONES
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.devices.request_context import RequestContext
 
 
-def light(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
-    """Lets lamps shine; refuses robots that have none."""
-    brightest = equipment.brightest[rows]
-    wanted = _within(state, equipment, "lamp", rows, messages, most=brightest)
-    state.beacons.brightness[rows] = wanted
+def light(context: RequestContext) -> BoolArray:
+    """Set the brightness of lamps; refuse robots that have none."""
+    rows, brightest = context.rows, context.constants.brightest[context.rows]
+    wanted = _within(context, "lamp", rows, context["brightness"], most=brightest)
+    context.state.beacons.brightness[rows] = wanted
     return np.asarray(brightest > 0.0)
 
 
-def sound(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
-    """Lets speakers sound; refuses robots that have none, and tones that are none."""
-    tone = messages["i"][:, 1]
-    good = (equipment.loudest[rows] > 0.0) & (tone >= 0) & (tone < TONES)
-    rows, messages = rows[good], messages[good]
-    most = equipment.loudest[rows]
-    wanted = _within(state, equipment, "speaker", rows, messages, most=most)
-    state.beacons.level[rows], state.beacons.tone[rows] = wanted, tone[good]
+def sound(context: RequestContext) -> BoolArray:
+    """Set level and tone of speakers; refuse robots that have none, and unknown tones."""
+    tone, beacons = context["tone"], context.state.beacons
+    good = (context.constants.loudest[context.rows] > 0.0) & (tone >= 0) & (tone < TONES)
+    rows, tone = context.rows[good], tone[good]
+    most = context.constants.loudest[rows]
+    wanted = _within(context, "speaker", rows, context["level"][good], most=most)
+    beacons.level[rows], beacons.tone[rows] = wanted, tone
     return np.asarray(good)
 
 
 def _within(
-    state: EnvState,
-    equipment: Equipment,
-    device: str,
-    rows: IndexArray,
-    messages: Records,
-    *,
-    most: FloatArray,
+    context: RequestContext, device: str, rows: IndexArray, asked: Int32Array, *, most: FloatArray
 ) -> FloatArray:
-    """Gives what becomes of the strength that is asked for."""
-    wanted = np.clip(messages["i"][:, 0].astype(np.float64), 0.0, most)
-    altered = equipment.degradations.alter(
-        state, device, rows, wanted[:, None], state.drive.clock_s[rows]
+    """Return what becomes of the strengths that robots ask for, (k,)."""
+    wanted = np.clip(asked.astype(np.float64), 0.0, most)
+    altered = context.constants.degradations.alter(
+        context.state, device, rows, wanted[:, None], context.state.drive.clock_s[rows]
     )[:, 0]
     return np.clip(np.nan_to_num(altered, nan=0.0), 0.0, most)

@@ -21,12 +21,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.state.bodies import Contacts
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -72,13 +73,13 @@ class Bumpers:
         return np.asarray(np.bitwise_or.reduce(bits, axis=1))
 
     def touch(
-        self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
+        self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> Contacts:
         """Presses switches and counts collisions at the end of a cycle.
 
         Args:
             state: changed in place.
-            equipment: the constants of all things.
+            constants: the constants of all things.
             contacts: all of the cycle.
             end_s: its end.
 
@@ -88,9 +89,9 @@ class Bumpers:
         robot = contacts.robot
         before = state.bumpers.pressed
         quiet = not len(robot) and not before.any() and not len(state.contacts_before)
-        if quiet and not equipment.degradations.concern(state, "bumper"):
+        if quiet and not constants.degradations.concern(state, "bumper"):
             return contacts
-        keys = robot * len(equipment.scene.names) + contacts.other
+        keys = robot * len(constants.scene.names) + contacts.other
         began = ~np.isin(keys, state.contacts_before)
         state.contacts_before = keys.astype(np.int64)
         np.add.at(state.collisions, robot[began], 1)
@@ -98,11 +99,11 @@ class Bumpers:
         bearing_rad -= state.base_rad[robot]
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
-        pressed = self.told(state, equipment, pressed, end_s)
+        pressed = self.told(state, constants, pressed, end_s)
         state.bumpers.pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
         if len(hit):
-            state.bumpers.hit.note(hit, end_s, configuration(state, equipment, hit))
+            state.bumpers.hit.note(hit, end_s, configuration(state, constants, hit))
         return Contacts(
             robot[began],
             contacts.other[began],
@@ -114,27 +115,28 @@ class Bumpers:
     def told(
         self,
         state: EnvState,
-        equipment: Equipment,
+        constants: RobotConstants,
         pressed: Int32Array,
         at_s: float,
     ) -> Int32Array:
         """Gives what becomes of the switches that are pressed at an instant, (robots,)."""
-        if not equipment.degradations.concern(state, "bumper"):
+        if not constants.degradations.concern(state, "bumper"):
             return pressed
         robots, places = np.arange(len(pressed)), np.arange(_BITS)
         values = ((pressed[:, None] >> places) & 1).astype(np.float64)
         instants = np.full(len(robots), at_s)
-        values = equipment.degradations.alter(state, "bumper", robots, values, instants)
+        values = constants.degradations.alter(state, "bumper", robots, values, instants)
         bits = np.where(values >= _PRESSED, 1 << places, 0).sum(axis=1)
         have = np.bitwise_or.reduce(self._bit[self._kind], axis=1)
         return np.asarray(bits & have, dtype=np.int32)
 
 
-def get_bp(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no bumpers; the reply has the switches."""
-    return np.asarray(equipment.bumpers[rows])
+def get_bp(context: RequestContext) -> BoolArray:
+    """Answer GET_BP with the switches, in `State`; refuse robots that have no bumpers.
+
+    Switches are pressed and released at the end of a cycle.
+    """
+    return np.asarray(context.constants.bumpers[context.rows])
 
 
 def _switches(model: RobotModel) -> FloatArray:

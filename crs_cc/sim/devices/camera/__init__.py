@@ -1,22 +1,22 @@
 """The camera: a row of colours and ranges.
 
-    column n  = the first thing along direction n, within the range
+    column n  = the first object along direction n, within the range
     direction n = direction of the camera + ((columns - 1) / 2 - n) * field of view / columns
 
-Columns count from the left to the right, as in a picture. A column shows the colour of the thing's
-surface (`Material.colour` of the world file) and how far away it is from the camera, which a real
-one would have from a second lens; where nothing is in range it shows the camera's background.
-Light and shade count for nothing. A camera turns with the mount of its robot. It looks when
-the program asks, at most at its rate, or by its timer (`timers`); in between it tells what it saw
-last.
+Columns are numbered from left to right, as in a picture. A column has the colour of the object's
+surface (`Material.colour` of the world file) and its distance from the camera, for which a real one
+would need a second lens; a column without an object in range has the camera's background colour.
+Light and shadow have no effect. A camera turns with the mount of its robot. It takes a picture when
+the program requests one, at most at its rate, or on its timer (`timers`); requests in between
+return the previous picture.
 
-Blobs are runs of neighbouring columns of one colour, as a colour tracker finds them: two things of
-the same colour that touch in the picture are one blob, as far away as the nearer one.
+Blobs are runs of adjacent columns of one colour, as found by a colour tracker: two objects of the
+same colour that touch in the picture are one blob, at the distance of the nearer one.
 
-Degradation: a normal deviate is added to each range, with a spread that is the definition's noise
-at 1 m and grows with the square of the distance, as it does for two lenses; then comes that of the
-world (`camera`), of ranges: a column without one shows the background. All of it was chosen by us:
-the CRS report (6.2) wishes for such a device, and has no law for it.
+Noise: a normal deviate is added to each range; its standard deviation is the definition's noise at
+1 m and grows with the square of the distance, as for two lenses. Then degradation (`camera`)
+applies to the ranges: a column whose range is dropped has the background colour. The model was
+chosen by us: the CRS report (6.2) suggests such a device without specifying it.
 """
 
 from __future__ import annotations
@@ -32,15 +32,16 @@ from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.sim.devices.camera.blobs import blobs
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.geometry.surfaces import packed
 from crs_cc.sim.model.sensors import MAX_COLUMNS
 from crs_cc.sim.state.timers import CAMERA
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.sensors import Camera
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -71,8 +72,8 @@ class Cameras:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -80,65 +81,63 @@ class Cameras:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have a camera, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
-        camera, mine = state.camera, equipment.camera[rows]
+        camera, mine = state.camera, constants.camera[rows]
         due = is_due(camera.at_s[mine], at_s, self.interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         kinds = self._kind[mine]
         for kind in np.unique(kinds).tolist():
             some = kinds == kind
-            self._look(state, equipment, around, rows[some], kind=kind, at_s=at_s[some])
+            self._look(state, constants, rays, rows[some], kind=kind, at_s=at_s[some])
         camera.at_s[mine] = at_s
         camera.count[mine] += 1
 
     def _look(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         *,
         kind: int,
         at_s: FloatArray,
     ) -> None:
         """Lets the cameras of one kind look."""
-        camera, mine = state.camera, equipment.camera[rows]
+        camera, mine = state.camera, constants.camera[rows]
         model, fan = self._kinds[kind], self.fans[kind]
-        poses = mount_poses(state, equipment, rows)
-        range_m, thing = around.seen(state, fan, poses, own=rows)
+        poses = mount_poses(state, constants, rows)
+        range_m, thing = rays.seen(state, fan, poses, own=rows)
         if model.noise_m:
             deviates = self._noise.rows(rows, camera.count[mine])[:, : model.columns]
             spread_m = model.noise_m * np.where(thing == NO_THING, 0.0, range_m) ** 2
             range_m = np.maximum(range_m + deviates * spread_m, 0.0)
-        range_m = equipment.degradations.alter(state, "camera", rows, range_m, at_s)
+        range_m = constants.degradations.alter(state, "camera", rows, range_m, at_s)
         seen = np.isfinite(range_m)
-        colour = around.surfaces.colour[thing]
+        colour = rays.surfaces.colour[thing]
         background = packed(model.background)
         camera.colour[mine, : model.columns] = np.where(seen, colour, background)
         tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
         camera.range[mine, : model.columns] = np.where(seen, tenths, -1)
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers CAMERA with how many pixels, or blobs, there are; refuses robots without one."""
-        state, messages = asked.state, asked.messages
-        mine = asked.equipment.camera[asked.rows]
+    def take_picture(self, context: RequestContext) -> BoolArray:
+        """Answer CAMERA with how many pixels, or blobs, there are; refuse robots without one."""
+        camera, mine = context.state.camera, context.constants.camera[context.rows]
         has = np.asarray(mine >= 0)
-        looks = has & state.timers.on_request(asked.rows, CAMERA)
-        self.read(state, asked.equipment, asked.around, asked.rows[looks], asked.at_s[looks])
+        read_on_request(context, self.read, CAMERA, has)
         for place in np.flatnonzero(has).tolist():
             number = mine[place]
             model = self._models[number]
-            colour = state.camera.colour[number, : model.columns]
-            range_ = state.camera.range[number, : model.columns]
-            if messages["i"][place, 0]:
-                state.camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
+            colour = camera.colour[number, : model.columns]
+            range_ = camera.range[number, : model.columns]
+            if context["blobs"][place]:
+                camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
             else:
-                state.camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
-            messages["i"][place, 0] = state.camera.told.count[number]
+                camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
+            context.put("count", camera.told.count[number], place)
         return has
 
 

@@ -50,8 +50,8 @@ from crs_cc.core.random_streams import DEGRADATION, NormalUniformStreams
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.delay import delayed, delayed_speeds
 from crs_cc.sim.devices.degradation.pipeline import distorted, mix, pass_of, stuck_at
-from crs_cc.sim.model.degradation import DEVICES
-from crs_cc.sim.state.degradation import NUMBER, OVER, DegradationState
+from crs_cc.sim.model.degradation import degradables
+from crs_cc.sim.state.degradation import OVER, DegradationState, number_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
@@ -85,7 +85,7 @@ class Degradations:
 
     def concern(self, state: EnvState, device: str) -> bool:
         """Tells whether there is anything wrong with a device of any robot."""
-        return bool(state.degradation.present[NUMBER[device]])
+        return bool(state.degradation.present[number_of(device)])
 
     def alter(
         self,
@@ -103,7 +103,7 @@ class Degradations:
 
         Args:
             state: remembers what is needed.
-            device: the device's name in `DEVICES`.
+            device: the device's name in `degradables()`.
             rows: which robots, none twice, k of them.
             values: the values [SI unit of the device], not finite for nothing, shape (k, width).
             at_s: the instant of each robot, shape (k,).
@@ -113,7 +113,7 @@ class Degradations:
         Returns:
             other values, NaN for none, shape (k, width); `values` itself where all is well.
         """
-        number, kept = NUMBER[device], state.degradation
+        number, kept = number_of(device), state.degradation
         if not kept.present[number]:
             return values
         values = np.array(values, dtype=np.float64)
@@ -166,7 +166,7 @@ class Degradations:
         Returns:
             other ways, shape (k, 3); `ways` itself where all is well.
         """
-        if not state.degradation.present[NUMBER[device]]:
+        if not state.degradation.present[number_of(device)]:
             return ways
         robots = np.arange(len(state.degradation.made))[rows]
         for_s = (to_s - from_s)[:, None]
@@ -193,7 +193,7 @@ class Degradations:
             speeds: the speed of each axis, shape (k, 3).
             at_s: when, for each robot, (k,).
         """
-        if not state.degradation.present[NUMBER[device]]:
+        if not state.degradation.present[number_of(device)]:
             return speeds
         return self._speeds(state, device, rows, speeds.copy(), (at_s, at_s), writes=False)
 
@@ -207,7 +207,7 @@ class Degradations:
         *,
         writes: bool,
     ) -> FloatArray:
-        number, kept = NUMBER[device], state.degradation
+        number, kept = number_of(device), state.degradation
         columns = np.broadcast_to(np.arange(speeds.shape[1]), speeds.shape)
         for layer in self._of_device(kept, number):
             mine = np.flatnonzero(layer.place[rows] >= 0)
@@ -238,7 +238,7 @@ class Degradations:
         return self._layers[number]
 
     def _layers_of(self, kept: DegradationState, number: int) -> list[_Layer]:
-        table, width = kept.table, list(DEVICES.values())[number].width
+        table, width = kept.table, list(degradables().values())[number].width
         layers: list[list[int]] = []
         depth: dict[int, int] = {}
         for place in np.flatnonzero(

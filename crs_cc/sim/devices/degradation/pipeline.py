@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Final
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.quantity import ANGLE
-from crs_cc.sim.model.degradation import DEVICES
+from crs_cc.sim.model.degradation import degradables
 from crs_cc.sim.state.degradation import ALL_ELEMENTS, FIXED, FREE, HOLDS, DegradationState
 
 _FINEST: Final = 1e-9  # rounding to smaller steps changes nothing
 _LARGEST: Final = 1e6
 _TURN: Final = 2 * np.pi
-_CIRCULAR: Final = [device.kind is ANGLE for device in DEVICES.values()]
 
 
 @dataclass(slots=True)
@@ -101,8 +101,14 @@ def stuck_at(passing: Pass, values: FloatArray, before: BoolArray, number: int) 
 
 def mix(s: FloatArray, values: FloatArray, others: FloatArray, number: int) -> FloatArray:
     """Gives what lies between two values, of directions the shorter way around."""
-    if _CIRCULAR[number]:
+    if _is_circular(number):
         others = values + (others - values + np.pi) % _TURN - np.pi
     with np.errstate(invalid="ignore"):
         between = (1.0 - s) * values + s * others
     return np.where(s >= 1.0, others, np.where(s <= 0.0, values, between))
+
+
+@cache
+def _is_circular(number: int) -> bool:
+    """Return whether a device's values are directions."""
+    return list(degradables().values())[number].kind is ANGLE

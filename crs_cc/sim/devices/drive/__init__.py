@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
@@ -42,7 +42,8 @@ from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -54,6 +55,7 @@ ACCELERATION: Final = 4
 SPEED: Final = 5
 """Modes of `mv` (MV_IGNORE to MV_SP, vendor header `Nclient.h` 1.29)."""
 
+_AXES: Final = ("axis1", "axis2", "axis3")
 _BYTE: Final = 255  # timeouts are unsigned chars [s]
 _ZERO_TIMEOUT_S: Final = 120.0  # so long the vendor's client waits (`Ndirect.c` 2.7)
 _TURN: Final = 2 * math.pi
@@ -63,13 +65,13 @@ _TURN: Final = 2 * math.pi
 
 
 def advance(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     """Lets the axes turn on to an instant, and stop in between where the time for it is up.
 
     Args:
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: which robots, k of them.
         to_s: the instant of each, not before the last one, shape (k,).
     """
@@ -77,11 +79,11 @@ def advance(
     if late.any():
         stopped = np.arange(len(state.drive.clock_s))[rows][late]
         deadline_s = state.drive.deadline_s[stopped]
-        _turn(state, equipment, stopped, deadline_s)
-        _stop(state, equipment, stopped, ~state.drive.limp[stopped])
+        _turn(state, constants, stopped, deadline_s)
+        _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
-        _remember(state, stopped, CODES["CONF_TM"])
-    _turn(state, equipment, rows, to_s)
+        _note_command(state, stopped, CODES["CONF_TM"])
+    _turn(state, constants, rows, to_s)
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:
@@ -104,42 +106,42 @@ def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
 
 
 def _turn(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     way = motion_profile.advance(state.drive.axes, rows, to_s)
     from_s = state.drive.clock_s[rows].copy()
-    move, limit = equipment.degradations.move, equipment.drives.speed_limit
+    move, limit = constants.degradations.move, constants.drives.speed_limit
     way = move(state, "drive", rows, way, from_s=from_s, to_s=to_s, limit=limit)
-    turned = traction.turned(state, equipment, rows, way, to_s - from_s)
+    turned = traction.turned(state, constants, rows, way, to_s - from_s)
     state.drive.clock_s[rows] = to_s
     counted = move(state, "odometry", rows, turned, from_s=from_s, to_s=to_s)
     if turned.any() or counted.any():
         state.drive.slice[rows] += turned
-        odometry.count_turns(state, equipment, rows, counted)
+        odometry.count_turns(state, constants, rows, counted)
     way = move(state, "wheels", rows, way, from_s=from_s, to_s=to_s, limit=limit)
     if not way.any():
         return
     facing_rad = state.drive.facing_rad[rows]
-    turn_rad = weighted(way, take(equipment.drives.true_turn, rows))
-    way_m = weighted(way, take(equipment.drives.true_forward, rows))
+    turn_rad = weighted(way, take(constants.drives.true_turn, rows))
+    way_m = weighted(way, take(constants.drives.true_forward, rows))
     x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
-    if equipment.inclines is not None:
+    if constants.inclines is not None:
         place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
-        x_m, y_m = equipment.inclines.shortened(place_m, x_m, y_m)
+        x_m, y_m = constants.inclines.shortened(place_m, x_m, y_m)
     state.drive.moved_m[rows, 0] += x_m
     state.drive.moved_m[rows, 1] += y_m
     state.drive.facing_rad[rows] = facing_rad + turn_rad
-    if equipment.drives.turrets:
+    if constants.drives.turrets:
         state.drive.turret_rad[rows] += way[:, 2]
 
 
-def face(state: EnvState, equipment: Equipment) -> None:
+def face(state: EnvState, constants: RobotConstants) -> None:
     """Ends a cycle: robots face where their axes were turned to."""
     state.heading_rad = state.drive.facing_rad % _TURN
-    if equipment.drives.synchro.any():
-        state.base_rad = np.where(equipment.drives.synchro, state.base_rad, state.heading_rad)
+    if constants.drives.synchro.any():
+        state.base_rad = np.where(constants.drives.synchro, state.base_rad, state.heading_rad)
         turret_rad = state.drive.turret_rad % _TURN
-        state.mount_rad = np.where(equipment.drives.turret, turret_rad, state.base_rad)
+        state.mount_rad = np.where(constants.drives.turret, turret_rad, state.base_rad)
     else:
         state.mount_rad = state.base_rad = state.heading_rad
 
@@ -147,88 +149,86 @@ def face(state: EnvState, equipment: Equipment) -> None:
 # -- commands --------------------------------------------------------------------------------------
 
 
-def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets accelerations."""
-    values = messages["i"][:, :AXES]
-    _set(state.drive.ramp, equipment.drives.ramp_limit, equipment, rows, values)
+def ac(context: RequestContext) -> None:
+    """Set accelerations."""
+    ramp, limit = context.state.drive.ramp, context.constants.drives.ramp_limit
+    _set(ramp, limit, context.constants, context.rows, context.columns(*_AXES))
 
 
-def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets the speeds of `pr`."""
-    values = messages["i"][:, :AXES]
-    _set(state.drive.move_speed, equipment.drives.speed_limit, equipment, rows, values)
+def sp(context: RequestContext) -> None:
+    """Set the speeds of `pr`."""
+    speed, limit = context.state.drive.move_speed, context.constants.drives.speed_limit
+    _set(speed, limit, context.constants, context.rows, context.columns(*_AXES))
 
 
-def pr(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Starts a relative move."""
-    _move(state, equipment, rows, messages["i"][:, :AXES])
-    _remember(state, rows, CODES["PR"])
+def pr(context: RequestContext) -> None:
+    """Start a relative move."""
+    _move(context.state, context.constants, context.rows, context.columns(*_AXES))
+    _remember(context, context.rows)
 
 
-def vm(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets speeds."""
-    _run_at(state, equipment, rows, messages["i"][:, :AXES])
-    _remember(state, rows, CODES["VM"])
+def vm(context: RequestContext) -> None:
+    """Set speeds."""
+    _run_at(context.state, context.constants, context.rows, context.columns(*_AXES))
+    _remember(context, context.rows)
 
 
-def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
-    """Commands each axis in a mode of its own; refuses modes that the vendor's client refuses."""
-    modes, values = messages["i"][:, 0:6:2], messages["i"][:, 1:6:2]
+def mv(context: RequestContext) -> BoolArray:
+    """Command each axis in a mode of its own; refuse modes that the vendor's client refuses."""
+    state, constants = context.state, context.constants
+    modes = context.columns("mode1", "mode2", "mode3")
+    values = context.columns("value1", "value2", "value3")
     good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
-    rows, modes, values = rows[good], modes[good], values[good]
-    _set(
-        state.drive.ramp,
-        equipment.drives.ramp_limit,
-        equipment,
-        rows,
-        values,
-        which=modes == ACCELERATION,
+    rows, modes, values = context.rows[good], modes[good], values[good]
+    settings = (
+        (ACCELERATION, state.drive.ramp, constants.drives.ramp_limit),
+        (SPEED, state.drive.move_speed, constants.drives.speed_limit),
     )
-    _set(
-        state.drive.move_speed,
-        equipment.drives.speed_limit,
-        equipment,
-        rows,
-        values,
-        which=modes == SPEED,
-    )
-    _run_at(state, equipment, rows, values, modes == VELOCITY)
-    _move(state, equipment, rows, values, modes == RELATIVE)
-    _let_go(state, equipment, rows, modes == LIMP)
+    for mode, setting, limit in settings:
+        _set(setting, limit, constants, rows, values, which=modes == mode)
+    _run_at(state, constants, rows, values, modes == VELOCITY)
+    _move(state, constants, rows, values, modes == RELATIVE)
+    _let_go(state, constants, rows, modes == LIMP)
     moves = ((modes == VELOCITY) | (modes == RELATIVE) | (modes == LIMP)).any(axis=1)
-    _remember(state, rows[moves], CODES["MV"])
+    _remember(context, rows[moves])
     return good
 
 
-def st(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
-    """Stops the axes and holds them."""
-    _stop(state, equipment, rows)
-    _remember(state, rows, CODES["ST"])
+def st(context: RequestContext) -> None:
+    """Stop the axes and hold them."""
+    _stop(context.state, context.constants, context.rows)
+    _remember(context, context.rows)
 
 
-def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
-    """Lets the axes go limp: the wheels roll out, what turns stops."""
-    _let_go(state, equipment, rows)
-    _remember(state, rows, CODES["LP"])
+def lp(context: RequestContext) -> None:
+    """Make the axes go limp: the wheels roll out, what turns stops."""
+    go_limp(context.state, context.constants, context.rows)
 
 
-def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Begins to wait until the chosen axes stand still."""
-    state.waits.axes[rows] = messages["i"][:, :AXES] != 0
-    timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
-    endless = (timeout_s == 0.0) & equipment.drives.waits_forever[rows]
+def go_limp(state: EnvState, constants: RobotConstants, rows: IndexArray) -> None:
+    """Make the axes of robots go limp, as `lp` does."""
+    _let_go(state, constants, rows)
+    _note_command(state, rows, CODES["LP"])
+
+
+def ws(context: RequestContext) -> None:
+    """Begin to wait until the chosen axes stand still."""
+    state, rows = context.state, context.rows
+    state.waits.axes[rows] = context.columns(*_AXES) != 0
+    timeout_s = (context["timeout_s"] & _BYTE).astype(np.float64)
+    endless = (timeout_s == 0.0) & context.constants.drives.waits_forever[rows]
     until_s = state.drive.clock_s[rows] + timeout_s
     state.waits.until_s[rows] = np.where(endless, np.inf, until_s)
 
 
-def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
-    """Begins to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
+def zr(context: RequestContext) -> None:
+    """Begin to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
 
     The marks are where wheels and turret point ahead of the base. A differential drive has none.
     """
-    drives = equipment.drives
-    rows = rows[drives.synchro[rows]]
-    _stop(state, equipment, rows, np.arange(AXES) == 0)
+    state, drives = context.state, context.constants.drives
+    rows = context.rows[drives.synchro[context.rows]]
+    _stop(state, context.constants, rows, np.arange(AXES) == 0)
     off_rad = np.zeros((len(rows), AXES))
     off_rad[:, 1] = state.base_rad[rows] - state.drive.facing_rad[rows]
     turret_rad = state.base_rad[rows] - state.drive.turret_rad[rows]
@@ -245,35 +245,37 @@ def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Recor
     state.waits.axes[rows] = True
     state.waits.until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
     state.drive.deadline_s[rows] = np.inf  # until `zeroed`
-    _remember(state, rows, CODES["ZR"])
+    _remember(context, rows)
 
 
-def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets the odometry of robots to 0; fails for those that did not get to their zero marks."""
+def zeroed(context: RequestContext) -> None:
+    """Set the odometry of robots to 0; fail for those that did not get to their zero marks."""
+    state, rows = context.state, context.rows
     stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
-    done = stands | ~equipment.drives.synchro[rows]
+    done = stands | ~context.constants.drives.synchro[rows]
     odometry.zero(state, rows[done])
-    messages["result"] = done
+    context["done"] = done
     renew_deadline(state, rows)
 
 
-def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets the time without a command after which the axes stop, 0 for never."""
-    timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
-    state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
-    renew_deadline(state, rows)
+def conf_tm(context: RequestContext) -> None:
+    """Set the time without a command after which the axes stop, 0 for never."""
+    timeout_s = (context["timeout_s"] & _BYTE).astype(np.float64)
+    timeout_s = np.where(timeout_s > 0.0, timeout_s, np.inf)
+    context.state.drive.timeout_s[context.rows] = timeout_s
+    renew_deadline(context.state, context.rows)
 
 
 def _set(
     setting: FloatArray,
     limit: FloatArray,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     values: Int32Array,
     *,
     which: BoolArray | bool = True,
 ) -> None:
-    unit = equipment.drives.unit[rows]
+    unit = constants.drives.unit[rows]
     least = np.where(unit > 0.0, unit, 1.0)
     wanted = np.maximum(np.abs(values.astype(np.float64)) * unit, least)
     setting[rows] = np.where(which, np.minimum(wanted, limit[rows]), setting[rows])
@@ -281,31 +283,31 @@ def _set(
 
 def _run_at(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
-    _take_up(state, equipment, rows, which)
-    limit = take(equipment.drives.speed_limit, rows)
-    target = np.clip(values.astype(np.float64) * take(equipment.drives.unit, rows), -limit, limit)
+    _take_up(state, constants, rows, which)
+    limit = take(constants.drives.speed_limit, rows)
+    target = np.clip(values.astype(np.float64) * take(constants.drives.unit, rows), -limit, limit)
     ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     motion_profile.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
 
 
 def _move(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
-    _take_up(state, equipment, rows, which)
+    _take_up(state, constants, rows, which)
     motion_profile.plan_move(
         state.drive.axes,
         rows,
         state.drive.clock_s[rows],
-        values.astype(np.float64) * equipment.drives.unit[rows],
+        values.astype(np.float64) * constants.drives.unit[rows],
         limit=state.drive.move_speed[rows],
         ramp=state.drive.ramp[rows],
         which=which,
@@ -313,9 +315,9 @@ def _move(
 
 
 def _stop(
-    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+    state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
-    _take_up(state, equipment, rows, which)
+    _take_up(state, constants, rows, which)
     ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     standing = np.zeros_like(ramp)
     motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
@@ -339,27 +341,31 @@ def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: 
 
 
 def _take_up(
-    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool
+    state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool
 ) -> None:
     """Lets motors take up limp wheels again, at the speed with which these roll."""
     limp = state.drive.limp[rows] & which
     if limp.any():
         speed = state.drive.axes.speed
-        speed[rows] = np.where(limp, traction.speed(state, equipment, rows), speed[rows])
+        speed[rows] = np.where(limp, traction.speed(state, constants, rows), speed[rows])
         state.drive.limp[rows] &= ~limp
 
 
 def _let_go(
-    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+    state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
-    rolls = equipment.drives.rolls[rows] > 0.0
-    roll_out_mps2 = equipment.drives.roll_out_mps2[rows, None]
+    rolls = constants.drives.rolls[rows] > 0.0
+    roll_out_mps2 = constants.drives.roll_out_mps2[rows, None]
     ramp, now_s = np.where(rolls, roll_out_mps2, state.drive.ramp[rows]), state.drive.clock_s[rows]
     standing = np.zeros_like(ramp)
     motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
     state.drive.limp[rows] |= rolls & which
 
 
-def _remember(state: EnvState, rows: IndexArray, code: int) -> None:
+def _remember(context: RequestContext, rows: IndexArray) -> None:
+    _note_command(context.state, rows, context.request.code)
+
+
+def _note_command(state: EnvState, rows: IndexArray, code: int) -> None:
     state.drive.command[rows] = code
     state.drive.command_cycle[rows] = state.cycle

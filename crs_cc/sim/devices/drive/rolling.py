@@ -25,7 +25,7 @@ from crs_cc.core.random_streams import ROLLING, Noise
 from crs_cc.sim.devices.drive.constants import weighted
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -44,14 +44,14 @@ class RollingNoise:
         self._way_m, self._turn_rad, self._spin_rad = noises[self._robots].T
         self._noise = Noise(seed, ROLLING, 2, len(world.robots) if len(self._robots) else 0)
 
-    def add(self, state: EnvState, equipment: Equipment) -> None:
+    def add(self, state: EnvState, constants: RobotConstants) -> None:
         """Adds a cycle's share to where the axes, turned to its end, took the robots."""
         robots = self._robots
         if not len(robots):
             return
         slice_ = state.drive.slice[robots]
-        way_m = np.abs(weighted(slice_, equipment.drives.forward[robots]))
-        turn_rad = np.abs(weighted(slice_, equipment.drives.turn[robots]))
+        way_m = np.abs(weighted(slice_, constants.drives.forward[robots]))
+        turn_rad = np.abs(weighted(slice_, constants.drives.turn[robots]))
         way, turn = self._noise.rows(robots, np.full(len(robots), state.cycle)).T
         off_m = way * self._way_m * np.sqrt(way_m)
         spin_rad = self._spin_rad * np.sqrt(turn_rad / _TURN)

@@ -9,6 +9,10 @@ When something holds a robot up, or pushes it, along its wheels:
   that do not turn;
 - limp wheels (`lp`) roll with any push stronger than their friction, and their encoders count.
 
+The force of the motors grows with how far the wheels lag behind, so at the end of a relative move,
+where little is left to go, it is less than what it takes to push a box, or to slide along a wall.
+So a move that has stalled for a while, as near to its goal as two units of the interface, is done.
+
 Across the wheels everything slips. Motors that have stalled for the time `give-up` of the robot
 definition stop, as if the program had called `st`.
 
@@ -32,29 +36,31 @@ from crs_cc.sim.state.bodies import Pull
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
 _SAME_M: Final = 1e-9  # smaller differences of ways are rounding errors
 _STANDS_MPS: Final = 0.005  # slower wheels stand; ours
+_ARRIVED_S: Final = 0.5  # a move that stalls for so long,
+_ARRIVED_UNITS: Final = 2  # and so near to its goal, is done; ours
 
 
-def pull(state: EnvState, equipment: Equipment) -> Pull:
+def pull(state: EnvState, constants: RobotConstants) -> Pull:
     """Gives what the drives do in a cycle to whose end all axes have been turned."""
     facing_rad = (state.heading_rad + state.drive.facing_rad) / 2
-    return Pull(state.drive.moved_m, facing_rad, is_limp(state, equipment))
+    return Pull(state.drive.moved_m, facing_rad, is_limp(state, constants))
 
 
-def is_limp(state: EnvState, equipment: Equipment) -> BoolArray:
+def is_limp(state: EnvState, constants: RobotConstants) -> BoolArray:
     """Tells which robots roll freely: all their wheels are limp, (robots,)."""
     limp = state.drive.limp
-    return np.asarray(limp[:, 0] & (limp[:, 1] | equipment.drives.synchro))
+    return np.asarray(limp[:, 0] & (limp[:, 1] | constants.drives.synchro))
 
 
 def turned(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray | slice,
     way: FloatArray,
     for_s: FloatArray,
@@ -63,7 +69,7 @@ def turned(
 
     Args:
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: which robots, k of them.
         way: how far the motors turn each axis, shape (k, 3).
         for_s: how long that takes, shape (k,).
@@ -73,48 +79,48 @@ def turned(
     """
     if not state.drive.hindered.any():
         return way
-    driven_m = weighted(way, equipment.drives.forward[rows])
+    driven_m = weighted(way, constants.drives.forward[rows])
     ahead_m = driven_m - state.drive.forward_mps[rows] * for_s
     ahead_m = np.where(state.drive.hindered[rows], ahead_m, 0.0)
     state.drive.ahead_m[rows] += ahead_m
-    return np.asarray(way - ahead_m[:, None] * equipment.drives.rolls[rows])
+    return np.asarray(way - ahead_m[:, None] * constants.drives.rolls[rows])
 
 
-def speed(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Gives the speeds of robots' axes as their encoders tell them, shape (k, 3)."""
     now_s, driven = state.drive.clock_s[rows], take(state.drive.axes.speed, rows)
-    driven = equipment.degradations.speeds(state, "drive", rows, driven, now_s)
+    driven = constants.degradations.speeds(state, "drive", rows, driven, now_s)
     if not state.drive.hindered.any():
         return np.asarray(driven)
-    lag_mps = weighted(driven, equipment.drives.forward[rows]) - state.drive.forward_mps[rows]
+    lag_mps = weighted(driven, constants.drives.forward[rows]) - state.drive.forward_mps[rows]
     lag_mps = np.where(state.drive.hindered[rows], lag_mps, 0.0)
-    return np.asarray(driven - lag_mps[:, None] * equipment.drives.rolls[rows])
+    return np.asarray(driven - lag_mps[:, None] * constants.drives.rolls[rows])
 
 
-def feel(state: EnvState, equipment: Equipment, went_m: FloatArray) -> None:
+def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
     """Ends a cycle: takes what contacts have done to the robots into their axes and encoders.
 
     Args:
         state: changed in place; its headings are still those of the cycle's start.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         went_m: how far each robot really went, world frame, (robots, 2).
     """
     off_m = went_m - state.drive.moved_m
     if np.abs(off_m).max(initial=0.0) <= _SAME_M and not state.drive.hindered.any():
         return
     felt = (np.abs(off_m) > _SAME_M).any(axis=1)
-    drives, limp = equipment.drives, is_limp(state, equipment)
+    drives, limp = constants.drives, is_limp(state, constants)
     felt &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
     rows = np.flatnonzero(felt | state.drive.hindered)
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
     ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
     longer = np.ones(len(rows))
-    if equipment.inclines is not None:
+    if constants.inclines is not None:
         before_m = state.bodies.position_m[rows] - went_m[rows]
-        longer = equipment.inclines.longer(before_m, ahead)
+        longer = constants.inclines.longer(before_m, ahead)
     short_m = np.where(felt[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
     counted = (state.drive.ahead_m[rows] - short_m)[:, None] * drives.rolls[rows]
-    odometry.count_turns(state, equipment, rows, counted)
+    odometry.count_turns(state, constants, rows, counted)
     state.drive.slice[rows] += counted
     state.drive.ahead_m[rows] = 0.0
     now_s = state.drive.clock_s[rows]
@@ -122,28 +128,42 @@ def feel(state: EnvState, equipment: Equipment, went_m: FloatArray) -> None:
     forward_mps = weighted(state.bodies.velocity_mps[rows], ahead) * longer
     state.drive.hindered[rows] = felt[rows]
     state.drive.forward_mps[rows] = np.where(felt[rows], forward_mps, 0.0)
-    _give_up(state, equipment, rows, felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS))
+    stalled = felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
+    _arrive(state, constants, rows[stalled])
+    _give_up(state, constants, rows, stalled)
 
 
-def ways_m(equipment: Equipment, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
+def _arrive(state: EnvState, constants: RobotConstants, rows: IndexArray) -> None:
+    """End the moves of robots that have stalled for a while just before the goal."""
+    axes, rolls = state.drive.axes, constants.drives.rolls[rows] > 0.0
+    left = np.abs(take(axes.total, rows) - take(axes.travelled, rows))
+    near = (take(axes.limit, rows) > 0.0) & (left <= _ARRIVED_UNITS * constants.drives.unit[rows])
+    near &= state.drive.stalled_s[rows, None] >= _ARRIVED_S
+    arrived = (near | ~rolls).all(axis=1, keepdims=True)
+    motion_profile.end_here(axes, rows, np.asarray(rolls & arrived))
+
+
+def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
     """Gives how long the ways are that robots went, along the ground [m], (robots,).
 
     Args:
-        equipment: the robots' constants.
+        constants: the robots' constants.
         before_m: where they were, (robots, 2).
         went_m: where they went from there, (robots, 2).
     """
     way_m = np.hypot(went_m[:, 0], went_m[:, 1])
-    if equipment.inclines is None:
+    if constants.inclines is None:
         return np.asarray(way_m)
     direction = went_m / np.maximum(way_m, _SAME_M)[:, None]
-    return np.asarray(way_m * equipment.inclines.longer(before_m, direction))
+    return np.asarray(way_m * constants.inclines.longer(before_m, direction))
 
 
-def _give_up(state: EnvState, equipment: Equipment, rows: IndexArray, stalled: BoolArray) -> None:
+def _give_up(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, stalled: BoolArray
+) -> None:
     """Counts for how long motors have stalled, and stops those that have for too long."""
-    stalled_s = np.where(stalled, state.drive.stalled_s[rows] + equipment.timestep_s, 0.0)
-    tired = stalled_s >= equipment.drives.give_up_s[rows] - _SAME_M
+    stalled_s = np.where(stalled, state.drive.stalled_s[rows] + constants.timestep_s, 0.0)
+    tired = stalled_s >= constants.drives.give_up_s[rows] - _SAME_M
     state.drive.stalled_s[rows] = np.where(tired, 0.0, stalled_s)
     if tired.any():
         stops, axes = rows[tired], state.drive.axes

@@ -1,84 +1,59 @@
 """The GPS receiver.
 
-    reading = position of the robot's middle + normal deviates with the definition's noise
+    reading = position of the robot's centre + normal deviates with the definition's noise
 
-along x and y of the world frame, to the nearest 0.1 inch. It measures when the program asks, at
-most at its rate, or by its timer; between two measurements it tells the last one. Degradation
-(`gps`): without x or y there is no fix, and the request is refused until the next measurement. All
-of it was chosen by us: the CRS report (6.2) wishes for such a device, and has no law for it.
+in x and y of the world frame, to the nearest 0.1 inch. It measures when the program requests it, at
+most at its rate, or on its timer; requests in between return the previous measurement. Degradation
+(`gps`): if x or y is dropped there is no fix, and requests fail until the next measurement. The
+model was chosen by us: the CRS report (6.2) suggests such a device without specifying it.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from crs_cc.core import random_streams
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.core.time_grid import is_due
-from crs_cc.core.units import m_to_tenths_inch
+from crs_cc.core.quantity import LENGTH
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.state.timers import GPS
+from crs_cc.sim.model.device import Device, Value, attribute, period, rate
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.model.world import WorldModel
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.core.arrays import FloatArray
+    from crs_cc.sim.devices.sensor import Measurement
 
 
-class GpsReceivers:
-    """The receivers of all robots that have one.
+@dataclass(frozen=True, slots=True)
+class Gps:
+    """A GPS receiver.
 
     Attributes:
-        interval_s: the least time between two measurements of each.
+        rate_hz: how often it measures at most.
+        noise_m: standard deviation of the error along x and along y.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        found = [gps for robot in world.robots if (gps := robot.model.gps) is not None]
-        self.interval_s = np.array([1.0 / gps.rate_hz for gps in found])
-        self._noise_m = np.array([gps.noise_m for gps in found])
-        self._noise = random_streams.Noise(
-            seed, random_streams.GPS, 2, len(world.robots) if self._noise_m.any() else 0
-        )
+    rate_hz: float = rate("1Hz")
+    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation in x and in y.")
+    period_s: float = period()
 
-    def read(
-        self,
-        state: EnvState,
-        equipment: Equipment,
-        _around: Surroundings,
-        rows: IndexArray,
-        at_s: FloatArray,
-    ) -> None:
-        """Lets receivers measure whose time has come.
 
-        Args:
-            state: changed in place.
-            equipment: the robots' constants.
-            rows: robots that have a receiver, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
-        """
-        gps, mine = state.gps, equipment.gps[rows]
-        due = is_due(gps.at_s[mine], at_s, self.interval_s[mine])
-        rows, mine, at_s = rows[due], mine[due], at_s[due]
-        fix_m = mount_poses(state, equipment, rows)[:, :2]
-        if self._noise_m.any():
-            fix_m += self._noise.rows(rows, gps.count[mine]) * self._noise_m[mine, None]
-        fix_m = equipment.degradations.alter(state, "gps", rows, fix_m, at_s)
-        gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
-        gps.count[mine] += 1
+def measure(now: Measurement) -> FloatArray:
+    """Return x and y in the world frame [m], (k, 2)."""
+    return mount_poses(now.state, now.constants, now.rows)[:, :2]
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers GPS; refuses robots that have no receiver, or whose receiver has no fix."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.gps[rows] >= 0)
-        measures = has & state.timers.on_request(rows, GPS)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        gps, mine = state.gps, equipment.gps[rows[has]]
-        fixed = np.isfinite(gps.fix_m[mine]).all(axis=1)
-        has[has] = fixed
-        tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine[fixed]]))
-        asked.messages["i"][has, :2] = tenths.astype(np.int32)
-        return has
+
+DEVICE = Device(
+    name="gps",
+    title="GPS",
+    element="gps",
+    summary="Measures the position of the robot in the world",
+    does="measures the position of the robot in the world",
+    model=Gps,
+    values=(Value("x", "x in the world"), Value("y", "y in the world")),
+    kind=LENGTH,
+    measure=measure,
+    nothing="no fix: the request fails",
+    source=__file__,
+    number=0,
+    stream=5,
+)

@@ -32,8 +32,8 @@ from crs_cc.sim.physics.carrying import grasp_anew
 from crs_cc.sim.state.holds import GRIPPER
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.handling import Gripper
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.bodies import Contacts
@@ -67,36 +67,36 @@ class Grippers:
         self._kind = np.array([kinds.index(each) for each in found], dtype=np.intp)
         self.fans = [_beam(kind) for kind in kinds]
 
-    def command(self, asked: Asked) -> BoolArray:
-        """Answers GRIPPER: opens or closes; refuses robots that have none, and nonsense."""
-        mine, wanted = asked.equipment.gripper[asked.rows], asked.messages["i"][:, 0]
-        good = (mine >= 0) & (wanted >= 0) & (wanted <= 1)
-        which, at_s, state = mine[good], asked.at_s[good], asked.state.gripper
-        told = asked.equipment.degradations.alter(
-            asked.state, "gripper", asked.rows[good], wanted[good, None].astype(np.float64), at_s
+    def move(self, context: RequestContext) -> BoolArray:
+        """Answer GRIPPER: open or close; refuse robots that have none, and nonsense."""
+        mine, close = context.constants.gripper[context.rows], context["close"]
+        good = (mine >= 0) & (close >= 0) & (close <= 1)
+        which, at_s = mine[good], context.at_s[good]
+        state, gripper = context.state, context.state.gripper
+        told = context.constants.degradations.alter(
+            state, "gripper", context.rows[good], close[good, None].astype(np.float64), at_s
         )[:, 0]
         closing = told >= _CLOSE
-        new = (state.closing[which] != closing) & np.isfinite(told)
+        new = (gripper.closing[which] != closing) & np.isfinite(told)
         which, at_s, closing = which[new], at_s[new], closing[new]
-        state.from_m[which] = self._apart_m(asked.state, which, at_s)
-        state.since_s[which], state.closing[which] = at_s, closing
+        gripper.from_m[which] = self._apart_m(state, which, at_s)
+        gripper.since_s[which], gripper.closing[which] = at_s, closing
         return np.asarray(good)
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
-        mine = asked.equipment.gripper[asked.rows]
-        has = mine >= 0
-        which, rows, told = mine[has], asked.rows[has], asked.messages["i"][has]
-        apart_m = self._apart_m(asked.state, which, asked.at_s[has])
-        told[:, 0] = np.rint(m_to_tenths_inch(apart_m))
-        told[:, 1] = self._broken(asked, which, rows)
-        weight_g = np.rint(_weight_kg(asked.state, asked.equipment, rows) * _GRAMS)
-        told[:, 2] = np.minimum(weight_g, LARGEST)
-        asked.messages["i"][has] = told
-        return np.asarray(has)
+    def get_gripper(self, context: RequestContext) -> BoolArray:
+        """Answer GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
+        mine = context.constants.gripper[context.rows]
+        has = np.asarray(mine >= 0)
+        which, rows = mine[has], context.rows[has]
+        apart_m = self._apart_m(context.state, which, context.at_s[has])
+        context.put("opening", np.rint(m_to_tenths_inch(apart_m)), has)
+        context.put("beam", self._broken(context, which, rows), has)
+        weight_g = np.rint(_weight_kg(context.state, context.constants, rows) * _GRAMS)
+        context.put("weight", np.minimum(weight_g, LARGEST), has)
+        return has
 
     def end_cycle(
-        self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
+        self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> bool:
         """Lets fingers take hold, let go, and lose things; tells whether any did."""
         if not len(self._rows):
@@ -105,12 +105,12 @@ class Grippers:
         torn, opens = np.isin(self._rows, contacts.torn), (held >= 0) & ~state.gripper.closing
         gone = np.flatnonzero(torn | opens)
         if len(gone):
-            self._let_go(state, equipment, gone, torn[gone], end_s)
+            self._let_go(state, constants, gone, torn[gone], end_s)
         free = state.bodies.holds.thing[self._rows, GRIPPER] < 0
         state.gripper.width_m[free] = 0.0
         apart_m = self._apart_m(state, np.arange(len(self._rows)), np.full(len(self._rows), end_s))
         closed = free & state.gripper.closing & (apart_m < state.gripper.before_m)
-        taken = self._take(state, equipment, np.flatnonzero(closed), apart_m, end_s)
+        taken = self._take(state, constants, np.flatnonzero(closed), apart_m, end_s)
         state.gripper.before_m = np.where(
             state.gripper.width_m > 0.0, state.gripper.width_m, apart_m
         )
@@ -125,20 +125,20 @@ class Grippers:
         least_m = np.where(closing, gripper.width_m[which], 0.0)
         return np.asarray(np.minimum(np.maximum(apart_m, least_m), self._opening_m[which]))
 
-    def _broken(self, asked: Asked, which: IndexArray, rows: IndexArray) -> BoolArray:
+    def _broken(self, context: RequestContext, which: IndexArray, rows: IndexArray) -> BoolArray:
         broken = np.zeros(len(rows), dtype=np.bool_)
         kinds = self._kind[which]
         for kind in np.unique(kinds).tolist():
             mine = kinds == kind
-            poses = mount_poses(asked.state, asked.equipment, rows[mine])
-            seen = asked.around.distances_m(asked.state, self.fans[kind], poses, rows[mine])
+            poses = mount_poses(context.state, context.constants, rows[mine])
+            seen = context.rays.distances_m(context.state, self.fans[kind], poses, rows[mine])
             broken[mine] = np.isfinite(seen[:, 0])
         return broken
 
     def _take(
         self,
         state: EnvState,
-        equipment: Equipment,
+        constants: RobotConstants,
         closing: IndexArray,
         apart_m: FloatArray,
         end_s: float,
@@ -146,7 +146,7 @@ class Grippers:
         """Lets fingers that close take hold of what they have reached."""
         if not len(closing):
             return False
-        bodies, scene, robots = state.bodies, equipment.scene, len(state.heading_rad)
+        bodies, scene, robots = state.bodies, constants.scene, len(state.heading_rad)
         moving = scene.moving(bodies.position_m, bodies.angle_rad)
         rows = self._rows[closing]
         mounts = np.column_stack([bodies.position_m[rows], state.mount_rad[rows]])
@@ -171,7 +171,12 @@ class Grippers:
         return True
 
     def _let_go(
-        self, state: EnvState, equipment: Equipment, gone: IndexArray, torn: BoolArray, end_s: float
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        gone: IndexArray,
+        torn: BoolArray,
+        end_s: float,
     ) -> None:
         """Takes things out of fingers; they rest where they are."""
         rows, bodies = self._rows[gone], state.bodies
@@ -181,16 +186,16 @@ class Grippers:
         bodies.velocity_mps[still] = bodies.spin_radps[still] = 0.0
         grasp_anew(state, things)
         for robot, thing, lost in zip(rows.tolist(), things.tolist(), torn.tolist(), strict=True):
-            name = equipment.scene.pushables[thing].id
+            name = constants.scene.pushables[thing].id
             kind, text = ("lost", f"lost {name}") if lost else ("release", f"released {name}")
             self._log.say(end_s, kind, text, robot)
         lost = gone[torn]
         state.gripper.from_m[lost], state.gripper.since_s[lost] = state.gripper.width_m[lost], end_s
 
 
-def _weight_kg(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+def _weight_kg(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Gives what the grippers of robots bear; what several hold weighs on each the same."""
-    holds, pushables = state.bodies.holds, equipment.scene.pushables
+    holds, pushables = state.bodies.holds, constants.scene.pushables
     held = holds.thing[rows, GRIPPER]
     together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]
     mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held.tolist()]

@@ -1,15 +1,14 @@
-"""The heat sensor of the CRS report: how much heat there is around the robot.
+"""The heat sensor of the CRS report: the total heat around the robot.
 
-    reading = round(sum over all other things within the range of heat * share(distance))
-    share(distance) = 1, or where the thing has a spread, max(0, 1 - distance / spread)
+    reading = round(sum over all other objects within the range of heat * share(distance))
+    share(distance) = 1, or if the object has a spread, max(0, 1 - distance / spread)
 
-A thing is within the range when its nearest point is, seen from the robot's middle, and that is its
-distance. Direction, and what stands between, count for nothing: the sensor is there "to find the
-density of objects with heat in an area" (report, 4.3.3). So a thing of heat 1 without a spread
-reads 1 wherever in the range it is; one with a spread can be found by going where it is warmer. The
-law was chosen by us, the report has none. Things are where they were at the start of the cycle. It
-measures when it is asked, or by its timer. Degradation (`heat`): nothing, or less
-than nothing, reads 0.
+The distance of an object is that of its nearest point from the robot's centre. Direction and
+obstacles have no effect: the purpose of the sensor is "to find the density of objects with heat in
+an area" (report, 4.3.3). So an object of heat 1 without a spread reads 1 anywhere in the range; one
+with a spread can be found by following the gradient. The formula was chosen by us, the report has
+none. Objects are at their positions at the start of the timestep. It measures on request, or on its
+timer. Degradation (`heat`): a dropped or negative value reads 0.
 """
 
 from __future__ import annotations
@@ -20,20 +19,21 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.state.timers import HEAT
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
 def read(
     state: EnvState,
-    equipment: Equipment,
-    _around: Surroundings,
+    constants: RobotConstants,
+    _around: RayCaster,
     rows: IndexArray,
     at_s: FloatArray,
 ) -> None:
@@ -41,45 +41,44 @@ def read(
 
     Args:
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: robots that have such a sensor, k of them.
         at_s: when, for each, shape (k,).
     """
-    sensed = _heat(state, equipment, rows)[:, None]
-    sensed = equipment.degradations.alter(state, "heat", rows, sensed, at_s)
-    mine = equipment.heat[rows]
+    sensed = _heat(state, constants, rows)[:, None]
+    sensed = constants.degradations.alter(state, "heat", rows, sensed, at_s)
+    mine = constants.heat[rows]
     state.heat_sensor.reading[mine] = np.nan_to_num(sensed[:, 0])
     state.heat_sensor.at_s[mine] = at_s
 
 
-def tell(asked: Asked) -> BoolArray:
-    """Answers HEAT and SENSE_HEAT with the heat around; refuses robots without such a sensor."""
-    state, equipment, rows, messages = asked.state, asked.equipment, asked.rows, asked.messages
-    has = np.asarray(equipment.heat[rows] >= 0)
-    measures = has & state.timers.on_request(rows, HEAT)
-    read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-    reading = state.heat_sensor.reading[equipment.heat[rows[has]]]
-    messages["size"] = 0
-    messages["i"][has, 0] = np.clip(np.rint(reading), 0.0, LARGEST).astype(np.int32)
+def get_heat(context: RequestContext) -> BoolArray:
+    """Answer HEAT and SENSE_HEAT with the heat around; refuse robots without such a sensor."""
+    mine = context.constants.heat[context.rows]
+    has = np.asarray(mine >= 0)
+    read_on_request(context, read, HEAT, has)
+    reading = context.state.heat_sensor.reading[mine[has]]
+    context.clear_data()
+    context.put("heat", np.clip(np.rint(reading), 0.0, LARGEST).astype(np.int32), has)
     return has
 
 
-def _heat(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+def _heat(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Gives how much heat there is around robots, (k,)."""
-    robot, thing, distance_m = hot_things(state, equipment, rows, equipment.heat_range_m[rows])
-    share = np.clip(1.0 - distance_m / equipment.things.spread_m[thing], 0.0, 1.0)
+    robot, thing, distance_m = hot_things(state, constants, rows, constants.heat_range_m[rows])
+    share = np.clip(1.0 - distance_m / constants.shapes.spread_m[thing], 0.0, 1.0)
     heat = np.bincount(robot, share * state.heat.left[thing], minlength=len(rows))
     return heat.astype(np.float64)
 
 
 def hot_things(
-    state: EnvState, equipment: Equipment, rows: IndexArray, range_m: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray, range_m: FloatArray
 ) -> tuple[IndexArray, IndexArray, FloatArray]:
     """Gives pairs of a robot and a hot thing, other than itself, in its range.
 
     Args:
         state: the state.
-        equipment: the robots' and the things' constants.
+        constants: the robots' and the things' constants.
         rows: robots, k of them.
         range_m: how far each looks, (k,).
 
@@ -90,7 +89,7 @@ def hot_things(
     hot = np.flatnonzero(state.heat.left > 0.0)
     if not len(hot):
         return hot, hot, np.zeros(0)
-    things = equipment.things
+    things = constants.shapes
     poses = things.poses(state.bodies)
     reach_m = float(range_m.max(initial=0.0) + things.reach_m[hot].max())
     x_m, y_m = state.x_m[rows], state.y_m[rows]

@@ -1,24 +1,24 @@
-"""The infrared ring: sixteen sensors that tell how much of their own light comes back.
+"""The infrared ring: sixteen sensors that measure the reflection of their own light.
 
     seen    = distance / sqrt(reflectance)
     new     = min(seen / step, 15)
-    level   = share * level before + (1 - share) * new
+    level   = share * previous level + (1 - share) * new
     reading = round(level)
 
-The light that comes back grows with the surface's reflectance and falls with the square of its
-distance, so a surface that reflects a quarter looks as if it were twice as far away. 15 is the
-largest value of the four bits on the line (vendor source `Ndirect.c` 2.7), and what nothing reads.
-Programs take readings for inches (MissionLab's driver of the Nomad 200): that is the step of the
-definitions. `conf_ir` sets the share that stays, in tenths (vendor header `Nclient.h` 1.29), and
-which sensors measure; the others read 15. Sensor n of the ring looks 22.5 n degrees from ahead,
-counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest thing in it counts.
-Reflectance is that of its surface, or of one that says nothing, what the definition takes surfaces
-for. All other numbers are ours.
+The reflected light is proportional to the surface's reflectance and to the inverse square of its
+distance, so a surface that reflects a quarter appears twice as far away. 15 is the largest value of
+the four bits on the line (vendor source `Ndirect.c` 2.7), and the reading if nothing is in range.
+Programs interpret readings as inches (MissionLab's driver of the Nomad 200): this is the step of
+the definitions. `conf_ir` sets the share of the previous level, in tenths (vendor header
+`Nclient.h` 1.29), and which sensors measure; the others read 15. Sensor n of the ring points 22.5 n
+degrees counter-clockwise from the front, like the sonars. A beam is a cone (`rays`), and the
+nearest object in it is measured. The reflectance is that of its surface, or the default of the
+definition. All other numbers were chosen by us.
 
-The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
-the definition says, or by its timer (`timers`). A normal deviate with the definition's noise is
-added to each distance. Degradation (`infrared`) is that of the distances; where nothing comes
-nothing is seen.
+The ring is on the turret. All sensors measure when a reply contains their readings, at most at the
+rate of the definition, or on their timer (`timers`). A normal deviate with the definition's noise
+is added to each distance. Degradation (`infrared`) applies to the distances; a dropped distance
+reads as nothing in range.
 """
 
 from __future__ import annotations
@@ -28,18 +28,21 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.random_streams import INFRARED, Noise
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.model.sensors import MAX_INFRARED
+from crs_cc.sim.state import timers
 from crs_cc.sim.state.infrared import FARTHEST
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.sensors import Infrared
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -76,8 +79,8 @@ class InfraredRing:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -85,35 +88,41 @@ class InfraredRing:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
         ring = state.infrared
-        mine = equipment.infrared[rows]
+        mine = constants.infrared[rows]
         due = ring.measured.are_due(mine, at_s, self.interval_s)
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
-        poses = mount_poses(state, equipment, rows)
-        distance_m, step_m = self._see(state, equipment, around, rows, poses)
+        poses = mount_poses(state, constants, rows)
+        distance_m, step_m = self._see(state, constants, rays, rows, poses)
         if self._noise_m.any():
             distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
-        distance_m = equipment.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
+        distance_m = constants.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
         distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
         new = np.clip(_steps(distance_m, step_m), 0.0, FARTHEST)
         share = ring.share[mine, None]
         level = share * ring.level[mine] + (1.0 - share) * new
         ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
         ring.count[mine] += 1
-        ring.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+        ring.measured.note(mine, at_s[due], configuration(state, constants, rows))
+
+    def get_ir(self, context: RequestContext) -> BoolArray:
+        """Answer GET_IR: measure, for `State`; refuse robots that have no infrared sensors."""
+        has = np.asarray(context.constants.infrared[context.rows] >= 0)
+        read_on_request(context, self.read, timers.INFRARED, has)
+        return has
 
     def look(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         poses: FloatArray,
     ) -> Int32Array:
@@ -121,22 +130,22 @@ class InfraredRing:
 
         Args:
             state: tells where all things are.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have such a ring, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
         Returns:
             readings, shape (k, 16).
         """
-        steps = _steps(*self._see(state, equipment, around, rows, poses))
+        steps = _steps(*self._see(state, constants, rays, rows, poses))
         return np.asarray(np.rint(np.clip(steps, 0.0, FARTHEST)), dtype=np.int32)
 
     def _see(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[FloatArray, FloatArray]:
@@ -146,17 +155,17 @@ class InfraredRing:
             how far away the things are, and which distance of such a surface makes 1 of a reading,
             both of shape (k, 16).
         """
-        mine = equipment.infrared[rows]
+        mine = constants.infrared[rows]
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
-        kinds, own = self._kind[mine], around.surfaces.infrared
+        kinds, own = self._kind[mine], rays.surfaces.infrared
         for kind, fan in enumerate(self.fans):
             some = np.flatnonzero(kinds == kind)
             if len(some):
                 if own is None:
-                    seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
+                    seen_m = rays.distances_m(state, fan, poses[some], own=rows[some])
                 else:
-                    seen_m, thing = around.seen(state, fan, poses[some], own=rows[some])
+                    seen_m, thing = rays.seen(state, fan, poses[some], own=rows[some])
                     shine[some] = np.where(np.isnan(own[thing]), shine[some], own[thing])
                 distance_m[some] = seen_m
         return distance_m, self._step_m[mine] * np.sqrt(shine)
@@ -174,27 +183,19 @@ def _brightest(world: WorldModel) -> float:
     return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
 
 
-def get_ir(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no infrared sensors; the reply has the readings."""
-    return np.asarray(equipment.infrared[rows] >= 0)
-
-
-def conf_ir(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets the share that stays and the sensors that measure; refuses sensors that cannot be."""
-    order, given, good = orders(messages, MAX_INFRARED)
-    mine = equipment.infrared[rows]
+def conf_ir(context: RequestContext) -> BoolArray:
+    """Set the share that stays and the sensors that measure; refuse sensors that cannot be."""
+    rows, ring = context.rows, context.state.infrared
+    order, given, good = orders(context["count"], context["order"], MAX_INFRARED)
+    mine = context.constants.infrared[rows]
     good &= mine >= 0
     on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
     robot, element = np.nonzero(given & good[:, None])
     on[robot, order[robot, element]] = True
     mine = mine[good]
-    state.infrared.on[mine] = on[good]
-    state.infrared.level[mine] = np.where(on[good], state.infrared.level[mine], FARTHEST)
-    state.infrared.share[mine] = np.clip(messages["i"][good, 0], 0, _TENTHS) / _TENTHS
+    ring.on[mine] = on[good]
+    ring.level[mine] = np.where(on[good], ring.level[mine], FARTHEST)
+    ring.share[mine] = np.clip(context["share"][good], 0, _TENTHS) / _TENTHS
     return good
 
 

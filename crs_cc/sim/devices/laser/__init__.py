@@ -1,27 +1,27 @@
-"""The laser: a plane of light that a camera on the turret looks at.
+"""The laser: a plane of light observed by a camera on the turret.
 
     point n = distance along direction n from the sensor, for n from 0 to points - 1
     direction n = (n - (points - 1) / 2) * field of view / points       (0 for a single point)
 
-Directions count counter-clockwise, so from the right to the left, ahead of the turret; a direction
-in which nothing is within range gives no point. Points are told as x and y in 0.1 inch, ahead and
-left of the middle of the turret (vendor header `Nclient.h` 1.29; that the frame is the turret's,
-which carries the sensor, is ours). `conf_ls` asks for fewer points than the 482 of the vendor's
-array. Modes are the vendor's: bit 0 on, bit 1 points or else segments, and what the rest of its
-client (`Nclient.c` 2.7) takes for points, 19 and 51, and for segments, 1 and 33; the others tell
-pixels, which the vendor's simulator did not have, and are refused. Brightness and width of the line
-(`threshold`, `width`) mean nothing here.
+Directions are counter-clockwise, from right to left, centred on the front of the turret; a
+direction without an object in range has no point. Points are x and y in 0.1 inch, forward and left
+of the centre of the turret (vendor header `Nclient.h` 1.29; that the frame is that of the turret,
+which carries the sensor, was chosen by us). `conf_ls` can request fewer points than the 482 of the
+vendor's array. Modes are the vendor's: bit 0 on, bit 1 points instead of segments; the rest of its
+client (`Nclient.c` 2.7) accepts 19 and 51 for points, and 1 and 33 for segments. The other modes
+return pixels, which the vendor's simulator did not support, and are rejected. Brightness and width
+of the line (`threshold`, `width`) are ignored.
 
-Segments come from the points by split and merge (`segments`), with what `conf_sg` sets. `get_ls`
-tells points and `get_sg` segments whatever the mode is; states tell what the mode says, unless the
-mask leaves the laser out. A laser that is off tells nothing. What was told is kept for the pages
-(LASER_PAGE) that the client asks for.
+Segments are computed from the points by split and merge (`segments`), with the parameters of
+`conf_sg`. `get_ls` returns points and `get_sg` segments in every mode; states contain what the mode
+selects, unless the mask excludes the laser. A laser that is off returns nothing. The returned
+readings are kept for the pages (LASER_PAGE) that the client requests.
 
-It looks when a reply tells of it, at most thirty times a second (vendor header), or by its timer
-(`timers`). Noise: a normal deviate with a spread that is the definition's noise at 1 m and grows
-with the square of the distance, as it does for triangulation, is added to each distance; averaging
-p pixels divides it by sqrt(p). Degradation (`laser`) is that of the distances; where nothing comes
-there is no point.
+It measures when a reply contains its readings, at most thirty times a second (vendor header), or on
+its timer (`timers`). Noise: a normal deviate is added to each distance; its standard deviation is
+the definition's noise at 1 m and grows with the square of the distance, as for triangulation;
+averaging p pixels divides it by sqrt(p). Degradation (`laser`) applies to the distances; a dropped
+distance has no point.
 """
 
 from __future__ import annotations
@@ -31,22 +31,23 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.random_streams import LASER, Noise
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.split_and_merge import segments
 from crs_cc.sim.model.sensors import NUM_LASER
 from crs_cc.sim.state import timers
-from crs_cc.sim.state.paged_reply import Told
+from crs_cc.sim.state.paged_reply import PagedReply
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.sensors import Laser
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -83,8 +84,8 @@ class Lasers:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -92,28 +93,28 @@ class Lasers:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
         laser = state.laser
-        mine = equipment.laser[rows]
+        mine = constants.laser[rows]
         due = laser.measured.are_due(mine, at_s, self.interval_s) & is_on(laser.mode[mine])
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
         laser.points[mine], laser.seen[mine], laser.ranges[mine] = self.look(
-            state, equipment, around, rows, mount_poses(state, equipment, rows), at_s=at_s[due]
+            state, constants, rays, rows, mount_poses(state, constants, rows), at_s=at_s[due]
         )
         laser.count[mine] += 1
-        laser.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+        laser.measured.note(mine, at_s[due], configuration(state, constants, rows))
 
     def look(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         poses: FloatArray,
         *,
@@ -123,8 +124,8 @@ class Lasers:
 
         Args:
             state: tells what the programs have set.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have a laser, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
             at_s: when, for each, shape (k,); None for what they would see without any error.
@@ -133,17 +134,17 @@ class Lasers:
             how many points each sees, shape (k,); their x and y [0.1 in], shape (k, 964); and how
             far away they are in each direction [0.1 in], -1 for none, shape (k, 482).
         """
-        mine = equipment.laser[rows]
+        mine = constants.laser[rows]
         counts = np.zeros(len(rows), dtype=np.int32)
         numbers = np.zeros((len(rows), 2 * NUM_LASER), dtype=np.int32)
         ranges = np.full((len(rows), NUM_LASER), -1, dtype=np.int32)
         kinds = [(self._models[number], int(state.laser.wanted[number])) for number in mine]
         for kind in dict.fromkeys(kinds):
             some = np.array([place for place, each in enumerate(kinds) if each == kind])
-            distance_m = around.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
+            distance_m = rays.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
             if at_s is not None:
                 distance_m += self._errors_m(state, rows[some], mine[some], distance_m)
-                distance_m = equipment.degradations.alter(
+                distance_m = constants.degradations.alter(
                     state, "laser", rows[some], distance_m, at_s[some]
                 )
             directions = _directions(*kind)
@@ -157,22 +158,30 @@ class Lasers:
                 ranges[place, np.flatnonzero(hit)] = np.rint(m_to_tenths_inch(seen_m[hit]))
         return counts, numbers, ranges
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers LASER with how many ranges there are; refuses lasers that are off, or not there.
+    def get_laser(self, context: RequestContext) -> BoolArray:
+        """Answer GET_LS and GET_SG: scan, for the pages; refuse robots that have no laser.
 
-        What was seen is kept for READINGS.
+        The reply says how many readings there are, see `SensorBoard`.
         """
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        mine = equipment.laser[rows]
+        has = np.asarray(context.constants.laser[context.rows] >= 0)
+        read_on_request(context, self.read, timers.LASER, has)
+        return has
+
+    def get_ranges(self, context: RequestContext) -> BoolArray:
+        """Answer LASER with how many ranges there are, which are kept for READINGS.
+
+        Refuse lasers that are off, or not there.
+        """
+        laser = context.state.laser
+        mine = context.constants.laser[context.rows]
         good = np.asarray(mine >= 0)
-        good[good] = is_on(state.laser.mode[mine[good]])
-        looks = good & state.timers.on_request(rows, timers.LASER)
-        self.read(state, equipment, asked.around, rows[looks], asked.at_s[looks])
+        good[good] = is_on(laser.mode[mine[good]])
+        read_on_request(context, self.read, timers.LASER, good)
         for place in np.flatnonzero(good).tolist():
             number = mine[place]
-            wanted = int(state.laser.wanted[number])
-            state.laser.told.keep(number, 1, state.laser.ranges[number, :wanted])
-            asked.messages["i"][place, 0] = wanted
+            wanted = int(laser.wanted[number])
+            laser.told.keep(number, 1, laser.ranges[number, :wanted])
+            context.put("count", wanted, place)
         return good
 
     def _fan(self, laser: Laser, points: int) -> Fan:
@@ -204,7 +213,7 @@ def widths(mode: npt.NDArray[np.integer]) -> Int32Array:
 
 
 def keep(
-    state: EnvState, told: Told, mine: IndexArray, width: Int32Array,
+    state: EnvState, told: PagedReply, mine: IndexArray, width: Int32Array,
     seen: tuple[Int32Array, Int32Array],
 ) -> None:  # fmt: skip
     """Keeps readings for the pages that the client will ask for.
@@ -228,50 +237,39 @@ def keep(
         told.numbers[number, : found.size] = found.ravel()
 
 
-def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
-    """Hands over a page of the readings that the last reply, or PREDICT's, told of."""
-    mine = equipment.laser[rows]
+def page(context: RequestContext) -> BoolArray:
+    """Answer LASER_PAGE with readings that the last reply, or that of PREDICT, announced."""
+    laser, mine = context.state.laser, context.constants.laser[context.rows]
     good = np.asarray(mine >= 0)
-    messages["size"] = 0
-    for place in np.flatnonzero(good):
-        message = messages[place]
-        told = state.laser.predicted if message["i"][1] else state.laser.told
-        told.page(mine[place], int(message["i"][0]), message)
+    first, predicted = context["first"].tolist(), context["predicted"].tolist()
+    context.clear_data()
+    for place in np.flatnonzero(good).tolist():
+        told = laser.predicted if predicted[place] else laser.told
+        told.page(mine[place], first[place], context.messages[place])
     return good
 
 
-def get_laser(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no laser; the reply tells how many readings there are."""
-    return np.asarray(equipment.laser[rows] >= 0)
-
-
-def conf_ls(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets the mode and how many points are looked for; refuses modes that tell pixels."""
-    mode, mine = messages["i"][:, 0], equipment.laser[rows]
+def conf_ls(context: RequestContext) -> BoolArray:
+    """Set the mode and how many points are looked for; refuse modes that report pixels."""
+    mode, mine = context["mode"], context.constants.laser[context.rows]
     known = ~is_on(mode) | np.isin(mode, _POINT_MODES + _SEGMENT_MODES)
     good: BoolArray = (mine >= 0) & known
-    mine, laser = mine[good], state.laser
-    unsigned = messages["i"][good, 3:5].view(np.uint32)
-    most = equipment.laser_points[rows[good]]
+    mine, laser = mine[good], context.state.laser
+    points = context["points"][good].view(np.uint32)
+    most = context.constants.laser_points[context.rows[good]]
     laser.mode[mine] = mode[good]
-    laser.wanted[mine] = np.where(unsigned[:, 0] == 0, most, np.minimum(unsigned[:, 0], most))
-    laser.averaged[mine] = np.clip(unsigned[:, 1], 1, NUM_LASER)
+    laser.wanted[mine] = np.where(points == 0, most, np.minimum(points, most))
+    laser.averaged[mine] = np.clip(context["averaged"][good].view(np.uint32), 1, NUM_LASER)
     laser.measured.at_s[mine] = -np.inf  # what it is to see next is something else
     return good
 
 
-def conf_sg(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets how points become segments."""
-    mine = equipment.laser[rows]
+def conf_sg(context: RequestContext) -> BoolArray:
+    """Set how points become segments."""
+    mine = context.constants.laser[context.rows]
     good = np.asarray(mine >= 0)
-    unsigned = messages["i"][good, :3].view(np.uint32)
-    state.laser.segments[mine[good]] = np.minimum(unsigned, LARGEST)
+    wanted = context.columns("threshold", "min_points", "gap")[good].view(np.uint32)
+    context.state.laser.segments[mine[good]] = np.minimum(wanted, LARGEST)
     return good
 
 

@@ -1,15 +1,14 @@
-"""Light sensors: a ring of them, and how much light each gets from where it looks.
+"""Light sensors: a ring of sensors, each with a direction.
 
-    reading = round(sum over all lights in sight of brightness / d^2 * max(0, cos a))
+    reading = round(sum over all visible lights of brightness / d^2 * max(0, cos a))
 
-d is the distance of a light from the middle of the robot [m], a the angle between the direction of
-the light and that in which the sensor looks: the inverse square law, and Lambert's cosine for a
-flat sensor ("Photometria", 1760). Walls, things and robots cast shadows, and nothing reflects
-light. A light nearer than 10 cm shines as from there. Lights stand in the world file, or are lamps
-of other robots (`crs_light`).
+d is the distance of a light from the robot's centre [m], a the angle between the direction of the
+light and that of the sensor: the inverse square law, and Lambert's cosine law for a flat sensor
+("Photometria", 1760). Walls, objects and robots cast shadows, and nothing reflects light. d is at
+least 10 cm. Lights are declared in the world file, or are lamps of other robots (`crs_light`).
 
-Sensors measure whenever the program asks, or by their timer, with things as they are at the start
-of the cycle; a normal deviate with the definition's share of the reading is added.
+Sensors measure on request, or on their timer, with objects at their positions at the start of the
+timestep; a normal deviate proportional to the reading, with the definition's noise, is added.
 """
 
 from __future__ import annotations
@@ -23,13 +22,14 @@ from crs_cc.core import random_streams
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
 from crs_cc.sim.state.timers import LIGHT
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -63,8 +63,8 @@ class LightRings:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -72,39 +72,34 @@ class LightRings:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have a ring, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
         if not len(rows):
             return
-        ring, mine = state.light, equipment.light[rows]
-        readings = self._light(state, equipment, around, rows)
+        ring, mine = state.light, constants.light[rows]
+        readings = self._light(state, constants, rays, rows)
         if self._share.any():
             deviates = self._noise.rows(rows, ring.count[mine])
             readings *= 1.0 + deviates * self._share[rows, None]
-        readings = equipment.degradations.alter(state, "light", rows, readings, at_s)
+        readings = constants.degradations.alter(state, "light", rows, readings, at_s)
         ring.reading[mine], ring.at_s[mine] = np.nan_to_num(readings, nan=0.0), at_s
         ring.count[mine] += 1
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers GET_LIGHT: how many sensors there are, and their readings as data."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.light[rows] >= 0)
-        measures = has & state.timers.on_request(rows, LIGHT)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        replies = asked.messages[has]
-        readings = state.light.reading[equipment.light[rows[has]]]
-        whole = np.clip(np.rint(readings), 0, LARGEST).astype("<i4")
-        replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
-        replies["size"] = 4 * MAX_LIGHT_SENSORS
-        replies["i"][:, 0] = self._number[rows[has]]
-        asked.messages[has] = replies
+    def get_light(self, context: RequestContext) -> BoolArray:
+        """Answer GET_LIGHT: how many sensors there are, and their readings as data."""
+        mine = context.constants.light[context.rows]
+        has = np.asarray(mine >= 0)
+        read_on_request(context, self.read, LIGHT, has)
+        readings = context.state.light.reading[mine[has]]
+        context.put_data(np.clip(np.rint(readings), 0, LARGEST), has)
+        context.put("sensors", self._number[context.rows[has]], has)
         return has
 
     def _light(
-        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+        self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> FloatArray:
         """Gives how much light all sensors get that there can be, (k, 32)."""
         robots = len(state.heading_rad)
@@ -112,7 +107,7 @@ class LightRings:
             state.bodies.position_m[:robots], state.beacons.brightness
         )
         seen = sense(
-            state, equipment, around, rows,
+            state, constants, rays, rows,
             sources=lights, range_m=self._range_m[rows], fan=self.fans[0],
         )  # fmt: skip
         bright = np.flatnonzero(seen.in_sight)

@@ -26,13 +26,14 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -61,46 +62,48 @@ def arc(
 
 
 def count_turns(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> None:
     """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
-    way = _counted(state, equipment, rows, way)
+    way = _counted(state, constants, rows, way)
     heading_rad = state.odometry.heading_rad[rows]
-    turn_rad = weighted(way, take(equipment.drives.turn, rows))
-    x_m, y_m = arc(heading_rad, weighted(way, take(equipment.drives.forward, rows)), turn_rad)
+    turn_rad = weighted(way, take(constants.drives.turn, rows))
+    x_m, y_m = arc(heading_rad, weighted(way, take(constants.drives.forward, rows)), turn_rad)
     state.odometry.x_m[rows] += x_m
     state.odometry.y_m[rows] += y_m
     state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
-    if equipment.drives.turrets:
+    if constants.drives.turrets:
         turret_rad = state.odometry.turret_rad[rows] + np.where(
-            equipment.drives.turret[rows], way[:, 2], 0.0
+            constants.drives.turret[rows], way[:, 2], 0.0
         )
         state.odometry.turret_rad[rows] = turret_rad % _TURN
 
 
 def _counted(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> FloatArray:
     """Gives the ways in whole counts; what is left over counts later."""
-    shaft, count = take(state.odometry.shaft, rows) + way, take(equipment.drives.count, rows)
+    shaft, count = take(state.odometry.shaft, rows) + way, take(constants.drives.count, rows)
     told = np.rint(shaft / count) * count
     whole = told - take(state.odometry.told, rows)
     state.odometry.shaft[rows], state.odometry.told[rows] = shaft, told
     return np.asarray(whole)
 
 
-def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets x and y."""
-    state.odometry.x_m[rows] = tenths_inch_to_m(messages["i"][:, 0].astype(np.float64))
-    state.odometry.y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
+def dp(context: RequestContext) -> None:
+    """Set x and y."""
+    odometry, rows = context.state.odometry, context.rows
+    odometry.x_m[rows] = tenths_inch_to_m(context["x"].astype(np.float64))
+    odometry.y_m[rows] = tenths_inch_to_m(context["y"].astype(np.float64))
 
 
-def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Sets the heading, and the angle of the turret where there is one."""
-    angles = (messages["i"][:, :2] % _FULL_TURN).astype(np.float64)
+def da(context: RequestContext) -> None:
+    """Set the heading, and the angle of the turret where there is one."""
+    odometry, rows = context.state.odometry, context.rows
+    angles = (context.columns("heading", "turret") % _FULL_TURN).astype(np.float64)
     heading_rad, turret_rad = tenths_deg_to_rad(angles).T
-    state.odometry.heading_rad[rows] = heading_rad
-    state.odometry.turret_rad[rows] = np.where(equipment.drives.turret[rows], turret_rad, 0.0)
+    odometry.heading_rad[rows] = heading_rad
+    odometry.turret_rad[rows] = np.where(context.constants.drives.turret[rows], turret_rad, 0.0)
 
 
 def zero(state: EnvState, rows: IndexArray) -> None:

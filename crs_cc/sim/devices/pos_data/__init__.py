@@ -18,48 +18,30 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Records
-from crs_cc.requests import CODES
+from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array
+from crs_cc.requests.request import BUMPER, INFRARED, LASER, SONAR
 from crs_cc.sim.state.mask import POS_DATA
 from crs_cc.sim.state.pos_data import NUMBERS, PLACES
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.clock import BoardClock
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.last_measurement import Moments
+    from crs_cc.sim.state.last_measurement import LastMeasurement
 
-
-INFRARED: Final = 1
-SONAR: Final = 2
-BUMPER: Final = 4
-LASER: Final = 8
-COMPASS: Final = 16
-"""The vendor's bits (POS_INFRARED to POS_COMPASS)."""
-
-ONE_KIND: Final = {
-    CODES["GET_IR"]: INFRARED,
-    CODES["GET_SN"]: SONAR,
-    CODES["GET_BP"]: BUMPER,
-    CODES["GET_LS"]: LASER,
-    CODES["GET_SG"]: LASER,
-    CODES["GET_CP"]: COMPASS,
-}
-"""Requests whose replies carry the readings of one kind of sensor."""
-
-ALL_KINDS: Final = INFRARED | SONAR | BUMPER | LASER | COMPASS
 
 _PAGE: Final = 6
 
 
-def tell(
-    state: EnvState, equipment: Equipment, clock: BoardClock, rows: IndexArray, kinds: int
+def keep(
+    state: EnvState, constants: RobotConstants, clock: BoardClock, rows: IndexArray, kinds: int
 ) -> None:
-    """Copies what a reply tells.
+    """Keep what a reply carries, for the pages.
 
     Args:
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         clock: the sensor boards' clocks.
         rows: which robots, k of them.
         kinds: whose readings the reply carries, the vendor's bits.
@@ -70,24 +52,26 @@ def tell(
     for kind, places in PLACES.items():
         robots = rows[wanted & kind != 0]
         if len(robots):
-            at_s, configuration = _read(state, equipment, robots, kind)
+            at_s, configuration = _read(state, constants, robots, kind)
             _copy(state, clock, robots, places, (at_s, configuration))
 
 
-def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
-    """Hands over a page of what the last reply told of one kind of sensor."""
-    messages["result"], messages["size"] = 0, 0
-    for place, row in enumerate(state.pos_data.row[rows].tolist()):
-        kind, first = messages["i"][place, :2].tolist()
-        if row < 0 or kind not in PLACES or first < 0:
+def page(context: RequestContext) -> None:
+    """Answer POS_DATA with a page of what the last reply carried of one kind of sensor."""
+    kept, kinds, first = context.state.pos_data, context["kind"], context["first"]
+    context["count"] = 0
+    context.clear_data()
+    pages = zip(kept.row[context.rows].tolist(), kinds.tolist(), first.tolist(), strict=True)
+    for place, (row, kind, start) in enumerate(pages):
+        if row < 0 or kind not in PLACES or start < 0:
             continue
-        part = state.pos_data.told[row, PLACES[kind]][first : first + _PAGE].astype("<i4")
-        messages["result"][place], messages["size"][place] = len(part), 4 * part.size
-        messages["data"][place, : 4 * part.size] = part.ravel().view(np.uint8)
+        part = kept.told[row, PLACES[kind]][start : start + _PAGE]
+        context.put("count", len(part), place)
+        context.put_data(part.ravel(), place)
 
 
 def _read(
-    state: EnvState, equipment: Equipment, robots: IndexArray, kind: int
+    state: EnvState, constants: RobotConstants, robots: IndexArray, kind: int
 ) -> tuple[FloatArray, Int32Array]:
     """Gives when sensors were read, (k, s), below 0 for never, and from where, (k, s, 7)."""
     if kind == SONAR:
@@ -95,13 +79,13 @@ def _read(
     if kind == BUMPER:
         return _last(state.bumpers.hit, robots)
     if kind == INFRARED:
-        return _last(state.infrared.measured, equipment.infrared[robots])
+        return _last(state.infrared.measured, constants.infrared[robots])
     if kind == LASER:
-        return _last(state.laser.measured, equipment.laser[robots])
-    return _last(state.compass.measured, equipment.compass[robots])
+        return _last(state.laser.measured, constants.laser[robots])
+    return _last(state.compass.measured, constants.compass[robots])
 
 
-def _last(moments: Moments, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
+def _last(moments: LastMeasurement, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
     """Gives the last measurement of each robot; its number is -1 where the sensor is missing."""
     at_s = np.full((len(numbers), 1), -1.0)
     configuration = np.zeros((len(numbers), 1, moments.configuration.shape[1]), dtype=np.int32)

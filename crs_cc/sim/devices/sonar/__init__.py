@@ -1,31 +1,31 @@
-"""The sonar ring: which sonar fires when, and when its echo is heard.
+"""The sonar ring: which sonar fires when, and when its echo is reported.
 
-Sonars fire one after the other in the firing order and round again, whether anybody asks or not:
-firing n at
+Sonars fire in the firing order, cyclically, whether or not a program reads them. Firing n occurs at
 
     start + n * max(rate * 4 ms, least interval)
 
-to the exact multiple, wherever that falls in a timestep (`conf_sn`, vendor header `Nclient.h`
-1.29). `start` is the instant of `conf_sn`; the robot was switched on long before a run starts, so
-that a whole round in the definition's order has just been heard where it stands. A reading is as
-old as its turn: it is told from the instant on at which the echo comes,
+exactly, at any time within a timestep (`conf_sn`, vendor header `Nclient.h` 1.29). `start` is the
+time of `conf_sn`; at the start of a run the robot has already been on for a while, so that a
+complete cycle of the definition's order has just been measured at its initial position. A reading
+changes when the echo arrives,
 
     2 * distance / (speed of sound)
 
-after the firing, or the robot gives up: after the time of an echo from the end of the range, or
-when the next sonar fires, because one board serves them all. Until then the sonar tells what it
-told before. Chosen by us, because nothing is known of it:
+after the firing, or when the sonar stops listening: after the time of an echo from the end of the
+range, or when the next sonar fires, because all sonars share one board. Until then, the previous
+reading is reported. Chosen by us, because it is undocumented:
 
-- rates that leave less than the least interval mean the least interval; so does rate 0;
-- `conf_sn` gives up the ping in the air, and its first sonar fires at once;
-- a sonar that is not in the order tells 255, no echo; an order without any switches them all off.
+- rates that result in less than the least interval mean the least interval; so does rate 0;
+- `conf_sn` discards the pending ping, and its first sonar fires immediately;
+- a sonar that is not in the order reads 255, no echo; an empty order switches all of them off.
 
-A reading counts from the sensor, which sits on the shell, to the nearest thing that answers into
-the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
-(vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
-everything else, and a robot that something holds back, where it was at the start of the cycle.
-Errors: see `sonar_errors`. Degradation (`sonar`): what becomes of that is told when such an echo
-would come; one that would come too late is none.
+A reading is the distance from the sensor, which is on the shell, to the nearest object that returns
+an echo into the beam (`echoes`), in whole inches; 255 means no echo, as the reading is one byte on
+the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its wheels have
+reached at the time of the firing; all other objects, and a robot that is blocked, are at their
+positions at the start of the timestep. Errors: see `sonar_errors`. Degradation (`sonar`): the
+degraded distance is reported when an echo from that distance would arrive; an echo that would
+arrive too late is no echo.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.units import SOUND_MPS, m_to_tenths_inch
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.mount import mount_poses
@@ -48,9 +48,9 @@ from crs_cc.sim.model.sonar import MAX_SONARS, SONAR_TICK_S, SonarMode
 from crs_cc.sim.state.sonar import inches
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.geometry.outline_query import Prospect
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -77,27 +77,27 @@ class SonarRing:
     def begin(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         now_s: float,
     ) -> None:
         """Lets all sonars in the orders have fired just before robots begin to run."""
         sonar = state.sonar
-        heard_m = self.hear_now(state, equipment, around, rows, np.full(len(rows), now_s))
+        heard_m = self.hear_now(state, constants, rays, rows, np.full(len(rows), now_s))
         row, turn = np.nonzero(np.arange(MAX_SONARS) < sonar.length[rows, None])
         robot = rows[row]
         number = sonar.order[robot, turn]
         sonar.echo_m[robot, number] = heard_m[row, number]
-        sonar.fired_from[rows] = configuration(state, equipment, rows)[:, None, :]
+        sonar.fired_from[rows] = configuration(state, constants, rows)[:, None, :]
         sonar.fired_s[rows] = sonar.start_s[rows] = now_s
         sonar.next_s[rows] = np.where(sonar.length[rows] > 0, now_s, np.inf)
 
     def advance(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         to_s: FloatArray,
     ) -> None:
@@ -105,8 +105,8 @@ class SonarRing:
 
         Args:
             state: changed in place; wheels are turned on to the last firing.
-            equipment: the robots' constants.
-            around: what there is to hear.
+            constants: the robots' constants.
+            rays: what there is to hear.
             rows: which robots, k of them.
             to_s: the instant of each, shape (k,).
         """
@@ -116,55 +116,80 @@ class SonarRing:
                 break
             firing = rows[due]
             at_s = state.sonar.next_s[firing]
-            drive.advance(state, equipment, firing, np.maximum(at_s, state.drive.clock_s[firing]))
+            drive.advance(state, constants, firing, np.maximum(at_s, state.drive.clock_s[firing]))
             state.sonar.hear(firing, at_s)
-            self._fire(state, equipment, around, firing, at_s)
+            self._fire(state, constants, rays, firing, at_s)
         state.sonar.hear(rows, to_s)
 
     def hear_now(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> FloatArray:
         """Gives what all sonars of robots would tell if they fired at `at_s` [m], (k, 16)."""
-        distance_m = self._around(state, around, rows, *self._stands(state, equipment, rows))
+        distance_m = self._around(state, rays, rows, *self._stands(state, constants, rows))
         told_m = np.empty_like(distance_m)
         for number in range(MAX_SONARS):
             deviates = self._errors.draw(rows, state.sonar.count[rows])
             told_m[:, number] = self._told_m(
-                state, equipment, (rows, number, at_s), distance_m[:, number], deviates
+                state, constants, (rows, number, at_s), distance_m[:, number], deviates
             )
             state.sonar.count[rows] += 1
         return told_m
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuses robots without."""
-        state, rows, messages = asked.state, asked.rows, asked.messages
+    def get_ranges(self, context: RequestContext) -> BoolArray:
+        """Answer SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuse robots without."""
+        state, constants, rows = context.state, context.constants, context.rows
         echo_m = state.sonar.echo_m[rows]
-        has = np.asarray(asked.equipment.sonars[rows].any(axis=1))
-        now = has & (messages["i"][:, 0] != 0)
+        has = np.asarray(constants.sonars[rows].any(axis=1))
+        now = has & (context["fire"] != 0)
         if now.any():
             echo_m[now] = self.hear_now(
-                state, asked.equipment, asked.around, rows[now], asked.at_s[now]
+                state, constants, context.rays, rows[now], context.at_s[now]
             )
         heard = np.isfinite(echo_m)
         tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
-        told = np.where(heard, tenths, -1).astype("<i4")
-        messages["size"] = told.itemsize * MAX_SONARS
-        messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
+        context.put_data(np.where(heard, tenths, -1))
         return has
 
+    def get_sn(self, context: RequestContext) -> BoolArray:
+        """Answer GET_SN with what sonars heard last, in `State`; refuse robots without.
+
+        Sonars fire by themselves: they have heard all until the request's instant.
+        """
+        return np.asarray(context.constants.sonars[context.rows].any(axis=1))
+
+    def conf_sn(self, context: RequestContext) -> BoolArray:
+        """Set which sonars fire and how often; refuse an order with a sonar that is not there.
+
+        The first one in the order fires at once.
+        """
+        state, constants = context.state, context.constants
+        order, given, good = orders(context["count"], context["order"], MAX_SONARS)
+        has = constants.sonars[context.rows]
+        known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
+        good &= has.any(axis=1) & (known | ~given).all(axis=1)
+        rows, order, given = context.rows[good], order[good], given[good]
+        interval_s = context["rate"][good] % _RATES * SONAR_TICK_S
+        state.sonar.interval_s[rows] = np.maximum(interval_s, constants.least_interval_s[rows])
+        state.sonar.reorder(
+            rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
+        )
+        until_s = np.minimum(context.at_s[good], constants.last_instant_s(state.cycle))
+        self.advance(state, constants, context.rays, rows, until_s)
+        return good
+
     def look(
-        self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
+        self, state: EnvState, rays: RayCaster, rows: IndexArray, poses: FloatArray
     ) -> Int32Array:
         """Gives what robots' sonars would tell without any error if the robots stood elsewhere.
 
         Args:
             state: tells where all things are.
-            around: what there is to hear.
+            rays: what there is to hear.
             rows: which robots, k of them.
             poses: x, y [m] and heading of the ring [rad] of each, shape (k, 3).
 
@@ -172,20 +197,20 @@ class SonarRing:
             readings [in], 255 for no echo, shape (k, 16).
         """
         place = poses[:, 0] + 1j * poses[:, 1]
-        return inches(self._around(state, around, rows, place, np.exp(1j * poses[:, 2])))
+        return inches(self._around(state, rays, rows, place, np.exp(1j * poses[:, 2])))
 
     def _fire(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
         """Sends a ping from each of some robots."""
         sonar = state.sonar
         number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
-        place, turn = self._stands(state, equipment, rows)
+        place, turn = self._stands(state, constants, rows)
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, sonar.count[rows])
@@ -194,13 +219,13 @@ class SonarRing:
         if len(confused):
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
-        prospect = self._prospect(state, around, pings, number)
-        distance_m = first_echo(pings, prospect, voices, around.surfaces.hushed)
-        told_m = self._told_m(state, equipment, (rows, number, at_s), distance_m, deviates)
+        prospect = self._prospect(state, rays, pings, number)
+        distance_m = first_echo(pings, prospect, voices, rays.surfaces.hushed)
+        told_m = self._told_m(state, constants, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * told_m / SOUND_MPS <= gives_up_s
         sonar.listening[rows] = number
         sonar.sent_s[rows] = at_s
-        sonar.sent_from[rows] = configuration(state, equipment, rows)
+        sonar.sent_from[rows] = configuration(state, constants, rows)
         sonar.heard_s[rows] = at_s + np.where(in_time, 2 * told_m / SOUND_MPS, gives_up_s)
         sonar.heard_m[rows] = np.where(in_time, told_m, np.inf)
         sonar.count[rows] += 1
@@ -210,7 +235,7 @@ class SonarRing:
     def _told_m(
         self,
         state: EnvState,
-        equipment: Equipment,
+        constants: RobotConstants,
         pings: tuple[IndexArray, IndexArray | int, FloatArray],
         distance_m: FloatArray,
         deviates: FloatArray,
@@ -219,32 +244,32 @@ class SonarRing:
 
         Args:
             state: has their degradations.
-            equipment: the robots' constants.
+            constants: the robots' constants.
             pings: the robots, which sonar of them, and when it fired, (k,) each.
             distance_m: the distances, (k,).
             deviates: of each firing, (k, 3).
         """
         rows, number, at_s = pings
         told_m = self._errors.told_m(rows, state.sonar.mode[rows], distance_m, deviates)
-        if not equipment.degradations.concern(state, "sonar"):
+        if not constants.degradations.concern(state, "sonar"):
             return told_m
         elements = np.broadcast_to(number, rows.shape)
-        told_m = equipment.degradations.alter(
+        told_m = constants.degradations.alter(
             state, "sonar", rows, told_m[:, None], at_s, elements=elements
         )[:, 0]
         return np.where(np.isnan(told_m), np.inf, np.maximum(told_m, 0.0))
 
     def _stands(
-        self, state: EnvState, equipment: Equipment, rows: IndexArray
+        self, state: EnvState, constants: RobotConstants, rows: IndexArray
     ) -> tuple[ComplexArray, ComplexArray]:
         """Gives where robots are, and where their rings' fronts point."""
-        x_m, y_m, angle_rad = mount_poses(state, equipment, rows).T
+        x_m, y_m, angle_rad = mount_poses(state, constants, rows).T
         return x_m + 1j * y_m, np.exp(1j * angle_rad)
 
     def _around(
         self,
         state: EnvState,
-        around: Surroundings,
+        rays: RayCaster,
         rows: IndexArray,
         place: ComplexArray,
         turn: ComplexArray,
@@ -253,13 +278,13 @@ class SonarRing:
         parts = [np.zeros((0, MAX_SONARS))]
         for first in range(0, len(rows), _ROBOTS_AT_ONCE):
             part = slice(first, first + _ROBOTS_AT_ONCE)
-            parts.append(self._around_few(state, around, rows[part], place[part], turn[part]))
+            parts.append(self._around_few(state, rays, rows[part], place[part], turn[part]))
         return np.concatenate(parts)
 
     def _around_few(
         self,
         state: EnvState,
-        around: Surroundings,
+        rays: RayCaster,
         rows: IndexArray,
         place: ComplexArray,
         turn: ComplexArray,
@@ -268,49 +293,23 @@ class SonarRing:
         number = np.tile(np.arange(MAX_SONARS), len(rows))
         mode = state.sonar.mode[rows[each]]
         pings = self._beams.pings(rows[each], number, place[each], turn[each], mode)
-        prospect = self._prospect(state, around, pings, number)
-        heard_m = first_echo(pings, prospect, hushed=around.surfaces.hushed)
+        prospect = self._prospect(state, rays, pings, number)
+        heard_m = first_echo(pings, prospect, hushed=rays.surfaces.hushed)
         return heard_m.reshape(-1, MAX_SONARS)
 
     def _prospect(
-        self, state: EnvState, around: Surroundings, pings: Pings, number: IndexArray
+        self, state: EnvState, rays: RayCaster, pings: Pings, number: IndexArray
     ) -> Prospect:
         """Gives what pings can meet, sent by the sonars with these numbers."""
         z_m = self._beams.z_m(pings.own, number)
-        return around.prospect(state, z_m, np.tan(pings.half_rad))
+        return rays.prospect(state, z_m, np.tan(pings.half_rad))
 
 
-def get_sn(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no sonars; the reply has the readings."""
-    return np.asarray(equipment.sonars[rows].any(axis=1))
-
-
-def conf_sn(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets which sonars fire and how often; refuses an order with a sonar that is not there."""
-    order, given, good = orders(messages, MAX_SONARS)
-    has = equipment.sonars[rows]
-    known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
-    good &= has.any(axis=1) & (known | ~given).all(axis=1)
-    rows, order, given = rows[good], order[good], given[good]
-    interval_s = messages["i"][good, 0] % _RATES * SONAR_TICK_S
-    state.sonar.interval_s[rows] = np.maximum(interval_s, equipment.least_interval_s[rows])
-    state.sonar.reorder(
-        rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
-    )
-    return good
-
-
-def set_mode(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Lets sonars work in another mode from their next ping on; refuses modes there are not."""
-    mode = messages["i"][:, 0]
-    good = np.asarray((mode >= 0) & (mode < equipment.sonar_modes[rows]))
-    state.sonar.mode[rows[good]] = mode[good]
+def set_mode(context: RequestContext) -> BoolArray:
+    """Select a mode from sonars' next ping on; refuse modes that there are not."""
+    mode = context["mode"]
+    good = np.asarray((mode >= 0) & (mode < context.constants.sonar_modes[context.rows]))
+    context.state.sonar.mode[context.rows[good]] = mode[good]
     return good
 
 

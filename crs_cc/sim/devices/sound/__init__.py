@@ -1,18 +1,18 @@
-"""Microphones: how loud each of eight tones is, and where the loudest comes from.
+"""Microphones: the level of each of eight tones, and the direction of the loudest.
 
-    level of a tone = round(sqrt(sum over all its sounds of (level / d * w)^2))
-    w = 1 for a sound in sight, 1/4 for one that goes around something
+    level of a tone = round(sqrt(sum over all its sources of (level / d * w)^2))
+    w = 1 for a source in the line of sight, 1/4 for one behind an obstacle
 
-d is the distance of a sound from the middle of the robot [m]: its pressure falls with the distance,
-as that of a ball that breathes, and sounds that have nothing to do with each other add their power.
-A quarter of the pressure is 12 dB less: ISO 9613-2, 7.4, has about 5 to 20 dB for one edge in the
-way, and we take the middle for everything. The direction is that of the sum of all sounds of the
-loudest tone, each an arrow as long as its power; also of those that come around something, as if
-there were nothing. A sound nearer than 10 cm sounds as from there. Sounds stand in the world file,
-or are those of other robots (`crs_sound`).
+d is the distance of a source from the robot's centre [m]: the pressure is inversely proportional to
+the distance, as for a pulsating sphere, and the powers of incoherent sources add. A quarter of the
+pressure is 12 dB less: ISO 9613-2, 7.4, has about 5 to 20 dB for diffraction at one edge, and we
+use the middle for all obstacles. The direction is that of the vector sum over all sources of the
+loudest tone, each weighted by its power, including sources behind obstacles, as if there were none.
+d is at least 10 cm. Sources are declared in the world file, or are speakers of other robots
+(`crs_sound`).
 
-Microphones measure whenever the program asks, or by their timer, with things as they are at the
-start of the cycle; a normal deviate with the definition's share of a level is added to it.
+Microphones measure on request, or on their timer, with objects at their positions at the start of
+the timestep; a normal deviate proportional to the level, with the definition's noise, is added.
 """
 
 from __future__ import annotations
@@ -26,14 +26,15 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.geometry.frames import wrapped
 from crs_cc.sim.model.beacons import TONES
 from crs_cc.sim.state.timers import SOUND
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -67,8 +68,8 @@ class Microphones:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -76,40 +77,36 @@ class Microphones:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have some, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
         if not len(rows):
             return
-        ears, mine = state.sound, equipment.sound[rows]
-        levels, bearing_rad = self._sound(state, equipment, around, rows)
+        ears, mine = state.sound, constants.sound[rows]
+        levels, bearing_rad = self._sound(state, constants, rays, rows)
         if self._share.any():
             deviates = self._noise.rows(rows, ears.count[mine])
             levels = levels * (1.0 + deviates * self._share[rows, None])
-        levels = equipment.degradations.alter(state, "sound", rows, levels, at_s)
+        levels = constants.degradations.alter(state, "sound", rows, levels, at_s)
         levels = np.nan_to_num(levels, nan=0.0)
         ears.level[mine], ears.at_s[mine] = levels, at_s
         ears.bearing_rad[mine] = bearing_rad[np.arange(len(rows)), levels.argmax(axis=1)]
         ears.count[mine] += 1
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers GET_SOUND: the levels of all tones, and where the loudest comes from."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.sound[rows] >= 0)
-        measures = has & state.timers.on_request(rows, SOUND)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        replies, mine = asked.messages[has], equipment.sound[rows[has]]
-        replies["i"][:, 0] = np.rint(rad_to_tenths_deg(state.sound.bearing_rad[mine]))
-        whole = np.clip(np.rint(state.sound.level[mine]), 0, LARGEST).astype("<i4")
-        replies["data"][:, : 4 * TONES] = whole.view(np.uint8)
-        replies["size"] = 4 * TONES
-        asked.messages[has] = replies
+    def get_sound(self, context: RequestContext) -> BoolArray:
+        """Answer GET_SOUND: the levels of all tones, and where the loudest comes from."""
+        sound, mine = context.state.sound, context.constants.sound[context.rows]
+        has = np.asarray(mine >= 0)
+        read_on_request(context, self.read, SOUND, has)
+        mine = mine[has]
+        context.put("direction", np.rint(rad_to_tenths_deg(sound.bearing_rad[mine])), has)
+        context.put_data(np.clip(np.rint(sound.level[mine]), 0, LARGEST), has)
         return has
 
     def _sound(
-        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+        self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> tuple[FloatArray, FloatArray]:
         """Gives the levels of all tones, and where they come from, both (k, 8)."""
         beacons, robots = state.beacons, len(state.heading_rad)
@@ -117,7 +114,7 @@ class Microphones:
         carried = sounds.owner[len(self._tone) :]
         tones = np.concatenate([self._tone, beacons.tone[carried]])
         heard = sense(
-            state, equipment, around, rows,
+            state, constants, rays, rows,
             sources=sounds, range_m=self._range_m[rows], fan=self.fans[0],
         )  # fmt: skip
         pressure = sounds.strength[heard.source] / heard.distance_m

@@ -12,27 +12,28 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray
 from crs_cc.sim.devices.heat import hot_things
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.devices.request_context import RequestContext
 
 
 _NOTHING_M: Final = -1.0  # nothing is so near
 
 
-def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
-    """Takes the heat away, and answers with how many things lost it; refuses robots without."""
-    has = np.asarray(equipment.tag_range_m[rows] > 0.0)
-    rows, range_m = rows[has], equipment.tag_range_m[rows[has]]
-    reach_m = equipment.degradations.alter(
+def tag(context: RequestContext) -> BoolArray:
+    """Take the heat away, and answer with how many things lost it; refuse robots without."""
+    state, constants = context.state, context.constants
+    has = np.asarray(constants.tag_range_m[context.rows] > 0.0)
+    rows = context.rows[has]
+    range_m = constants.tag_range_m[rows]
+    reach_m = constants.degradations.alter(
         state, "tag", rows, range_m[:, None], state.drive.clock_s[rows]
     )[:, 0]
     reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
-    robot, thing, _ = hot_things(state, equipment, rows, reach_m)
+    robot, thing, _ = hot_things(state, constants, rows, reach_m)
     state.heat.left[thing] = 0.0
-    messages["size"] = 0
-    messages["i"][has, 0] = np.bincount(robot, minlength=len(rows))
+    context.clear_data()
+    context.put("things", np.bincount(robot, minlength=len(rows)), has)
     return has

@@ -1,96 +1,72 @@
-"""The inclinometer: how the robot is tilted.
+"""The inclinometer: pitch and roll of the robot.
 
-    pitch = atan(rise of the ground ahead) + noise      above 0 with the nose up
-    roll  = atan(rise of the ground to the left) + noise      above 0 with the left side up
+    pitch = atan(slope of the ground in forward direction) + noise    positive with the nose up
+    roll  = atan(slope of the ground to the left) + noise      positive with the left side up
 
-by metre, under the robot's middle, ahead being where the mount points; to the nearest 0.1 degree,
-with normal deviates. It measures when the program asks, at most at its rate, or by its timer;
-between two measurements it tells the last one. On level ground both are 0, also at a ledge: robots
-do not tip. Speeding up and bumps, which fool real ones, count for nothing. All of it was chosen by
-us.
+under the robot's centre, where forward is the direction of the mount; to the nearest 0.1 degree,
+with normal deviates. It measures when the program requests it, at most at its rate, or on its
+timer; requests in between return the previous measurement. On level ground both are 0, also at a
+ledge: robots do not tip over. Acceleration and bumps, which disturb real inclinometers, have no
+effect. The model was chosen by us.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.core import random_streams
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.core.time_grid import is_due
-from crs_cc.core.units import rad_to_tenths_deg
+from crs_cc.core.quantity import ANGLE
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.state.timers import TILT
+from crs_cc.sim.model.device import Device, Value, attribute, period, rate
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.model.world import WorldModel
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.core.arrays import FloatArray
+    from crs_cc.sim.devices.sensor import Measurement
 
 
-_MOST: Final = 3600.0  # a degraded one may tell anything
-
-
-class Inclinometers:
-    """The inclinometers of all robots that have one.
+@dataclass(frozen=True, slots=True)
+class Inclinometer:
+    """An inclinometer on the mount.
 
     Attributes:
-        interval_s: the least time between two measurements of each.
+        rate_hz: how often it measures at most.
+        noise_rad: standard deviation of the error of pitch and of roll.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        models = [robot.model.inclinometer for robot in world.robots]
-        found = [each for each in models if each is not None]
-        self.interval_s = np.array([1.0 / each.rate_hz for each in found])
-        self._noise_rad = np.array([each.noise_rad for each in found])
-        self._noise = random_streams.Noise(
-            seed, random_streams.TILT, 2, len(world.robots) if self._noise_rad.any() else 0
-        )
+    rate_hz: float = rate("20Hz")
+    noise_rad: float = attribute("noise", ANGLE, "0deg", "Standard deviation of pitch and of roll.")
+    period_s: float = period()
 
-    def read(
-        self,
-        state: EnvState,
-        equipment: Equipment,
-        _around: Surroundings,
-        rows: IndexArray,
-        at_s: FloatArray,
-    ) -> None:
-        """Lets inclinometers measure whose time has come.
 
-        Args:
-            state: changed in place.
-            equipment: the robots' constants.
-            rows: robots that have one, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
-        """
-        tilt, mine = state.tilt, equipment.inclinometer[rows]
-        due = is_due(tilt.at_s[mine], at_s, self.interval_s[mine])
-        rows, mine, at_s = rows[due], mine[due], at_s[due]
-        tilt_rad = np.zeros((len(rows), 2))
-        if equipment.inclines is not None:
-            x_m, y_m, direction = mount_poses(state, equipment, rows).T
-            gradient = equipment.inclines.terrain.gradient(x_m, y_m)
-            cos, sin = np.cos(direction), np.sin(direction)
-            tilt_rad[:, 0] = np.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
-            tilt_rad[:, 1] = np.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])
-        if self._noise_rad.any():
-            tilt_rad += self._noise.rows(rows, tilt.count[mine]) * self._noise_rad[mine, None]
-        tilt_rad = equipment.degradations.alter(state, "tilt", rows, tilt_rad, at_s)
-        tilt.tilt_rad[mine], tilt.at_s[mine] = tilt_rad, at_s
-        tilt.count[mine] += 1
+def measure(now: Measurement) -> FloatArray:
+    """Return pitch and roll [rad], (k, 2)."""
+    tilt_rad = np.zeros((len(now.rows), 2))
+    if now.constants.inclines is not None:
+        x_m, y_m, direction = mount_poses(now.state, now.constants, now.rows).T
+        gradient = now.constants.inclines.terrain.gradient(x_m, y_m)
+        cos, sin = np.cos(direction), np.sin(direction)
+        tilt_rad[:, 0] = np.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
+        tilt_rad[:, 1] = np.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])
+    return tilt_rad
 
-    def tell(self, asked: Asked) -> BoolArray:
-        """Answers TILT; refuses robots that have no inclinometer, or whose one tells nothing."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.inclinometer[rows] >= 0)
-        measures = has & state.timers.on_request(rows, TILT)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        tilt_rad = state.tilt.tilt_rad[equipment.inclinometer[rows[has]]]
-        told = np.isfinite(tilt_rad).all(axis=1)
-        has[has] = told
-        tenths = np.rint(rad_to_tenths_deg(tilt_rad[told]))
-        asked.messages["i"][has, :2] = np.clip(tenths, -_MOST, _MOST).astype(np.int32)
-        return has
+
+DEVICE = Device(
+    name="tilt",
+    title="Inclinometer",
+    element="inclinometer",
+    summary="Measures pitch and roll of the robot",
+    does="measures pitch and roll",
+    model=Inclinometer,
+    values=(
+        Value("pitch", "pitch, positive with the nose up"),
+        Value("roll", "roll, positive with the left side up"),
+    ),
+    kind=ANGLE,
+    measure=measure,
+    source=__file__,
+    number=6,
+    stream=29,
+)

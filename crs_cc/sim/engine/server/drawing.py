@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, Int32Array
 from crs_cc.sim.engine.drawings import ARROW, ROBOT, is_mode, is_xor
 from crs_cc.sim.state.drawings import DrawingState
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.devices.request_context import RequestContext
 
 
 MAX_OWN: Final = 10_000
@@ -28,40 +27,40 @@ MAX_OWN: Final = 10_000
 MAX_ALL: Final = 50_000
 """The most that all programs together can have."""
 
+_MARK: Final = ("shape", "x1", "y1", "x2", "y2", "angle1", "angle2", "mode")
 _WITH_ARROW: Final = 2
+_ARROW_MODE: Final = 3
 _REFRESH_ALL: Final = 0
 _REFRESH_CLIENT_GRAPHICS: Final = 9
 
 
-def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
-    """Draws a robot, a line or an arc; refuses shapes and modes that are not known."""
-    good = np.zeros(len(rows), dtype=np.bool_)
-    for row, robot in enumerate(rows.tolist()):
-        mark = messages["i"][row].copy()
-        kind, mode = int(mark[0]), int(mark[7])
+def draw(context: RequestContext) -> BoolArray:
+    """Answer DRAW with a robot, a line or an arc; refuse unknown shapes and modes."""
+    drawings = context.state.drawings
+    good = np.zeros(len(context), dtype=np.bool_)
+    for row, robot in enumerate(context.rows.tolist()):
+        mark = context.columns(*_MARK)[row].copy()
+        kind, mode = int(mark[0]), int(mark[-1])
         good[row] = is_mode(kind, mode)
         if not good[row]:
             continue
-        _put(state.drawings, robot, mark, xor=is_xor(kind, mode))
+        _put(drawings, robot, mark, xor=is_xor(kind, mode))
         if kind == ROBOT and mode == _WITH_ARROW:
-            mark[0] = ARROW
-            mark[7] = 3
-            _put(state.drawings, robot, mark, xor=False)
+            mark[0], mark[-1] = ARROW, _ARROW_MODE
+            _put(drawings, robot, mark, xor=False)
     return good
 
 
-def refresh(
-    state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Erases what is asked for, as far as programs have drawn it."""
-    what = messages["i"][:, 0]
-    if np.isin(what, (_REFRESH_ALL, _REFRESH_CLIENT_GRAPHICS)).any():
-        state.drawings = DrawingState.at_start()
-    return np.asarray((what >= _REFRESH_ALL) & (what <= _REFRESH_CLIENT_GRAPHICS))
+def refresh(context: RequestContext) -> BoolArray:
+    """Answer REFRESH: erase what is asked for, as far as programs have drawn it."""
+    part = context["part"]
+    if np.isin(part, (_REFRESH_ALL, _REFRESH_CLIENT_GRAPHICS)).any():
+        context.state.drawings = DrawingState.at_start()
+    return np.asarray((part >= _REFRESH_ALL) & (part <= _REFRESH_CLIENT_GRAPHICS))
 
 
 def _put(drawings: DrawingState, robot: int, mark: Int32Array, *, xor: bool) -> None:
-    """Puts a mark on top; the same below goes away, and by exclusive or both do."""
+    """Add a mark on top; the same below disappears, and by exclusive or both do."""
     own = drawings.robots == robot
     keep = ~(own & (drawings.marks == mark).all(axis=1))
     erases = xor and not keep.all()

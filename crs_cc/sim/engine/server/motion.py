@@ -25,12 +25,12 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Records
+from crs_cc.core import segment
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.devices.request_context import RequestContext
 
 
 _SEGMENT: Final = 0
@@ -43,29 +43,28 @@ _AHEAD_M: Final = 1e-3  # so far ahead on the path it shows whether a contact ge
 _CLOSER_M: Final = 1e-10
 
 
-def motion_check(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Answers with the first contact on each robot's path; refuses where there is none."""
-    position_m, angle_rad = state.bodies.position_m, state.bodies.angle_rad
-    outlines = (equipment.scene.fixed, equipment.scene.moving(position_m, angle_rad))
+def motion_check(context: RequestContext) -> BoolArray:
+    """Answer with the first contact on each robot's path; refuse where there is none."""
+    bodies, scene = context.state.bodies, context.constants.scene
+    outlines = (scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad))
     segments = np.concatenate([each.segments for each in outlines])
     circles = np.concatenate([each.circles for each in outlines])
     owners = np.concatenate([each.owners for each in outlines])
-    hits = np.zeros(len(rows), dtype=np.bool_)
-    for row, (robot, message) in enumerate(zip(rows, messages, strict=True)):
-        numbers = message["data"][: 8 * _NUMBERS].view("<f8").copy()
-        path = _path(int(message["i"][0]), numbers)
+    hits = np.zeros(len(context), dtype=np.bool_)
+    kinds = context["path"].tolist()
+    numbers = context["numbers"][:, : 8 * _NUMBERS].copy().view("<f8")
+    for row, robot in enumerate(context.rows.tolist()):
+        path = _path(kinds[row], numbers[row])
         if path is None:
             continue
-        shapes = Shapes.of(segments, circles[owners != robot], equipment.radius_m[robot])
+        shapes = Shapes.of(segments, circles[owners != robot], context.constants.radius_m[robot])
         contact = first_contact(path, shapes)
         if contact is not None:
             hits[row] = True
             place, normal_rad = contact
-            message["f"][0] = m_to_tenths_inch(place.real)
-            message["f"][1] = m_to_tenths_inch(place.imag)
-            message["f"][2] = normal_rad
+            context.put("x", m_to_tenths_inch(place.real), row)
+            context.put("y", m_to_tenths_inch(place.imag), row)
+            context.put("normal_rad", normal_rad, row)
     return hits
 
 
@@ -85,7 +84,7 @@ class Shapes:
 
     @classmethod
     def of(cls, segments: FloatArray, circles: FloatArray, radius_m: float) -> Shapes:
-        """Takes outlines, see `scene.Outlines`."""
+        """Return the shapes of outlines, see `scene.Outlines`."""
         middle = circles[:, 0] + 1j * circles[:, 1]
         start = np.concatenate([segments[:, 0] + 1j * segments[:, 1], middle])
         end = np.concatenate([segments[:, 2] + 1j * segments[:, 3], middle])
@@ -93,18 +92,17 @@ class Shapes:
         return cls(start, end, radius_m + margin_m)
 
     def room_m(self, place: ComplexArray | complex) -> FloatArray:
-        """Gives how far places are from contact, one for each shape; negative inside."""
+        """Return how far places are from contact, one for each shape; negative inside."""
         return np.asarray(np.abs(self.nearest(place) - place) - self.reach_m)
 
     def nearest(self, place: ComplexArray | complex) -> ComplexArray:
-        """Gives the point on each segment that is nearest to a place."""
-        along = self.end - self.start
-        length2 = np.maximum(np.abs(along) ** 2, _ON_M**2)
-        share = np.clip(((place - self.start) * along.conjugate()).real / length2, 0.0, 1.0)
+        """Return the point on each segment that is nearest to a place."""
+        across, along = place - self.start, self.end - self.start
+        share = segment.nearest_share(across.real, across.imag, along.real, along.imag)
         return np.asarray(self.start + share * along)
 
     def take(self, which: IndexArray) -> Shapes:
-        """Gives some of them."""
+        """Return some of them."""
         return Shapes(self.start[which], self.end[which], self.reach_m[which])
 
 
@@ -117,15 +115,15 @@ class Straight:
     length_m: float
 
     def at(self, way_m: FloatArray) -> ComplexArray:
-        """Gives the places after some ways."""
+        """Return the places after some lengths of the path."""
         return np.asarray(self.start + way_m * self.direction)
 
     def around(self) -> tuple[complex, float]:
-        """Gives the middle and the radius of a disc that the path lies in."""
+        """Return the middle and the radius of a disc that the path lies in."""
         return self.start + self.direction * self.length_m / 2, self.length_m / 2
 
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
-        """Gives the ways after which the line is so far from points; NaN where it never is."""
+        """Return the lengths after which the line is so far from points; NaN where it never is."""
         away = self.start - point
         along = (away * self.direction.conjugate()).real
         root = np.sqrt(distance_m**2 - np.abs(away) ** 2 + along**2)
@@ -134,7 +132,7 @@ class Straight:
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
-        """Gives the way after which the line is so far along a normal from points."""
+        """Return the length after which the line is so far along a normal from points."""
         before = ((self.start - point) * normal.conjugate()).real
         return [(distance_m - before) / (self.direction * normal.conjugate()).real]
 
@@ -158,16 +156,16 @@ class Arc:
     length_m: float
 
     def at(self, way_m: FloatArray) -> ComplexArray:
-        """Gives the places after some ways."""
+        """Return the places after some lengths of the path."""
         angle = self.begin_rad + self.sense * way_m / self.radius_m
         return np.asarray(self.centre + self.radius_m * np.exp(1j * angle))
 
     def around(self) -> tuple[complex, float]:
-        """Gives the middle and the radius of a disc that the path lies in."""
+        """Return the middle and the radius of a disc that the path lies in."""
         return self.centre, self.radius_m
 
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
-        """Gives the ways after which the circle is so far from points; NaN where it never is."""
+        """Return after which lengths the circle is so far from points; NaN where never."""
         away = self.centre - point
         apart = np.abs(away)
         cos = (distance_m**2 - apart**2 - self.radius_m**2) / (2 * self.radius_m * apart)
@@ -176,7 +174,7 @@ class Arc:
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
-        """Gives the ways after which the circle is so far along a normal from points."""
+        """Return the lengths after which the circle is so far along a normal from points."""
         before = ((self.centre - point) * normal.conjugate()).real
         return self._ways(np.angle(normal), (distance_m - before) / self.radius_m)
 
@@ -190,7 +188,7 @@ Path: TypeAlias = Straight | Arc
 
 
 def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
-    """Gives where a robot's middle is when it first touches something, and the normal [rad]."""
+    """Return where a robot's middle is when it first touches something, and the normal [rad]."""
     middle, radius_m = path.around()
     shapes = shapes.take(np.flatnonzero(shapes.room_m(middle) <= radius_m + _AHEAD_M))
     ways_m = np.stack([np.zeros(len(shapes.reach_m)), *_candidates(path, shapes)])
@@ -208,7 +206,7 @@ def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
 
 
 def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
-    """Gives ways among which all are that end in a contact."""
+    """Return path lengths, among them all that end in a contact."""
     along = shapes.end - shapes.start
     with np.errstate(divide="ignore", invalid="ignore"):
         normal = 1j * along / np.abs(along)
@@ -221,7 +219,7 @@ def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
 
 
 def _path(kind: int, numbers: FloatArray) -> Path | None:
-    """Gives a path; None where the numbers make none."""
+    """Return a path; None where the numbers make none."""
     if not (np.abs(numbers) <= m_to_tenths_inch(_FURTHEST_M)).all() or kind not in (_SEGMENT, _ARC):
         return None
     lengths_m = tenths_inch_to_m(numbers)

@@ -20,36 +20,35 @@ from crs_cc.sim.devices.vendor_state import IR_0, SONAR_0
 from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.devices.sensor_board import Instruments
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
+    from crs_cc.sim.devices.sensor_board import SensorBoard
     from crs_cc.sim.devices.sonar import SonarRing
     from crs_cc.sim.state.env_state import EnvState
 
 
-def predict(asked: Asked, *, sensors: tuple[SonarRing, Instruments]) -> None:
-    """Answers PREDICT.
+def predict(context: RequestContext, *, sonars: SonarRing, sensor_board: SensorBoard) -> None:
+    """Answer PREDICT; the state keeps what lasers would see.
 
     Args:
-        asked: the poses; the state keeps what lasers would see.
-        sensors: those of the robots.
+        context: the requests.
+        sonars: the sonars of all robots.
+        sensor_board: what else they measure with.
     """
-    sonars, instruments = sensors
-    state, equipment, around = asked.state, asked.equipment, asked.around
-    rows, messages = asked.rows, asked.messages
-    poses = _mounts(state, equipment, rows, messages["i"][:, :4].astype(np.float64))
-    told = np.zeros((len(rows), NUM_STATE), dtype="<i4")
-    told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, around, rows, poses)
-    told[:, IR_0:SONAR_0], counts = instruments.look(state, equipment, around, rows, poses)
-    messages["size"] = told.itemsize * NUM_STATE
-    messages["data"][:, : told.itemsize * NUM_STATE] = told.view(np.uint8)
-    messages["i"][:, 0] = counts
+    state, constants, rays = context.state, context.constants, context.rays
+    rows, wanted = context.rows, context.columns("x", "y", "heading", "turret")
+    poses = _mounts(state, constants, rows, wanted.astype(np.float64))
+    told = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
+    told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, rays, rows, poses)
+    told[:, IR_0:SONAR_0], counts = sensor_board.look(state, constants, rays, rows, poses)
+    context.put_data(told)
+    context["laser_count"] = counts
 
 
 def _mounts(
-    state: EnvState, equipment: Equipment, rows: IndexArray, asked: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray, wanted: FloatArray
 ) -> FloatArray:
-    """Gives x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
-    place_m = tenths_inch_to_m(asked[:, :2])
-    heading_rad, turret_rad = tenths_deg_to_rad(asked[:, 2:]).T
-    return np.column_stack([place_m, mount_rad(state, equipment, rows, heading_rad, turret_rad)])
+    """Return x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
+    place_m = tenths_inch_to_m(wanted[:, :2])
+    heading_rad, turret_rad = tenths_deg_to_rad(wanted[:, 2:]).T
+    return np.column_stack([place_m, mount_rad(state, constants, rows, heading_rad, turret_rad)])

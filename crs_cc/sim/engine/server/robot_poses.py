@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Records
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import DATA_SIZE
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.devices.request_context import RequestContext
 
 
 _TURN: Final = 3600
@@ -24,14 +22,13 @@ _ROW_BYTES: Final = 12
 _PAGE: Final = DATA_SIZE // _ROW_BYTES
 
 
-def get_rpx(state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Records) -> None:
-    """Answers with the poses of up to twenty robots, from the one that is asked for on."""
+def get_rpx(context: RequestContext) -> None:
+    """Answer GET_RPX with the poses of up to twenty robots, from the one that is asked for on."""
+    state = context.state
     heading = np.rint(rad_to_tenths_deg(state.heading_rad)) % _TURN
     x, y = np.rint(m_to_tenths_inch(state.x_m)), np.rint(m_to_tenths_inch(state.y_m))
-    poses = np.column_stack([x, y, heading]).astype("<i4")
-    messages["result"] = len(poses)
-    for message in messages:
-        first = max(int(message["i"][0]), 0)
-        page = poses[first : first + _PAGE].tobytes()
-        message["size"] = len(page)
-        message["data"][: len(page)] = np.frombuffer(page, dtype=np.uint8)
+    poses = np.column_stack([x, y, heading])
+    context["robots"] = len(poses)
+    for place, number in enumerate(context["first"].tolist()):
+        first = max(number, 0)
+        context.put_data(poses[first : first + _PAGE].ravel(), place)

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, IndexArray, Int64Array, Records
+from crs_cc.core.arrays import BoolArray, Int64Array
 from crs_cc.core.quantity import LENGTH
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 from crs_cc.sim.geometry.placement import TOLERANCE_M, distance_from_m
@@ -27,7 +27,8 @@ from crs_cc.sim.model.world import Box, Polygon, Solid, is_pushable
 from crs_cc.sim.state.obstacles import MAX_VERTICES, Corners, ObstacleState, polygon_of, things_of
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -40,72 +41,73 @@ MAX_ALL: Final = 500
 _FURTHEST: Final = int(m_to_tenths_inch(LENGTH.limit))
 
 
-def add_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Adds a polygon."""
+def add_obstacle(context: RequestContext) -> BoolArray:
+    """Answer ADD_OBSTACLE: add a polygon."""
     good = [
-        _add(state, equipment, int(robot), _corners(message))
-        for robot, message in zip(rows, messages, strict=True)
+        _add(context.state, context.constants, robot, corners)
+        for robot, corners in zip(context.rows.tolist(), _polygons(context), strict=True)
     ]
     return np.array(good, dtype=np.bool_)
 
 
-def delete_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Takes a polygon away, which is named by its corners."""
-    good = np.zeros(len(rows), dtype=np.bool_)
-    for row, message in enumerate(messages):
-        place = _find(state.obstacles, equipment, _corners(message))
+def delete_obstacle(context: RequestContext) -> BoolArray:
+    """Answer DELETE_OBSTACLE: take a polygon away, which is named by its corners."""
+    state = context.state
+    good = np.zeros(len(context), dtype=np.bool_)
+    for row, corners in enumerate(_polygons(context)):
+        place = _find(state.obstacles, context.constants, corners)
         if place is not None:
             state.obstacles, good[row] = _without(state.obstacles, place), True
     return good
 
 
-def move_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Moves a polygon, which is named by its corners, and answers with its new ones.
+def move_obstacle(context: RequestContext) -> BoolArray:
+    """Answer MOVE_OBSTACLE with the new corners of a polygon, which is named by its corners.
 
     What another program has added stays its own; what stood in the world file is the mover's.
     """
-    good = np.zeros(len(rows), dtype=np.bool_)
-    for row, (robot, message) in enumerate(zip(rows.tolist(), messages, strict=True)):
-        before, corners = state.obstacles, _corners(message)
-        place = _find(before, equipment, corners)
+    state, constants = context.state, context.constants
+    good = np.zeros(len(context), dtype=np.bool_)
+    ways = context.columns("dx", "dy").astype(np.int64)
+    for row, corners in enumerate(_polygons(context)):
+        before = state.obstacles
+        place = _find(before, constants, corners)
         if corners is None or place is None:
             continue
-        owner = int(before.owners[place]) if place >= 0 else robot
+        owner = int(before.owners[place]) if place >= 0 else int(context.rows[row])
         state.obstacles = _without(before, place)
-        moved = corners + message["i"][1:3].astype(np.int64)
-        good[row] = _add(state, equipment, owner, moved)
+        moved = corners + ways[row]
+        good[row] = _add(state, constants, owner, moved)
         if good[row]:
-            message["data"][: 8 * len(moved)] = moved.astype("<i4").reshape(-1).view(np.uint8)
+            content = moved.astype("<i4").reshape(-1).view(np.uint8)
+            context.messages["data"][row, : len(content)] = content
         else:
             state.obstacles = before
     return good
 
 
-def new_world(
-    state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records
-) -> None:
-    """Takes away everything but the edge of the world and the robots."""
+def new_world(context: RequestContext) -> None:
+    """Answer NEW_WORLD: take away everything but the edge of the world and the robots."""
     nothing = np.zeros(0, dtype=np.intp)
-    left = state.obstacles.take(nothing)
-    state.obstacles = replace(left, standing=np.zeros_like(left.standing))
+    left = context.state.obstacles.take(nothing)
+    context.state.obstacles = replace(left, standing=np.zeros_like(left.standing))
 
 
-def _corners(message: np.void) -> Int64Array | None:
-    """Gives the corners in a message, shape (corners, 2); None where their number is wrong."""
-    count = int(message["i"][0])
-    if not 3 <= count <= MAX_VERTICES:
-        return None
-    return np.asarray(message["data"][: 8 * count].view("<i4").reshape(-1, 2), dtype=np.int64)
+def _polygons(context: RequestContext) -> list[Int64Array | None]:
+    """Return the corners of each request, (corners, 2); None where their number is wrong."""
+    content = context["vertices"]
+    return [
+        content[row, : 8 * count].view("<i4").reshape(-1, 2).astype(np.int64)
+        if 3 <= count <= MAX_VERTICES
+        else None
+        for row, count in enumerate(context["count"].tolist())
+    ]
 
 
-def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array | None) -> bool:
-    """Adds a polygon if it can be one and may stand there."""
+def _add(
+    state: EnvState, constants: RobotConstants, robot: int, corners: Int64Array | None
+) -> bool:
+    """Add a polygon if it is one and its place is free."""
     obstacles = state.obstacles
     if corners is None or np.abs(corners).max() > _FURTHEST:
         return False
@@ -119,7 +121,7 @@ def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array 
     room_m = distance_from_m(
         polygon_of(obstacles.made, corners.astype(np.int32)), state.x_m, state.y_m
     )
-    if (state.presence.present & (room_m < equipment.radius_m - TOLERANCE_M)).any():
+    if (state.presence.present & (room_m < constants.radius_m - TOLERANCE_M)).any():
         return False
     row = np.zeros((1, MAX_VERTICES, 2), dtype=np.int32)
     row[0, : len(corners)] = corners
@@ -134,8 +136,10 @@ def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array 
     return True
 
 
-def _find(obstacles: ObstacleState, equipment: Equipment, corners: Int64Array | None) -> int | None:
-    """Gives the first polygon with some corners; None if there is none.
+def _find(
+    obstacles: ObstacleState, constants: RobotConstants, corners: Int64Array | None
+) -> int | None:
+    """Return the first polygon with some corners; None if there is none.
 
     Returns:
         the row of one that was added; of a thing of the world file its number, inverted (~).
@@ -146,7 +150,7 @@ def _find(obstacles: ObstacleState, equipment: Equipment, corners: Int64Array | 
     for added in np.flatnonzero(obstacles.sizes == len(corners)).tolist():
         if _in_order(obstacles.of(added)) == wanted:
             return int(added)
-    things = things_of(equipment.world)
+    things = things_of(constants.world)
     for number in np.flatnonzero(obstacles.standing).tolist():
         if _in_order(_tenths_inch(things[number])) == wanted:
             return ~int(number)
@@ -154,7 +158,7 @@ def _find(obstacles: ObstacleState, equipment: Equipment, corners: Int64Array | 
 
 
 def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
-    """Gives the obstacles without the one that was found at a place."""
+    """Return the obstacles without the one that was found at a place."""
     if place >= 0:
         return obstacles.take(np.delete(np.arange(len(obstacles.sizes)), place))
     standing = obstacles.standing.copy()
@@ -163,14 +167,14 @@ def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
 
 
 def _tenths_inch(solid: Solid) -> Corners:
-    """Gives the corners of a fixed box or polygon [0.1 in], none of what has none."""
+    """Return the corners of a fixed box or polygon [0.1 in], none of what has none."""
     if not isinstance(solid, Box | Polygon) or is_pushable(solid):
         return np.zeros((0, 2), dtype=np.int32)
     return np.rint(m_to_tenths_inch(corners_m(solid))).astype(np.int32)
 
 
 def _in_order(corners: npt.NDArray[np.integer]) -> list[tuple[int, int]]:
-    """Gives corners counter-clockwise, the lowest of the leftmost ones first."""
+    """Return corners counter-clockwise, the lowest of the leftmost ones first."""
     pairs: list[tuple[int, int]] = [(int(x), int(y)) for x, y in corners]
     if not pairs:
         return pairs

@@ -1,14 +1,14 @@
 /*
- * base.c - the server in front of a base: takes velocities, publishes where it is.
+ * base.c - a base server: receives velocities, publishes the pose.
  *
- * A toolkit's base server gets its commands from other programs; here they come
- * from a table. As there, a command counts for a second only: without a new one
- * the robot is stopped. A signal ends the server, and its handler stops the robot.
+ * A toolkit's base server gets its commands from other programs; here they come from a
+ * table. As there, a command is valid for one second only: without a new one, the robot
+ * stops. A signal ends the server, and its handler stops the robot.
  *
- * This file does not include the client's header, as such files often did not. So
- * vm(0.0, 0.0, 0.0) is called without a prototype and nothing makes integers of
- * the arguments; it stops the robot all the same, because a double of zero is
- * nothing but zeros. crs warns of it.
+ * This file does not include the client's header, as was common. So vm(0.0, 0.0, 0.0) is
+ * called without a prototype and its arguments are not converted to integers; it stops
+ * the robot nevertheless, because the bits of a double zero are all zero. crs prints a
+ * warning.
  *
  * Usage:  crs run drivers/carmen_like/base.c drivers/carmen_like/scout_base.c studio.xml
  */
@@ -21,8 +21,8 @@
 #include "base_direct.h"
 
 #define PERIOD       100000     /* microseconds */
-#define PUBLISH      10         /* each so many turns */
-#define TIMEOUT      1.0        /* seconds that a command counts */
+#define PUBLISH      10         /* iterations per output */
+#define TIMEOUT      1.0        /* seconds that a command is valid */
 #define NUM_SONARS   16
 #define NUM_BUMPERS  8
 
@@ -31,7 +31,7 @@ typedef struct {
     double tv, rv;              /* m/s, rad/s */
 } Command;
 
-/* Between 14 and 17 s nobody says anything: the server stops the robot. */
+/* No commands between 14 and 17 s: the server stops the robot. */
 static const Command commands[] = {
     { 1.0, 9.0, 0.25, 0.0 },
     { 9.0, 12.0, 0.10, M_PI / 6.0 },
@@ -59,7 +59,7 @@ static const Command *command_at(double seconds)
     return NULL;
 }
 
-/* Prints what a toolkit would send around. */
+/* Prints what a toolkit would publish. */
 static void publish(double seconds, double way)
 {
     double x, y, theta, tv, rv, ranges[NUM_SONARS];
@@ -101,7 +101,7 @@ int main(int argc, char **argv)
     }
     signal(SIGINT, shutdown_base);
     signal(SIGALRM, shutdown_base);
-    alarm(24);                           /* somebody presses Ctrl-C */
+    alarm(24);                           /* like Ctrl-C */
     start = get_time();
     for (turns = 0; !quit; turns++) {
         now = get_time() - start;

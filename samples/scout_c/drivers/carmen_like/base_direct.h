@@ -1,8 +1,8 @@
 /*
- * base_direct.h - what a robot must offer to be a base: metres, radians, seconds.
+ * base_direct.h - the interface of a robot base: metres, radians, seconds.
  *
- * The server in base.c knows nothing else of the robot. Functions give 0, or -1 for
- * a failure; what they measure goes where the pointers say, and NULL is allowed.
+ * The server in base.c knows nothing else about the robot. Functions return 0, or -1 on
+ * failure; results are stored through the pointers, which may be NULL.
  */
 
 #ifndef BASE_DIRECT_H

@@ -1,9 +1,9 @@
 /*
  * scout_base.c - a Scout as a base: between metres and tenths of an inch.
  *
- * Written in the manner of the toolkits of about 2000. They wrap each call of the
- * client, pass floating point numbers where it takes integers and leave it to the
- * header to convert them, and switch the sonars off with no order at all.
+ * Written in the style of toolkits of about 2000. They wrap each call of the client, pass
+ * floating-point numbers where it expects integers, relying on the header to convert
+ * them, and switch the sonars off by passing no order.
  */
 
 #include <math.h>
@@ -20,7 +20,7 @@
 #define MAXV              (1.0 / METRES_PER_SCOUT)
 #define MAX_SONARS        16
 #define WHEELBASE         (2.0 * ROTATION_CONSTANT * 180.0 / M_PI * METRES_PER_INCH)
-#define MIN_POLL          0.06      /* asking more often only fills the line, seconds */
+#define MIN_POLL          0.06      /* polling faster only loads the line, seconds */
 
 static int sonar_is_on = 0;
 static int model_type;
@@ -50,7 +50,7 @@ static double scout_theta(void)
     return normalize_theta(degrees * M_PI / 180.0);
 }
 
-/* Every call sends a packet, and each reply refreshes State. */
+/* Every call sends a packet, and each reply updates State. */
 static int sent(int result)
 {
     time_since_last_command = get_time();
@@ -80,7 +80,7 @@ int base_direct_shutdown_robot(void)
     return sent(disconnect_robot(1));
 }
 
-/* The encoders start anew where the robot stands. */
+/* Resets the encoders at the current position. */
 int base_direct_reset(void)
 {
     return sent(zr());
@@ -136,7 +136,7 @@ int base_direct_update_status(void)
     return gs() ? 0 : -1;
 }
 
-/* What changed since the last call. */
+/* Returns the changes since the last call. */
 int base_direct_get_state(double *displacement, double *rotation, double *tv, double *rv)
 {
     static int initialised = 0;
@@ -196,7 +196,7 @@ int base_direct_get_bumpers(unsigned char *state, int num_bumpers)
     return 0;
 }
 
-/* All of State, for who wants to know more. */
+/* Returns all of State. */
 int base_direct_get_binary_data(unsigned char **data, int *size)
 {
     if (data == NULL || size == NULL)

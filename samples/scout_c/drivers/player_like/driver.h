@@ -19,7 +19,7 @@ struct driver {
     char *name;
     int (*setup)();                 /* driver, argc, argv */
     int (*shutdown)();              /* driver */
-    int (*update)();                /* driver: reads the robot into what follows */
+    int (*update)();                /* driver: reads the robot into the members below */
     int (*command)();               /* driver, vx, va: both double */
     position_data position;
     ranger_data sonar, ir;

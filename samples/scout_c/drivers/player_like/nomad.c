@@ -1,13 +1,13 @@
 /*
  * nomad.c - the driver of Nomad robots: fills the server's interfaces from State.
  *
- * Written in the manner of the device servers of about 2005 around an old client:
- * functions without prototypes, all groups of State read in each turn, the mask of
- * what replies carry written by hand, and the usual trick to silence the sonars, an
- * order that has one element, 255.
+ * Written in the style of device servers of about 2005 around an old client: functions
+ * without prototypes, all groups of State read in each cycle, a hand-written mask of the
+ * data in replies, and the usual way to switch off the sonars, an order with one element,
+ * 255.
  *
- * Drivers of the time wrote the mask in a loop to i <= NUM_MASK, one past its end.
- * crs stops that with an error, unless checks are off (--unchecked); so here it is <.
+ * Drivers of the time wrote the mask in a loop to i <= NUM_MASK, one past its end. crs
+ * stops this with an error, unless checks are off (--unchecked); so here it is <.
  */
 
 # include <stdio.h>
@@ -26,7 +26,7 @@ static int order[MAX_RANGES] = { 0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7,
 static int off[1] = { 255 };
 static double wheel_base = 2.0 * ROTATION_CONSTANT / TENTH_DEGREE * TENTH;
 
-/* Replies carry all but the infrared ring and the laser, which a Scout does not have. */
+/* Replies contain everything except infrared ring and laser, which a Scout lacks. */
 static
 write_mask(ir, laser)
 {
@@ -88,7 +88,7 @@ read_position(p)
     p->stall = State[STATE_BUMPER] != 0 && (State[STATE_MOTOR_STATUS] & 3) != 0;
 }
 
-/* Sonars: whole inches, 255 for nothing. Infrared: 0 to 15, about inches, 15 for nothing. */
+/* Sonars: whole inches, 255 for no echo. Infrared: 0 to 15, about inches, 15 for none. */
 static
 read_rangers(d)
     driver *d;
@@ -120,7 +120,7 @@ nomad_update(d)
     return 0;
 }
 
-/* Speeds come as floating point numbers; what goes to vm() must be int, nothing converts it. */
+/* Speeds are floating-point; arguments of vm() must be int, nothing converts them. */
 static
 nomad_command(d, vx, va)
     driver *d;

@@ -1,8 +1,8 @@
 /*
  * server.c - a device server with one driver: a loop at 10 Hz until a signal comes.
  *
- * Each turn updates the driver and gives it a command, here that of a small client
- * which keeps away from what is near. Every two seconds the interfaces are printed.
+ * Each iteration updates the driver and sends it a command, here from a small client that
+ * avoids obstacles. Every two seconds the interfaces are printed.
  *
  * Usage:  crs run -std=gnu89 drivers/player_like/server.c drivers/player_like/nomad.c room.xml
  */
@@ -46,7 +46,7 @@ nearest(r, first, last)
     return best;
 }
 
-/* The client: ahead while it is free, else a turn to the freer side. */
+/* The client: straight ahead while free, otherwise a turn to the freer side. */
 static
 client(d, vx, va)
     driver *d;

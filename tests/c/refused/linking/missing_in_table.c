@@ -1,4 +1,4 @@
-/* Functions and objects that are declared, used through pointers, and nowhere defined. */
+/* Functions and objects that are declared and used through pointers, but not defined. */
 extern int missing_function(int);
 extern int missing_object[];
 

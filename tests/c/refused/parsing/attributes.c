@@ -1,4 +1,4 @@
-/* Attributes without which the program would be another one. */
+/* Attributes that cannot be ignored without changing the program. */
 int f(void);
 int g(void) __attribute__((alias("f")));  // error: attribute 'alias' is not supported
 //                         ^

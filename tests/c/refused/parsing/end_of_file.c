@@ -3,4 +3,4 @@ int main(void)
 {
     if (1) {
         return 0;
-}  // error: unexpected end of the file
+}  // error: unexpected end of file

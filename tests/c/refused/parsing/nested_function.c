@@ -1,4 +1,4 @@
-/* A function inside a function. */
+/* Nested functions. */
 int main(void)
 {
     int twice(int n) { return 2 * n; } // error: function definition is not allowed here

@@ -2,4 +2,4 @@
 int main(void)
 {
     if (1) {
-        return 0; // error: unexpected end of the file
+        return 0; // error: unexpected end of file

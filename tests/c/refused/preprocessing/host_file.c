@@ -1,4 +1,4 @@
-/* A file of the host outside the program's folder is never read. */
+/* Files of the host outside the program's directory are never read. */
 #include "/etc/hostname" // error: /etc/hostname
 
 int main(void)

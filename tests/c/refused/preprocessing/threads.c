@@ -1,5 +1,5 @@
-/* There is one thread. */
-#include <threads.h> // error: header 'threads.h' is not found
+/* Threads are not supported. */
+#include <threads.h> // error: 'threads.h' file not found
 
 int main(void)
 {

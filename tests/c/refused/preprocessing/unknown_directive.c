@@ -1,5 +1,5 @@
 /* A directive that is none. */
-#incldue <stdio.h> // error: there is no directive '#incldue'
+#incldue <stdio.h> // error: unknown directive '#incldue'
 
 int main(void)
 {

@@ -1,4 +1,4 @@
-/* Calls that do not fit what is called. */
+/* Calls that do not match the called function. */
 static int one(int n) { return n; }
 static int format(const char *text, ...) { return text[0]; }
 static void nothing(void) { }

@@ -1,4 +1,4 @@
-/* What is const is not stored to: through pointers, members, elements. */
+/* const objects are not assignable: through pointers, members, elements. */
 struct s { const int fixed; int free; };
 
 int main(void)

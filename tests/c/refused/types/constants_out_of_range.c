@@ -1,4 +1,4 @@
-/* Numbers and characters that no type holds. */
+/* Numbers and characters that no type can represent. */
 int main(void)
 {
     int a = 99999999999999999999; // error: integer constant 99999999999999999999 is too large for any type

@@ -1,4 +1,4 @@
-/* What GNU C allows has its limits, and some of C is left out. */
+/* Invalid uses of GNU extensions, and unsupported parts of C. */
 struct flexible { int n; short v[]; };
 union number { int i; double d; };
 
@@ -7,11 +7,11 @@ __int128 large; // error: type '__int128' is not supported
 
 int main(void)
 {
-    struct flexible f = {1, {2}}; // error: the flexible array in a local variable cannot be initialized
+    struct flexible f = {1, {2}}; // error: flexible array member of a local variable cannot be initialized
     union number n = (union number)"text"; // error: no member of 'union number' has the type 'char *'
     struct flexible g = (struct flexible)5; // error: used type 'struct flexible'
-    int k = _Generic(n.i, int: 1, signed: 2, default: 3); // error: two types that are compatible
-    k = _Generic(n.i, default: 1, default: 2); // error: '_Generic' has two 'default'
+    int k = _Generic(n.i, int: 1, signed: 2, default: 3); // error: in generic association compatible with previous type
+    k = _Generic(n.i, default: 1, default: 2); // error: duplicate default generic association
     (1 ? k : 2) = 3; // error: expression is not assignable
     return k;
 }

@@ -1,5 +1,5 @@
 /* Mistakes in GNU C's additions, and builtins that make no sense here. */
-void *far = &&nowhere; // error: the address of a label is taken outside of functions
+void *far = &&nowhere; // error: address of a label used outside of a function body
 
 struct s { int bits : 3; };
 
@@ -7,11 +7,11 @@ int main(void)
 {
     struct s s;
     void *p = &&missing; // error: use of undeclared label 'missing'
-    __auto_type empty; // error: '__auto_type' needs one initial value
-    typeof(s.bits) b; // error: 'typeof' of a bit-field
-    int v[4] = {[3 ... 1] = 1}; // error: the range of elements is empty: 3 > 1
+    __auto_type empty; // error: '__auto_type' requires exactly one initializer
+    typeof(s.bits) b; // error: invalid application of 'typeof' to bit-field
+    int v[4] = {[3 ... 1] = 1}; // error: array designator range [3, 1] is empty
     int w[4] = {[2 ... 4] = 1}; // error: array designator index (4) exceeds array bounds
-    int o = __builtin_add_overflow(1.5, 2, &o); // error: an overflow of 'double' cannot be told
+    int o = __builtin_add_overflow(1.5, 2, &o); // error: overflow of 'double' is not supported
 
     goto *s; // error: assigning to 'const void *' from incompatible type 'struct s'
     __builtin_frame_address(0); // error: '__builtin_frame_address' is not supported

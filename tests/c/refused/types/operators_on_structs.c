@@ -1,4 +1,4 @@
-/* Structs are assigned, passed and taken apart; there are no other operators for them. */
+/* Structs support assignment, passing and member access only. */
 struct s { int n; };
 
 int main(void)

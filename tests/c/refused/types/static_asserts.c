@@ -1,4 +1,4 @@
-/* Assertions that fail while compiling, with and without a text. */
+/* Static assertions that fail, with and without a message. */
 struct s { char c; int n; _Static_assert(sizeof(int) == 4, "fine"); };
 _Static_assert(sizeof(struct s) == 5, "no padding here"); // error: no padding here
 _Static_assert(1 == 1, "true");

@@ -1,7 +1,7 @@
 /* Storage classes where they cannot be. */
 auto int a; // error: illegal storage class on file-scoped variable 'a'
 register int b; // error: illegal storage class on file-scoped variable 'b'
-static extern int c; // error: several storage classes
+static extern int c; // error: multiple storage classes
 
 int main(void)
 {

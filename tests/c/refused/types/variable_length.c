@@ -1,7 +1,7 @@
-/* Where a length must be constant, and jumps past a declaration that computes one. */
+/* Lengths that must be constant, and jumps past the declaration of a variable length array. */
 static int n = 3;
-int global[n]; // error: array length is not constant, but outside of functions
-extern char text[2][n]; // error: array length is not constant
+int global[n]; // error: variable length array declaration not allowed at file scope
+extern char text[2][n]; // error: variable length array declaration not allowed
 
 struct holder {
     int count;
@@ -9,12 +9,12 @@ struct holder {
 
 static int inside(int m)
 {
-    static int kept[m]; // error: 'kept' cannot be static: its length is not constant
-    int filled[m] = {1, 2}; // error: 'filled' cannot be given an initial value
-    extern int far[m]; // error: 'far' is known to other functions
-    struct member { int v[m]; }; // error: member 'v' has a length that is not constant
-    int *p = (int[m]){1}; // error: a compound literal's length must be constant
-    int star[*]; // error: '[*]' outside of a function declaration's parameters
+    static int kept[m]; // error: variable length array 'kept' cannot be static
+    int filled[m] = {1, 2}; // error: variable length array 'filled' cannot be initialized
+    extern int far[m]; // error: object 'far' with variably modified type must have no linkage
+    struct member { int v[m]; }; // error: member 'v' must have a constant size
+    int *p = (int[m]){1}; // error: compound literal cannot be of variable length array type
+    int star[*]; // error: star modifier used outside of a function prototype
     int wrong[2.5 * m]; // error: size of array has non-integer type 'double'
     int unknown[q]; // error: use of undeclared identifier 'q'
     return m;

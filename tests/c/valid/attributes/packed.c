@@ -1,4 +1,4 @@
-/* Packed structs, as messages and registers have them. */
+/* Packed structs, as used for messages and registers. */
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>

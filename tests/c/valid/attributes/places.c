@@ -1,4 +1,4 @@
-/* Attributes wherever they may stand. */
+/* Attributes in all allowed positions. */
 #include <stdio.h>
 
 #define UNUSED __attribute__((unused))

@@ -1,4 +1,4 @@
-/* #pragma pack, as headers of file formats use it. */
+/* #pragma pack, as used by headers of file formats. */
 #include <stdio.h>
 
 struct before { char a; double b; };

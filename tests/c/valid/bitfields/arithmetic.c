@@ -1,4 +1,4 @@
-/* Bit-fields in expressions: promotion, wrap, assignment values, steps, signs. */
+/* Bit-fields in expressions: promotion, wraparound, assignment values, increments, signs. */
 #include <stdio.h>
 
 struct s {

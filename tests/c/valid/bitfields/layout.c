@@ -1,4 +1,4 @@
-/* Where bit-fields lie: zero widths, units of several types, arrays of them, bytes seen through. */
+/* Bit-field layout: zero widths, units of several types, arrays of them, bytes seen through. */
 #include <stdio.h>
 #include <string.h>
 

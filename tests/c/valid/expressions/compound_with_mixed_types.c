@@ -1,4 +1,4 @@
-/* `a op= b` computes in the common type, and evaluates the place once. */
+/* `a op= b` computes in the common type, and evaluates the lvalue once. */
 #include <stdio.h>
 
 static int calls;

@@ -1,4 +1,4 @@
-/* Everything that can be assigned to. */
+/* All kinds of assignable expressions. */
 #include <stdio.h>
 
 struct box { int n; int row[3]; struct { char c; } in; };

@@ -1,4 +1,4 @@
-/* What is evaluated before what: &&, ||, ?:, the comma, full expressions, arguments before a call. */
+/* Order of evaluation: &&, ||, ?:, the comma, full expressions, arguments before a call. */
 #include <stdio.h>
 
 static int counter;

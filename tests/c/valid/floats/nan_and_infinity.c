@@ -1,4 +1,4 @@
-/* Infinities and not-a-numbers: comparisons, arithmetic, printing, conditions. */
+/* Infinities and NaNs: comparisons, arithmetic, printing, conditions. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-/* inline, _Noreturn, register and restrict are accepted and change nothing. */
+/* inline, _Noreturn, register and restrict are accepted and have no effect. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-/* Objects and functions that the linker knows by other names, as headers redirect them. */
+/* Objects and functions with assembler names, as used by headers. */
 #include <stdio.h>
 
 int speed asm("fastest") = 40;

@@ -1,4 +1,4 @@
-/* Counting and turning bits and bytes. */
+/* Counting bits, and reversing bits and bytes. */
 #include <stdio.h>
 
 static const unsigned long long values[] = {

@@ -1,4 +1,4 @@
-/* Builtins that ask the compiler, that advise it, and that stand for the library's functions. */
+/* Builtins that query the compiler, hints, and builtin versions of library functions. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Arithmetic that tells of overflow, for all pairs of types, at the limits. */
+/* Overflow-checking arithmetic, for all pairs of types, at the limits. */
 #include <limits.h>
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-/* Ranges in cases and designators, designators of old. */
+/* Ranges in cases and designators, obsolete designators. */
 #include <stdio.h>
 
 struct cell { int kind, walls[4]; const char *name; };

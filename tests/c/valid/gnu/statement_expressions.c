@@ -1,4 +1,4 @@
-/* Statement expressions amid others: loops and switches inside, values around that must survive. */
+/* Nested statement expressions: loops and switches inside, values around them that must survive. */
 #include <stdio.h>
 
 static int g(int a, int b, int c) { return a * 100 + b * 10 + c; }

@@ -1,4 +1,4 @@
-/* typeof, __auto_type, statement expressions: the macros that are made of them. */
+/* typeof, __auto_type, statement expressions: macros that use them. */
 #include <stdio.h>
 #include <stddef.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Functions used before any declaration return int and take what they are given. */
+/* Functions used before any declaration return int and accept any arguments. */
 #include <stdio.h>
 
 int main()

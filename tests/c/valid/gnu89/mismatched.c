@@ -1,4 +1,4 @@
-/* Calls that do not fit the definition, but work on i386: extra, missing and odd arguments. */
+/* Calls that do not match the definition, but work on i386: extra, missing and odd arguments. */
 #include <stdio.h>
 
 int first_of();

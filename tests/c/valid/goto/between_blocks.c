@@ -1,4 +1,4 @@
-/* Jumps into and out of blocks; what is declared there is there, with no value yet. */
+/* Jumps into and out of blocks; variables declared there exist, but are uninitialised. */
 #include <stdio.h>
 
 static int search(int wanted)

@@ -1,4 +1,4 @@
-/* Irreducible flow: two labels that jump into each other's loops. */
+/* Irreducible control flow: two labels that jump into each other's loops. */
 #include <stdio.h>
 
 static int ping_pong(int n, int side)

@@ -1,4 +1,4 @@
-/* Inner braces may be left out; what is missing is zero. */
+/* Inner braces may be omitted; missing values are zero. */
 #include <stdio.h>
 
 struct in { char c; int v[2]; };

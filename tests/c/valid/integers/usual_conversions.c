@@ -1,4 +1,4 @@
-/* Mixed operands take the common type of C17 6.3.1.8. */
+/* Mixed operands are converted to the common type of C17 6.3.1.8. */
 #include <stdio.h>
 
 int main(void)

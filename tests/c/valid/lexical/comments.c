@@ -1,4 +1,4 @@
-/* Comments are spaces, do not nest, and do not begin in strings. */
+/* Comments act as spaces, do not nest, and do not start in strings. */
 #include <stdio.h>
 
 #define EMPTY/* nothing */

@@ -1,4 +1,4 @@
-/* Digraphs are other spellings of brackets, braces and the number sign (C17 6.4.6). */
+/* Digraphs are alternative spellings of brackets, braces and the number sign (C17 6.4.6). */
 %:include <stdio.h>
 %:define JOIN(a, b) a %:%: b
 %:define TEXT(a) %:a

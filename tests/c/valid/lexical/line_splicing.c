@@ -1,4 +1,4 @@
-/* A backslash before the end of a line joins it with the next, anywhere (C17 5.1.1.2). */
+/* A backslash at the end of a line joins it with the next, anywhere (C17 5.1.1.2). */
 #include <stdio.h>
 
 #define LONG_ONE(a, \

@@ -1,4 +1,4 @@
-/* The longest sequence of characters makes a token (C17 6.4p4). */
+/* The longest possible sequence of characters is a token (C17 6.4p4). */
 #include <stdio.h>
 
 #define PLUS +

@@ -1,4 +1,4 @@
-/* Adjacent strings are joined after their escapes are read (C17 5.1.1.2). */
+/* Adjacent strings are concatenated after their escapes are processed (C17 5.1.1.2). */
 #include <stdio.h>
 #include <string.h>
 

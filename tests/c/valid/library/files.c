@@ -1,4 +1,4 @@
-/* Files in all their modes: what is in them, and where one is in them. */
+/* File modes, contents and positions. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>

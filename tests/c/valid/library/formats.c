@@ -1,4 +1,4 @@
-/* What printf and scanf have beyond the everyday. */
+/* Rarely used features of printf and scanf. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <inttypes.h>

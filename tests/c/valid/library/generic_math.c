@@ -1,4 +1,4 @@
-/* tgmath.h chooses by type; fenv.h, inttypes.h and complex comparisons of math.h. */
+/* tgmath.h selects by type; fenv.h, inttypes.h and complex comparisons of math.h. */
 #include <fenv.h>
 #include <inttypes.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Five hundred functions, each calling the one before, and as many variables. */
+/* Five hundred functions, each calling the previous one, and as many variables. */
 #include <stdio.h>
 
 static int f0(int n) { return n; }

@@ -1,4 +1,4 @@
-/* The same name declared several times, with more and more of its type. */
+/* The same name declared several times, with increasingly complete types. */
 #include <stdio.h>
 
 int f();

@@ -1,4 +1,4 @@
-/* Inline functions in all their forms: declared before, behind, with extern and without. */
+/* Inline functions in all their forms: declared before, after, with extern and without. */
 #include <stdio.h>
 
 void first(void);

@@ -1,4 +1,4 @@
-/* Tentative definitions join with each other and with the one that has an initialiser. */
+/* Tentative definitions are merged with each other and with the one that has an initialiser. */
 #include <stdio.h>
 
 int shared;

@@ -1,4 +1,4 @@
-/* Loops without bodies, without parts, with commas, with continue and goto inside switches. */
+/* Loops without bodies, without clauses, with commas, with continue and goto inside switches. */
 #include <stdio.h>
 
 #define SWAP(a, b) do { int t = (a); (a) = (b); (b) = t; } while (0)

@@ -1,4 +1,4 @@
-/* Everything up to the edges of objects may be used, and pointers may stand behind the last element. */
+/* Accesses up to the limits of objects are valid, as are pointers past the last element. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Arguments may be empty, hold commas in parentheses, and stretch over lines. */
+/* Arguments may be empty, contain commas in parentheses, and span lines. */
 #include <stdio.h>
 
 #define NONE() 5

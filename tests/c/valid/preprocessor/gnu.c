@@ -1,4 +1,4 @@
-/* What gcc's preprocessor has beyond C17, and _Pragma. */
+/* Extensions of gcc's preprocessor, and _Pragma. */
 #include <stdio.h>
 
 #warning "this is told and goes on"

@@ -1,4 +1,4 @@
-/* Expressions of #if: 64 bits wide, names are 0, only what decides is evaluated (C17 6.10.1). */
+/* Expressions of #if: 64 bits wide, identifiers are 0, short-circuit evaluation (C17 6.10.1). */
 #include <stdio.h>
 #include <limits.h>
 

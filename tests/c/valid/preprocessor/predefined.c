@@ -1,4 +1,4 @@
-/* What is defined before the first line (C17 6.10.8), and where it is. */
+/* Predefined macros (C17 6.10.8) and their values. */
 #include <stdio.h>
 #include <string.h>
 

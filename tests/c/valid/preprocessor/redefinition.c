@@ -1,4 +1,4 @@
-/* Macros defined again, alike or after #undef; names of macros without parentheses stay. */
+/* Macros redefined identically or after #undef; macro names without parentheses are not expanded. */
 #include <stdio.h>
 
 #define SAME(a, b) (a + b)

@@ -1,4 +1,4 @@
-/* What a macro gives is read again, together with what follows it (C17 6.10.3.4). */
+/* The expansion of a macro is rescanned, together with the following tokens (C17 6.10.3.4). */
 #include <stdio.h>
 
 static int SELF = 6;

@@ -153,7 +153,7 @@ static void run(const struct line *program)
 int main(void)
 {
     static const struct line program[] = {
-        { 10, "LET N = 30" }, { 20, "FOR I = 2 TO N" }, { 30, "GOSUB 100" },
+        { 10, "LET N = 13" }, { 20, "FOR I = 2 TO N" }, { 30, "GOSUB 100" },
         { 40, "IF P = 1 THEN PRINT I, \" \";" }, { 50, "NEXT" }, { 60, "PRINT \"\"" },
         { 65, "A = 1" }, { 70, "PRINT A, \" \", A * A, \" \", (A + 1) * -2;" }, { 75, "PRINT \";\"" },
         { 80, "A = A + 1" }, { 85, "IF A < 4 THEN GOTO 70" }, { 90, "END" },

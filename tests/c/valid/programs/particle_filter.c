@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#define PARTICLES 200
+#define PARTICLES 100
 #define LENGTH 100.0
 
 static const double doors[] = { 10, 25, 30, 62, 85 };
@@ -58,7 +58,7 @@ int main(void)
 
     for (int i = 0; i < PARTICLES; i++)
         particles[i] = uniform() * LENGTH;
-    for (int turn = 1; turn <= 40; turn++) {
+    for (int turn = 1; turn <= 20; turn++) {
         double mean = 0, spread = 0;
         int seen;
         x += 1.5 + noise(0.05);

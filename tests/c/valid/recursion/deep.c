@@ -1,4 +1,4 @@
-/* Ten thousand calls deep. */
+/* Two and a half thousand calls deep. */
 #include <stdio.h>
 
 static int depth(int n)
@@ -21,8 +21,8 @@ static int even(int n) { return n ? odd(n - 1) : 1; }
 
 int main(void)
 {
-    printf("%d\n", depth(10000));
-    printf("%.10f\n", sum(1.0, 10000));
-    printf("%d %d\n", even(10000), odd(9999));
+    printf("%d\n", depth(2500));
+    printf("%.10f\n", sum(1.0, 2500));
+    printf("%d %d\n", even(2500), odd(2499));
     return 0;
 }

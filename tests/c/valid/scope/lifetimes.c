@@ -1,4 +1,4 @@
-/* How long objects live: automatic ones begin anew, static ones stay, recursion has its own. */
+/* Lifetimes: automatic objects are created anew, static ones persist, recursive calls have their own. */
 #include <stdio.h>
 
 static int *kept(void) { static int n = 10; n++; return &n; }

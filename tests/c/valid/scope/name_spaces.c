@@ -1,4 +1,4 @@
-/* Labels, tags, members and ordinary names do not disturb each other (C17 6.2.3). */
+/* Labels, tags, members and ordinary names do not conflict (C17 6.2.3). */
 #include <stdio.h>
 
 typedef struct x { int x; struct { int x; } y; } y;

@@ -1,4 +1,4 @@
-/* Flexible array members with initial values: as large as those need. */
+/* Flexible array members with initial values: sized accordingly. */
 #include <stdio.h>
 #include <string.h>
 struct f {

@@ -1,4 +1,4 @@
-/* Structs and arrays without anything inside take no room and can be passed all the same. */
+/* Empty structs and arrays have size zero, and can be passed. */
 #include <stdio.h>
 struct e {
 };

@@ -1,4 +1,4 @@
-/* Where gcc -m32 -malign-double puts members: alignment, padding, nested structs and arrays. */
+/* Member layout of gcc -m32 -malign-double: alignment, padding, nested structs and arrays. */
 #include <stddef.h>
 #include <stdio.h>
 

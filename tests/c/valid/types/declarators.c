@@ -1,4 +1,4 @@
-/* Declarators of every shape (C17 6.7.6). */
+/* Complex declarators (C17 6.7.6). */
 #include <stdio.h>
 
 static int values[3] = { 10, 20, 30 };

@@ -1,4 +1,4 @@
-/* void pointers carry any object pointer and come back without a cast. */
+/* void pointers hold any object pointer and convert back without a cast. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* One piece of memory seen in several ways: bytes, halves, floats, nested members. */
+/* The same memory accessed as different types: bytes, halves, floats, nested members. */
 #include <stdio.h>
 #include <string.h>
 

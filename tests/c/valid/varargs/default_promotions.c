@@ -1,4 +1,4 @@
-/* What arrives for `...`: char and short as int, float as double, arrays as pointers. */
+/* Default argument promotions for `...`: char and short as int, float as double, arrays as pointers. */
 #include <stdarg.h>
 #include <stdio.h>
 

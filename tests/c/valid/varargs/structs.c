@@ -1,4 +1,4 @@
-/* Structs passed through ... and taken with va_arg. */
+/* Structs passed through ... and read with va_arg. */
 #include <stdio.h>
 #include <stdarg.h>
 

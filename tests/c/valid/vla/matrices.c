@@ -1,4 +1,4 @@
-/* Matrices with sizes that programs compute: parameters, pointers, typedefs, sizeof. */
+/* Matrices with computed sizes: parameters, pointers, typedefs, sizeof. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* A function of the program that has a name of the library's. */
 #include <stdio.h>
 
-int getline(char line[], int most); // warning: 'getline' is not declared as the library's function
+int getline(char line[], int most); // warning: incompatible redeclaration of library function 'getline'
 
 int getline(char line[], int most)
 {

@@ -1,4 +1,4 @@
-/* Arguments that no prototype converts, so that the function finds half a double, or none. */
+/* Arguments not converted for lack of a prototype, so the function reads half a double, or none. */
 int vm();
 
 int twice(value)

@@ -1,4 +1,4 @@
-/* Functions that no header declares: the library's are known, and the header is named. */
+/* Functions that no header declares: for library functions the header is suggested. */
 int main(void)
 {
     double root = sqrt(2.0);  // warning: implicit declaration of function 'sqrt'

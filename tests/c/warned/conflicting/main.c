@@ -1,4 +1,4 @@
-/* Files that disagree about what they share. */
+/* Conflicting declarations in different files. */
 #include <stdio.h>
 
 extern char *name;  // warning: 'name' is 'char *' here, but 'char[5]' where it is defined

@@ -1,4 +1,4 @@
-/* Formats of scanf that do not fit what they write to. */
+/* Formats of scanf that do not match their arguments. */
 #include <stdio.h>
 
 int main(void)
@@ -8,13 +8,13 @@ int main(void)
     double d = 0;
     char name[20] = "";
 
-    if (scanf("%d", i) != 1)  // warning: '%d' expects 'int *', but the argument is 'int'
+    if (scanf("%d", i) != 1)  // warning: '%d' specifies type 'int *' but the argument has type 'int'
 //             ^
         return 1;
     sscanf("1", "%f", &d);  // warning: use '%lf'
     sscanf("1", "%lf", &f);  // warning: use '%f'
     sscanf("1", "%d %d", &i);  // warning: '%d' has no argument
-    sscanf("1", "%hd", &i);  // warning: '%hd' expects 'short *', but the argument is 'int *'
+    sscanf("1", "%hd", &i);  // warning: '%hd' specifies type 'short *' but the argument has type 'int *'
     sscanf("1 2", "%d %*d %lf %19s %[^,]%n %c", &i, &d, name, name, &i, &name);
     return 0;
 }

@@ -1,15 +1,15 @@
-/* Operators that do not do with these operands what they seem to. */
+/* Operators with surprising effects on their operands. */
 #include <stdio.h>
 
-static int size(int v[10]) { return sizeof v; }  // warning: 'v' is a pointer here
+static int size(int v[10]) { return sizeof v; }  // warning: sizeof on array parameter 'v'
 //                                  ^
 static char *name(void)
 {
     char text[10] = "x";
-    return text;  // warning: 'text' ends with the function, and its address is returned
+    return text;  // warning: address of local variable 'text' returned
 //         ^
 }
-static int *part(void) { struct { int a[2]; } s = {{1}}; return &s.a[1]; }  // warning: 's' ends
+static int *part(void) { struct { int a[2]; } s = {{1}}; return &s.a[1]; }  // warning: address of local variable 's'
 static char *kept(void) { static char text[10]; return text; }
 
 int main(int argc, char **argv)
@@ -21,7 +21,7 @@ int main(int argc, char **argv)
         i = 1;
     if (n == -1 || n >= 0 || i > -1)
         i = 2;
-    if (argv[0] == "crs")  // warning: this compares addresses, not what stands in the strings
+    if (argv[0] == "crs")  // warning: comparison against a string literal compares addresses, not contents
 //      ^
         i = 3;
     i = i << 32;  // warning: shift count is >= width of type

@@ -1,24 +1,24 @@
-/* Ends of functions that should have given a value. */
+/* Functions that end without returning a value. */
 #include <stdlib.h>
 
 static int falls(int n)
 {
     if (n)
         return 1;
-}  // warning: the end of 'falls' can be reached without returning a value
+}  // warning: control can reach the end of non-void function 'falls'
 
 static int tests(int n)
 {
     while (n)
         n--;
-}  // warning: the end of 'tests' can be reached
+}  // warning: control can reach the end of non-void function 'tests'
 
 static int leaves(int n)
 {
     for (;;)
         if (n--)
             break;
-}  // warning: the end of 'leaves' can be reached
+}  // warning: control can reach the end of non-void function 'leaves'
 
 static int loops(int n) { for (;;) if (n--) return n; }
 static int exits(int n) { if (n) return 1; else exit(n); }

@@ -7,7 +7,7 @@ static int chosen(int n)
     if (n > 1)
         x = 1;
     else if (n < 0)
-        return x;  // warning: 'x' is read here, but has no value yet
+        return x;  // warning: variable 'x' is uninitialized when used here
 //             ^
     if (n)
         y = 2;
@@ -20,7 +20,7 @@ static int summed(const int *values, int n)
 {
     int i, sum, last, first = 1, previous;
     for (i = 0; i < n; i++) {
-        sum += values[i];  // warning: 'sum' is read here, but has no value yet
+        sum += values[i];  // warning: variable 'sum' is uninitialized when used here
 //      ^
         if (!first && values[i] < previous)
             break;
@@ -41,7 +41,7 @@ int main(void)
         d = 1;
         break;
     case 5:
-        return d;  // warning: 'd' is read here, but has no value yet
+        return d;  // warning: variable 'd' is uninitialized when used here
     }
     e[0] = b;  // warning: declared at
     printf("%d %d %d\n", chosen(2), summed(e, 0), c + d);

@@ -1,4 +1,4 @@
-/* One character wrong, and it is still C. */
+/* Typing errors that are still valid C. */
 #include <stdio.h>
 
 int main(void)
@@ -7,10 +7,10 @@ int main(void)
     const char *from = "text";
     char buffer[8], *to = buffer;
 
-    if (a = b)  // warning: the result of an assignment is the condition
+    if (a = b)  // warning: using the result of an assignment as a condition without parentheses
 //        ^
         a = 3;
-    while (b = 0)  // warning: write '==' to compare
+    while (b = 0)  // warning: use '==' to compare
         ;
     if ((a = b))
         a = 1;
@@ -20,9 +20,9 @@ int main(void)
 //    ^
     a =- 1;  // warning: write '-=', or put a space between '=' and '-'
     b =-1;
-    if (a);  // warning: the body of this 'if' is empty
+    if (a);  // warning: 'if' statement has empty body
 //        ^
-    for (a = 0; a < 3; a++);  // warning: the body of this 'for' is empty
+    for (a = 0; a < 3; a++);  // warning: 'for' statement has empty body
     {
         b++;
     }

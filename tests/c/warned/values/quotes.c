@@ -1,9 +1,9 @@
-/* Characters and strings in each other's quotes. */
+/* Characters in double quotes, strings in single quotes. */
 int main(void)
 {
-    char c = "x"; // warning: a single character stands in single quotes
+    char c = "x"; // warning: use single quotes for a character
 //           ^
-    char *s = 'x'; // warning: a string stands in double quotes
+    char *s = 'x'; // warning: use double quotes for a string
 //            ^
     return c + *s;
 }

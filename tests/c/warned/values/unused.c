@@ -1,4 +1,4 @@
-/* Values that nobody uses. */
+/* Unused values. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +12,14 @@ int main(void)
 
     a == b;  // warning: write '=' to assign
 //  ^
-    a + b;  // warning: this value is not used
-    a == next();  // warning: the result of '==' is not used
-    strlen("abc");  // warning: the value of 'strlen' is not used, and it does nothing else
+    a + b;  // warning: expression result unused
+    a == next();  // warning: result of '==' unused
+    strlen("abc");  // warning: ignoring return value of 'strlen', which has no side effects
     next;  // warning: write 'next()'
-    for (a = 0; a < 3; a + 1)  // warning: this value is not used
+    for (a = 0; a < 3; a + 1)  // warning: expression result unused
 //                     ^
         a++;
-    b = (a - 1, 4);  // warning: this value is not used
+    b = (a - 1, 4);  // warning: expression result unused
     v;
     TRACE(a);
     (void)a;

@@ -1,4 +1,4 @@
-/* BSD sys/cdefs.h: declarations that both old and new compilers understand. */
+/* BSD sys/cdefs.h: declarations for old and new compilers. */
 #ifndef _SYS_CDEFS_H
 #define _SYS_CDEFS_H
 

@@ -1,4 +1,4 @@
-/* BSD sys/file.h: locks, which a program that is alone always gets. */
+/* BSD sys/file.h: locks, which always succeed. */
 #ifndef _SYS_FILE_H
 #define _SYS_FILE_H
 

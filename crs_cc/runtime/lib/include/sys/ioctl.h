@@ -1,4 +1,4 @@
-/* BSD sys/ioctl.h: how much can be read; no descriptor is a device to ask for more. */
+/* BSD sys/ioctl.h: FIONREAD is supported; no descriptor is a device. */
 #ifndef _SYS_IOCTL_H
 #define _SYS_IOCTL_H
 

@@ -1,5 +1,5 @@
-/* POSIX sys/mman.h: memory by the page, and copies of files. Nothing is shared, as nobody else is
-   there, and nothing is ever swapped out or protected. */
+/* POSIX sys/mman.h: anonymous mappings, and private copies of files. Nothing is shared, because
+   there are no other processes, and nothing is ever swapped out or protected. */
 #ifndef _SYS_MMAN_H
 #define _SYS_MMAN_H
 

@@ -1,4 +1,4 @@
-/* BSD sys/param.h: sizes, and smaller and larger. */
+/* BSD sys/param.h: sizes, MIN and MAX. */
 #ifndef _SYS_PARAM_H
 #define _SYS_PARAM_H
 

@@ -1,4 +1,4 @@
-/* POSIX sys/resource.h: processor time, and limits that cannot be changed. */
+/* POSIX sys/resource.h: processor time, and fixed limits. */
 #ifndef _SYS_RESOURCE_H
 #define _SYS_RESOURCE_H
 

@@ -1,4 +1,4 @@
-/* POSIX sys/select.h: waiting for input, which here is waiting for time to pass. */
+/* POSIX sys/select.h: waiting for input, which here only waits for the timeout. */
 #ifndef _SYS_SELECT_H
 #define _SYS_SELECT_H
 

@@ -1,4 +1,4 @@
-/* POSIX sys/stat.h, as far as the files of a run have such properties. */
+/* POSIX sys/stat.h, limited to the properties of simulated files. */
 #ifndef _SYS_STAT_H
 #define _SYS_STAT_H
 

@@ -1,4 +1,4 @@
-/* POSIX sys/time.h, over simulated time. */
+/* POSIX sys/time.h, in simulated time. */
 #ifndef _SYS_TIME_H
 #define _SYS_TIME_H
 

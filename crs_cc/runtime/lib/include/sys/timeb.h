@@ -1,4 +1,4 @@
-/* 4.3BSD sys/timeb.h: the time in milliseconds, as programs read it before gettimeofday. */
+/* 4.3BSD sys/timeb.h: the time in milliseconds, the predecessor of gettimeofday. */
 #ifndef _SYS_TIMEB_H
 #define _SYS_TIMEB_H
 

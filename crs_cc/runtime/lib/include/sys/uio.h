@@ -1,4 +1,4 @@
-/* POSIX sys/uio.h: reading and writing several pieces at once. */
+/* POSIX sys/uio.h: scatter and gather I/O. */
 #ifndef _SYS_UIO_H
 #define _SYS_UIO_H
 

@@ -1,4 +1,4 @@
-/* POSIX sys/wait.h: a program has no children. */
+/* POSIX sys/wait.h: programs have no child processes. */
 #ifndef _SYS_WAIT_H
 #define _SYS_WAIT_H
 

@@ -1,4 +1,4 @@
-/* One name, tentatively defined in three files, once with a value. */
+/* One name, tentatively defined in three files, once with an initialiser. */
 #include <stdio.h>
 
 int State[45];

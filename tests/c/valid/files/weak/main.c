@@ -1,4 +1,4 @@
-/* Weak definitions give way to those of another file. */
+/* Weak definitions are overridden by those of another file. */
 #include <stdio.h>
 __attribute__((weak)) int speed(void) { return 1; }
 int __attribute__((weak)) limit = 10;

@@ -1,0 +1,139 @@
+"""Completion of command lines."""
+
+from __future__ import annotations
+
+import contextlib
+import glob
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.command import Completes
+from crs_cc.debug.commands.stack import functions
+from crs_cc.debug.commands.table import find, matching
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.locations import is_file
+from crs_cc.debug.world.edits import FAULTS
+from crs_cc.debug.world.events import KINDS
+from crs_cc.sim.model.degradation import degradables
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.context import CommandContext
+
+_LAST_WORD: Final = re.compile(r"[\w.]*$")
+_LAST_PART: Final = re.compile(r"\S*$")
+
+
+@dataclass(frozen=True, slots=True)
+class Completion:
+    """The completions of a line.
+
+    Attributes:
+        start: the start of the word to complete.
+        words: its completions, sorted.
+    """
+
+    start: int
+    words: tuple[str, ...]
+
+
+def complete(context: CommandContext, text: str) -> Completion:
+    """Return the completions of the last word of a line."""
+    names = sorted(matching(text.lstrip()))
+    start = len(text) - len(text.lstrip())
+    if names:
+        if " " in text.strip():  # the second word of `info locals`
+            start = text.rindex(" ") + 1
+            names = [each.split()[1] for each in names]
+        return Completion(start, tuple(dict.fromkeys(names)))
+    try:
+        command, rest = find(text)
+    except DebugError:
+        return Completion(len(text), ())
+    if not command.completes or (not rest and not text.endswith(" ")):
+        return Completion(len(text), ())
+    pattern = _LAST_WORD if command.completes == "expression" else _LAST_PART
+    found = pattern.search(text)
+    assert found
+    words = set(_ARGUMENTS[command.completes](context, found[0]))
+    fitting = sorted(each for each in words if each.startswith(found[0]))
+    return Completion(found.start(), tuple(fitting))
+
+
+def _commands(_context: CommandContext, word: str) -> Iterable[str]:
+    return matching(word)
+
+
+def _places(context: CommandContext, word: str) -> Iterator[str]:
+    """Return functions and files, and after a file its functions."""
+    file, colon, _ = word.rpartition(":")
+    for name, place in functions(context):
+        if not colon or is_file(place.file, file):
+            yield f"{file}{colon}{name}"
+    for path in context.debugger.run.programs[context.debugger.view.robot].paths:
+        yield f"{path.name}:"
+
+
+def _expressions(context: CommandContext, _word: str) -> Iterator[str]:
+    with contextlib.suppress(DebugError):
+        yield from (each.name for each in context.debugger.view.variables())
+    yield from (each.name for each in context.debugger.view.globals_())
+    yield from (name for name, _ in functions(context))
+
+
+def _robots(context: CommandContext, _word: str) -> Iterable[str]:
+    return context.debugger.names
+
+
+def _breakpoints(context: CommandContext, _word: str) -> Iterable[str]:
+    return [str(each.number) for each in context.debugger.stop_points.breakpoints]
+
+
+def _displays(context: CommandContext, _word: str) -> Iterable[str]:
+    return map(str, context.displays)
+
+
+def _files(_context: CommandContext, word: str) -> Iterator[str]:
+    for path in glob.glob(glob.escape(word) + "*"):  # noqa: PTH207 - as the user writes it
+        yield path + "/" * os.path.isdir(path)  # noqa: PTH112
+
+
+def _catches(_context: CommandContext, _word: str) -> Iterable[str]:
+    return ("exit", *KINDS)
+
+
+def _checkpoints(context: CommandContext, _word: str) -> Iterable[str]:
+    return [str(each.number) for each in context.debugger.branches.current.checkpoints]
+
+
+def _branches(context: CommandContext, _word: str) -> Iterable[str]:
+    return context.debugger.branches.names()
+
+
+def _edits(context: CommandContext, _word: str) -> Iterable[str]:
+    """Return the words of changes to the world: names, devices and faults."""
+    return (
+        *context.debugger.session.environment.names,
+        *degradables(),
+        *FAULTS,
+        "to",
+        "from",
+        "all",
+    )
+
+
+_ARGUMENTS: Final[dict[Completes, Callable[[CommandContext, str], Iterable[str]]]] = {
+    "command": _commands,
+    "place": _places,
+    "expression": _expressions,
+    "robot": _robots,
+    "breakpoint": _breakpoints,
+    "display": _displays,
+    "file": _files,
+    "catch": _catches,
+    "checkpoint": _checkpoints,
+    "branch": _branches,
+    "edit": _edits,
+}

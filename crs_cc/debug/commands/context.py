@@ -1,0 +1,103 @@
+"""What commands work on: the debugger, and what a command line keeps between commands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.stop_text import Selection, selection, stop_lines
+from crs_cc.debug.errors import DebugError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.arguments import OutputFormat
+    from crs_cc.debug.commands.display import Display
+    from crs_cc.debug.data.values import Value
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.stop import Stop
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """The lines that `list` showed last: a file, the first line and the last."""
+
+    file: str
+    first: int
+    last: int
+
+
+@dataclass(slots=True)
+class CommandInput:
+    """Commands of breakpoints that are being entered."""
+
+    breakpoints: list[int]
+    lines: list[str] = field(default_factory=list)
+
+
+class CommandContext:
+    """The state of a command line.
+
+    Attributes:
+        debugger: the debugger.
+        execute: executes a line, for commands that read others from a file.
+        displays: by number, the expressions that are shown at every stop.
+        scripts: by breakpoint, the commands that are executed when it is hit.
+        due: the commands of the breakpoints that were hit last, not executed yet.
+        input: the commands that are being entered for breakpoints; None for none.
+        listing: what `list` showed last; None since the last stop.
+        examined: the address at which `x` continues, and in which format; None for none.
+        has_ended: whether the user has quit.
+        depth: how many scripts are being read inside each other.
+    """
+
+    def __init__(
+        self, debugger: Debugger, execute: Callable[[str], Iterator[Line | SourceLine]]
+    ) -> None:
+        self.debugger = debugger
+        self.execute = execute
+        self.displays: dict[int, Display] = {}
+        self.scripts: dict[int, tuple[str, ...]] = {}
+        self.due: list[str] = []
+        self.input: CommandInput | None = None
+        self.listing: Listing | None = None
+        self.examined: tuple[int, OutputFormat] | None = None
+        self.has_ended = False
+        self.depth = 0
+        self._value_count = 0
+        self._selection: Selection | None = None
+
+    def move(self, go: Callable[[], Stop]) -> Answer:
+        """Move the run; answer why and where it stopped."""
+        known = {each.number: each for each in self.debugger.stop_points.breakpoints}
+        stop = go()
+        self.listing = None
+        self.due = [line for number in stop.breakpoints for line in self.scripts.get(number, ())]
+        now = selection(self.debugger)
+        if "silent" in self.due[:1]:
+            del self.due[0]
+        else:
+            yield from stop_lines(self.debugger, stop, known, self._selection)
+            yield from self.show_displays()
+        self._selection = now
+
+    def show_selection(self) -> Answer:
+        """Answer with the frame that the user has selected."""
+        self.listing = None
+        self._selection = selection(self.debugger)
+        yield from self._selection.lines(self.debugger)
+
+    def show_displays(self) -> Answer:
+        """Show every display; leave out those that have no value here."""
+        for number, display in self.displays.items():
+            try:
+                yield f"{number}: {display.text(self.debugger)}"
+            except DebugError:
+                continue
+
+    def record(self, value: Value) -> int:
+        """Append a value to the value history; return its number there."""
+        self._value_count += 1
+        saved = self.debugger.view.convenience_values
+        saved[""] = saved[str(self._value_count)] = value
+        return self._value_count

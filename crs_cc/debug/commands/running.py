@@ -1,0 +1,194 @@
+"""Commands for forward and reverse execution."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.stop_text import when_text
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.position import BEGINNING
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.context import CommandContext
+
+
+def _start(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    context.debugger.goto(BEGINNING)
+    return context.move(context.debugger.start)
+
+
+def _run(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    context.debugger.goto(BEGINNING)
+    return context.move(context.debugger.resume)
+
+
+def _continue(context: CommandContext, text: str) -> Answer:
+    count = parse_count(text)
+    if count > 1:
+        hit = context.debugger.stop.breakpoints
+        if not hit:
+            raise DebugError("no breakpoint at this stop to ignore")
+        context.debugger.stop_points.ignore(hit[0], count - 1)
+        yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
+    yield from context.move(context.debugger.resume)
+
+
+def _reverse_continue(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    return context.move(partial(context.debugger.resume, backward=True))
+
+
+def _step(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(partial(context.debugger.step, parse_count(text), backward=backward))
+
+
+def _next(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(partial(context.debugger.next, parse_count(text), backward=backward))
+
+
+def _stepi(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(
+        partial(context.debugger.step_statement, parse_count(text), backward=backward)
+    )
+
+
+def _tick(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(partial(context.debugger.tick, parse_count(text), backward=backward))
+
+
+def _finish(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    reject_arguments(text)
+    return context.move(partial(context.debugger.finish, backward=backward))
+
+
+def _until(context: CommandContext, text: str) -> Answer:
+    if text:
+        return _advance(context, text)
+    return context.move(context.debugger.until)
+
+
+def _advance(context: CommandContext, text: str) -> Answer:
+    return context.move(
+        partial(context.debugger.advance, require_argument(text, "a line or a function"))
+    )
+
+
+_INSTANT: Final = re.compile(
+    r"(?P<kind>t|time|tick|timestep|stmt|statement)?\s*[= ]?\s*(?P<number>\d+(?:\.\d*)?|\.\d+)\s*s?"
+)
+
+
+def _goto(context: CommandContext, text: str) -> Answer:
+    text = require_argument(text, "a time, such as 12.3 or tick 120")
+    if text == "start":
+        return context.move(partial(context.debugger.goto, BEGINNING))
+    found = _INSTANT.fullmatch(text)
+    if not found:
+        raise DebugError(
+            f"'{text}' is not a time (expected 12.3 [s], tick 120, stmt 40210 or start)"
+        )
+    kind, number = found["kind"] or "t", found["number"]
+    if kind in {"t", "time"}:
+        return context.move(partial(context.debugger.goto_time, float(number)))
+    if not number.isdigit():
+        raise DebugError(f"'{kind}' needs an integer")
+    is_tick = kind.startswith("ti")
+    go = context.debugger.goto_timestep if is_tick else context.debugger.goto_statement
+    return context.move(partial(go, int(number)))
+
+
+def _when(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    yield when_text(context.debugger)
+
+
+_BACKWARD_TEXT: Final = "Programs and world go back together and are restored to the byte."
+
+RUNNING: Final = Group(
+    "running",
+    "Forward and reverse execution.",
+    (
+        Command(
+            "start", "", "Go to the first statement of the first program.", _start,
+            text="Breakpoints are kept. Recorded history is discarded only when"
+            " the past is changed.",
+        ),
+        Command("run", "", "Go to the start, then continue to the first breakpoint.", _run, ("r",)),
+        Command(
+            "continue", "[N]", "Continue to the next breakpoint, watchpoint or catchpoint.",
+            _continue, ("c", "fg"),
+            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C"
+" interrupts.",
+            repeats="on",
+        ),
+        Command(
+            "step", "[N]", "Step to the next line, entering calls.", _step, ("s",),
+            text="With N, N times. Calls of C library functions are stepped over.",
+            repeats="same",
+        ),
+        Command(
+            "next", "[N]", "Step to the next line, stepping over calls.",
+            _next, ("n",), repeats="same",
+        ),
+        Command(
+            "stepi", "[N]", "Step one statement.",
+            _stepi, ("si",), repeats="same",
+        ),
+        Command(
+            "finish", "", "Continue until the current function returns.", _finish, ("fin",),
+            repeats="same",
+        ),
+        Command(
+            "until", "[LOCATION]", "Like next, but do not go back to an earlier line of a loop.",
+            _until, ("u",),
+            text='With LOCATION, the same as "advance".',
+            repeats="same", completes="place",
+        ),
+        Command(
+            "advance", "LOCATION", "Continue to a line or a function.",
+            _advance, completes="place",
+        ),
+        Command(
+            "tick", "[N]", "Continue to the start of the next timestep.", _tick,
+            repeats="same",
+        ),
+        Command(
+            "reverse-continue", "", "Continue backward to the previous stop.",
+            _reverse_continue, ("rc", "rewind"), text=_BACKWARD_TEXT, repeats="on",
+        ),
+        Command(
+            "reverse-step", "[N]", "Step back to the previous line, entering calls.",
+            partial(_step, backward=True), ("rs",), text=_BACKWARD_TEXT, repeats="same",
+        ),
+        Command(
+            "reverse-next", "[N]", "Step back to the previous line, over calls.",
+            partial(_next, backward=True), ("rn",), repeats="same",
+        ),
+        Command(
+            "reverse-stepi", "[N]", "Step back one statement.",
+            partial(_stepi, backward=True), ("rsi",), repeats="same",
+        ),
+        Command(
+            "reverse-finish", "", "Go back to the call of the current function.",
+            partial(_finish, backward=True), repeats="same",
+        ),
+        Command(
+            "reverse-tick", "[N]", "Go back to the start of the previous timestep.",
+            partial(_tick, backward=True), ("rt",), repeats="same",
+        ),
+        Command(
+            "goto", "TIME|tick N|stmt N|start", "Go to a time, forward or backward.", _goto,
+            text="TIME is in seconds, such as 12.3; tick N is the start of timestep N; stmt N is"
+            ' before statement N of the robot\'s program (see "when"). Breakpoints on the way'
+            " are ignored.",
+        ),
+        Command("when", "", "Show the current time, timestep and statement.", _when),
+    ),
+)  # fmt: skip

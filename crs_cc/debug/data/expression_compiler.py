@@ -1,0 +1,259 @@
+"""Compilation of the user's expressions for the current location of a program.
+
+It is done once per location, as conditions of breakpoints are evaluated often.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.debug.data.notation import NAME, ConvenienceVariable, QualifiedName, restored, rewritten
+from crs_cc.debug.data.scope import Scopes, Storage, concrete
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.program import DebugProgram
+from crs_cc.frontend.expression import CompiledExpression, FileNames
+from crs_cc.ir.names import in_library, plain_name
+from crs_cc.ir.program import Variable
+from crs_cc.ir.types import CType, PointerType, is_variably_modified
+
+MAX_LENGTH: Final = 10_000
+"""Longer expressions are refused [characters]."""
+_MAX: Final = 1000
+"""So many expressions are kept compiled."""
+
+_WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
+
+NOWHERE: Final = Location("")
+TypeOf = Callable[[Variable], CType]
+"""Tells the type of a variable of a program."""
+
+Sizes = Mapping[Location, int]
+
+
+class UnknownSizeError(DebugError):
+    """The type of an expression depends on a size that is unknown before run time."""
+
+
+@dataclass(frozen=True, slots=True)
+class ExpressionContext:
+    """The scope of an expression.
+
+    Attributes:
+        function: the linker's name of the function; "" for none.
+        place: its current location.
+        sizes: the sizes of its variably modified types, see `scope.FrameAddresses`.
+    """
+
+    function: str = ""
+    place: Location = NOWHERE
+    sizes: Sizes = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """A variable that an expression uses.
+
+    Attributes:
+        storage: its storage.
+        inside: the function whose innermost frame has it; "" for the selected frame.
+    """
+
+    storage: Storage
+    inside: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class PreparedExpression:
+    """A compiled expression.
+
+    Attributes:
+        compiled: the expression.
+        uses: its arguments: addresses of variables, and bytes of convenience variables.
+        sizes: the sizes of types for which it was compiled.
+    """
+
+    compiled: CompiledExpression
+    uses: tuple[Use | bytes, ...]
+    sizes: Sizes
+
+
+class SourceNames:
+    """The names in a program's source files; read from the files on first use."""
+
+    def __init__(self, program: DebugProgram) -> None:
+        self._program = program
+        self._paths = {str(path): path for path in program.paths}
+        self._files: dict[str, FileNames | str] = {}
+
+    def of(self, function: str, file: str) -> FileNames:
+        """Return the names that the C file of a function declares.
+
+        Args:
+            function: the linker's name of the function.
+            file: the file of the function, maybe a header.
+
+        Raises:
+            DebugError: the file has changed since the program was built.
+        """
+        unit = function.rpartition(":")[0]
+        known = next((each for each in (unit, file) if each in self._paths), None)
+        if known is None:  # it stands in a header
+            files = [self._file(each) for each in self._paths]
+            return next((each for each in files if each.defines(function)), files[0])
+        return self._file(known)
+
+    def _file(self, name: str) -> FileNames:
+        """Return the names of a C file; it is read only once, even on failure."""
+        if name not in self._files:
+            try:
+                found = FileNames(self._paths[name], self._program.options)
+            except CompileError as error:
+                first = error.diagnostics[0]
+                self._files[name] = f"{first.location}: {first.text}; has it changed?"
+            else:
+                self._files[name] = self._change(found) or found
+        names = self._files[name]
+        if isinstance(names, str):
+            raise DebugError(names)
+        return names
+
+    def types(self, function: str, file: str) -> TypeOf:
+        """Return a function for the types of variables, in terms of the C file of a function.
+
+        If the file has changed since the program was built, types are those of the program:
+        they look the same but are not identical to the compiler.
+        """
+        try:
+            return self.of(function, file).type_of
+        except DebugError:
+            return lambda variable: variable.ctype
+
+    def _change(self, found: FileNames) -> str:
+        """Return a message if the file has changed since the program was built, else ""."""
+        for file, lines in self._program.executable.detail().lines.items():
+            if file in found.lines and list(found.lines[file]) != list(lines):
+                return f"{file} has changed since the program was built: names cannot be resolved"
+        return ""
+
+
+class ExpressionCompiler:
+    """Compiles expressions and caches them."""
+
+    def __init__(self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value]) -> None:
+        """Store the names of files and functions, and the convenience variables."""
+        self._names = names
+        self._scopes = scopes
+        self._kept = kept
+        self._known: dict[tuple[Any, ...], PreparedExpression] = {}
+
+    def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
+        """Compile an expression.
+
+        Raises:
+            DebugError: it is invalid there.
+        """
+        key = text, standing.function, standing.place
+        found = self._known.get(key)
+        if found is not None and found.sizes == standing.sizes:
+            return found
+        if len(text) > MAX_LENGTH:
+            raise DebugError("the expression is too long")
+        found = self._compile(text, standing)
+        if not any(isinstance(each, bytes) for each in found.uses):
+            if len(self._known) >= _MAX:
+                self._known.clear()
+            self._known[key] = found
+        return found
+
+    def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
+        names = self._names.of(standing.function, standing.place.file)
+        rest, special = rewritten(text)
+        known = self._visible(standing, names, set(_WORD.findall(rest)))
+        found: list[tuple[str, Use | bytes, CType]] = [
+            (name, Use(storage), self._type(names, storage, standing)) for name, storage in known
+        ]
+        for number, each in enumerate(special):
+            name = NAME.format(number)
+            if isinstance(each, QualifiedName):
+                use = self._outer(each)
+                found.append((name, use, self._type(names, use.storage, standing)))
+            else:
+                value = self._value(each)
+                found.append((name, value.content, value.type))
+        pairs = [(name, ctype) for name, _, ctype in found]
+        try:
+            compiled = names.compile(rest, plain_name(standing.function), pairs, Diagnostics())
+        except CompileError as error:
+            first = error.diagnostics[0]
+            hint = f" ({first.hint})" if first.hint else ""
+            raise DebugError(restored(f"{first.text}{hint}", special)) from None
+        except RecursionError:
+            raise DebugError("the expression is nested too deeply") from None
+        return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
+
+    def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
+        """Return the type of the variable in a storage."""
+        variable = storage.variable
+        ctype = names.type_of(variable)
+        if is_variably_modified(ctype):
+            made = concrete(ctype, standing.sizes)
+            if made is None:
+                text = f"'{variable.name}' does not exist yet: its size is not known"
+                raise UnknownSizeError(text)
+            ctype = made
+        if variable.is_indirect:
+            assert isinstance(ctype, PointerType)
+            ctype = ctype.target
+        return ctype
+
+    def _visible(
+        self, standing: ExpressionContext, names: FileNames, used: set[str]
+    ) -> list[tuple[str, Storage]]:
+        """Return the variables that names refer to at a location.
+
+        One that is declared later counts if its name has no other meaning.
+        """
+        place = standing.place
+        if not standing.function or in_library(place):
+            return []
+        found: dict[str, Storage] = {}
+        later: dict[str, Storage] = {}
+        for storage in self._scopes.of(standing.function):
+            variable = storage.variable
+            if variable.name not in used or not variable.reaches(place):
+                continue
+            if storage.is_visible(place):
+                found.setdefault(variable.name, storage)
+            elif not names.knows(variable.name):
+                later.setdefault(variable.name, storage)
+        return list((later | found).items())
+
+    def _outer(self, wanted: QualifiedName) -> Use:
+        """Find `file::name` or `function::name`."""
+        if "." in wanted.inside:
+            storage = self._scopes.static(wanted.name, wanted.inside)
+            if storage is None:
+                raise DebugError(f"no variable '{wanted.name}' in {wanted.inside}")
+            return Use(storage)
+        functions = self._scopes.functions(wanted.inside)
+        if not functions:
+            raise DebugError(f"no function '{wanted.inside}'")
+        for function in functions:
+            for storage in self._scopes.of(function):
+                if storage.variable.name == wanted.name:
+                    return Use(storage, function if storage.in_frame else "")
+        raise DebugError(f"'{wanted.inside}' has no variable '{wanted.name}'")
+
+    def _value(self, wanted: ConvenienceVariable) -> Value:
+        value = self._kept.get(wanted.name)
+        if value is None:
+            raise DebugError(f"no convenience variable ${wanted.name}")
+        if not value.is_initialised or not value.content:
+            raise DebugError(f"${wanted.name} has no value: it is {value.text}")
+        return value

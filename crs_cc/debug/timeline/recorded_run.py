@@ -1,0 +1,456 @@
+"""A run that can be moved to any position: forward by running, backward by replaying.
+
+`advance` runs the session to the next event: a program has
+stopped before a requested statement, a round has ended, a timestep has ended. Snapshots are
+kept on the way. `seek` moves to any position: back to the latest snapshot before it and forward
+from there with only that position requested.
+
+Where the user has changed something, only the snapshot made after the change leads on from
+there; the history keeps it, and running through that position restores it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.debug.timeline.console import ReplayConsole
+from crs_cc.debug.timeline.history import History, RunSnapshot
+from crs_cc.debug.timeline.input_log import InputLog
+from crs_cc.debug.timeline.position import BEGINNING, Position
+from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit
+from crs_cc.debug.watch import WatchSet
+from crs_cc.debug.world.event_history import EventHistory
+from crs_cc.requests import CODES, FAILED, SUSPENDED
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.session.build import build_watching
+from crs_cc.session.session import Session
+
+if TYPE_CHECKING:
+    from crs_cc.debug.program import DebugProgram
+    from crs_cc.runtime.executable import Executable
+    from crs_cc.runtime.sites import StatementSite
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.world import WorldModel
+
+
+class InterruptedRunError(Exception):
+    """The user has interrupted the run."""
+
+
+_STATEMENT: Final = RunEvent("statement")
+_LIMIT: Final = RunEvent("limit")
+
+
+class RecordedRun:
+    """A run of programs in a world.
+
+    Attributes:
+        session: the session; only this class advances it.
+        console: the output and input of the programs.
+        history: its snapshots.
+        event_history: its events.
+        input_log: the input of the programs in each round.
+        programs: by robot, its program.
+        interrupted: set to make `advance` raise `InterruptedRunError`.
+        is_off_timeline: whether the state is no state of the run: programs ran too far, or
+            without the world. Then only `seek` or `restore` lead on.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel,
+        programs: Sequence[DebugProgram],
+        seed: int,
+        console: ReplayConsole,
+        history: History,
+        **options: Any,
+    ) -> None:
+        """Load the programs into the world.
+
+        Args:
+            world: the world.
+            programs: one for each robot.
+            seed: the random seed.
+            console: their standard streams.
+            history: stores the snapshots.
+            options: further options of `Session`.
+        """
+        self.programs = programs
+        self.console = console
+        self.history = history
+        self.event_history = EventHistory()
+        self.input_log = InputLog()
+        self.interrupted = False
+        self._step: Step | None = None
+        self._marks = StopRequest()
+        self._stopped: dict[int, Stopped] = {}  # by robot, until the run moves
+        self.is_off_timeline = False
+        self.session = Session(
+            world,
+            [program.executable for program in programs],
+            seed,
+            output=self._write,
+            read=self._read,
+            trace=self,
+            **options,
+        )
+        fleet = self.session.fleet
+        self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
+        self._watching_builds: dict[int, Executable] = {}
+        self._note_begun()  # by robot, at the start of the round
+        self.history.keep(BEGINNING, self._kept())
+
+    def _write(self, robot: int, stream: int, content: bytes) -> None:
+        self.console.write(robot, stream, content)  # of the branch that the run is in now
+
+    def _read(self, robot: int, wanted: int) -> bytes:
+        return self.console.read(robot, wanted)
+
+    def step(self, step: Step) -> None:
+        """Receive the events of a timestep from the session."""
+        self._step = step
+
+    @property
+    def position(self) -> Position:
+        """The position of the run."""
+        session = self.session
+        if session.halted is None:
+            return Position(session.timesteps, session.rounds)
+        statements = int(session.fleet.slots["statements"][session.halted])
+        return Position(session.timesteps, session.rounds, session.halted, statements)
+
+    @property
+    def can_advance(self) -> bool:
+        """Whether programs are running or robots have yet to join."""
+        return self.session.running > 0 or self.session.environment.awaits
+
+    def name(self, robot: int) -> str:
+        """Return a robot's name."""
+        return self.session.environment.world.robots[robot].id
+
+    def time_s(self, robot: int = -1) -> float:
+        """Return a program's clock [s], stopped at its end; the world's before it starts."""
+        session = self.session
+        if robot < 0:
+            return session.time_s
+        if not session.alive[robot]:
+            return session.robot_result(robot).time_s
+        now_s = session.now_s(robot)
+        return now_s if math.isfinite(now_s) else session.time_s
+
+    def statements_begun(self, robot: int) -> int:
+        """Return how many statements of a robot's program have started."""
+        return int(self.session.fleet.slots["statements"][robot])
+
+    # -- where programs stop -----------------------------------------------------------------
+
+    def arm(self, marks: StopRequest) -> None:
+        """Set where programs stop.
+
+        Accesses to objects that stay watched are reported even if they were made before, but not
+        if the run has moved since.
+        """
+        self._marks = marks
+        self._stopped.clear()  # a program may move to another build
+        for robot, watches in enumerate(self._watches):
+            watches.arm(marks.watched.get(robot, ()))
+        for robot, own in enumerate(self.session.fleet.marks[: len(self.programs)]):
+            own[: self._statements(robot)] = 0
+            wanted = marks.statements.get(robot)
+            if wanted:
+                own[list(wanted)] = 1
+        self._set_slots()
+
+    def _set_slots(self) -> None:
+        slots = self.session.fleet.slots
+        slots["stop_before_all"] = 0
+        slots["stop_from"] = 0
+        for robot in self._marks.all:
+            slots["stop_before_all"][robot] = 1
+        for robot, statements in self._marks.since.items():
+            slots["stop_from"][robot] = statements
+
+    def _statements(self, robot: int) -> int:
+        return len(self.programs[robot].executable.detail().compiled.statements)
+
+    # -- going on ----------------------------------------------------------------------------
+
+    def advance(self, limit: Position | None = None) -> RunEvent:
+        """Advance to the next event.
+
+        Args:
+            limit: the position to stop at. If no program stops there, the run is off its timeline:
+                `seek` must follow.
+
+        Raises:
+            InterruptedRunError: the user interrupts.
+        """
+        self._answer_interrupt()
+        return self._advance(limit)
+
+    def _advance(self, limit: Position | None) -> RunEvent:
+        before = self.position
+        self._stopped.clear()
+        edit = self.history.next_edit(before)
+        if not self.session.begin_round():
+            event = self._end_cycle()
+        else:
+            if before.robot < 0:
+                self.input_log.note(before, self.session.pending, self.session.fleet)
+                self._note_begun()
+            self.session.run_programs()
+            if edit is not None and self._has_passed(edit):
+                event = _STATEMENT
+                if self.position == edit:
+                    event = self._with_accesses(event)
+                self.restore(self.history.at(edit))
+                return event
+            if limit is not None and self._has_passed(limit) and self.position != limit:
+                self.is_off_timeline = True
+                return _LIMIT
+            event = self._end_round() if self.session.halted is None else _STATEMENT
+            event = self._with_accesses(event)
+        position = self.position
+        if edit == position:
+            self.restore(self.history.at(position))
+        elif position.round == 0 and position.robot < 0 and self.history.wants(position):
+            self.history.keep(position, self._kept())
+        return event
+
+    def replay(
+        self, begin: Position, limit: Position, *, needs_world: bool = False
+    ) -> Iterator[RunEvent]:
+        """Replay a part of the past up to a position.
+
+        As far as the input of the programs is logged only they run, and the world stays where
+        it is. The run is off its timeline after that: `seek` must follow.
+
+        Args:
+            begin: the start, at a snapshot.
+            limit: the end; programs may run a little further.
+            needs_world: whether the steps of the world are needed, too.
+
+        Raises:
+            InterruptedRunError: the user interrupts.
+        """
+        edit = self.history.next_edit(begin)
+        is_plain = edit is None or edit >= limit
+        if needs_world or not is_plain or not self.input_log.knows(begin, limit):
+            self.restore(self.history.at(begin))
+            while self.position < limit:
+                ahead = self.advance(limit)
+                if ahead.kind == "limit":
+                    break
+                yield ahead
+            self.is_off_timeline = True
+            return
+        self.is_off_timeline = True
+        self._recall(begin)
+        while self.position < limit:
+            self._answer_interrupt()
+            event = self._again(limit)
+            if event is None:
+                return
+            yield event
+
+    def _recall(self, begin: Position) -> None:
+        """Restore only the programs from a snapshot."""
+        session = self.session
+        self._stopped.clear()
+        kept = self.history.at(begin).session
+        for robot, program in enumerate(kept.programs):
+            session.fleet.restore(robot, program)
+        state = session.state
+        state.timesteps, state.rounds, state.halted = begin.timestep, begin.round, kept.halted
+        self._set_slots()
+        self._look_anew()
+
+    def _again(self, limit: Position) -> RunEvent | None:
+        """Replay one round of the programs, or a part of it; None at the limit."""
+        session, place = self.session, self.position
+        self._stopped.clear()
+        round_ = self.input_log.round_at(place)
+        if place.robot < 0:
+            if place.round == self.input_log.rounds_in(place.timestep):
+                session.state.timesteps, session.state.rounds = place.timestep + 1, 0
+                return RunEvent("timestep", ended=self.input_log.ended_in(place.timestep))
+            assert round_ is not None
+            round_.give(session.fleet)
+            self._note_begun()
+        session.run_programs()
+        if self._has_passed(limit) and self.position != limit:
+            return None
+        if session.halted is not None:
+            return self._with_accesses(_STATEMENT)
+        session.state.rounds += 1
+        assert round_ is not None
+        return self._with_accesses(self._answered(round_.robots))
+
+    def _answered(self, robots: IndexArray) -> RunEvent:
+        """Return the event of a round in which only the programs have run."""
+        slots = self.session.fleet.slots
+        codes = slots["code"][robots]
+        over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
+        return RunEvent("round", _posted(robots, codes), tuple(robots[over].tolist()))
+
+    def _answer_interrupt(self) -> None:
+        if self.interrupted:
+            self.interrupted = False
+            raise InterruptedRunError
+
+    def _with_accesses(self, event: RunEvent) -> RunEvent:
+        """Add the accesses to watched objects to an event, as far as they are to be reported."""
+        found = [
+            WatchHit(robot, access, self._last_before(event, robot))
+            for robot in self._marks.watched
+            if self._marks.at_once or robot == self.session.halted or robot in event.ended
+            for access in self._watches[robot].take()
+        ]
+        return replace(event, accesses=tuple(found)) if found else event
+
+    def _last_before(self, event: RunEvent, robot: int) -> Position:
+        """Return the last position before an access that a program made in this round."""
+        session = self.session
+        round_ = session.rounds - (event.kind == "round")
+        begun = self.statements_begun(robot) - 1
+        if begun < self._begun[robot]:
+            return Position(session.timesteps, round_)
+        return Position(session.timesteps, round_, robot, begun)
+
+    def _note_begun(self) -> None:
+        self._begun = self.session.fleet.slots["statements"].copy()
+
+    def _watching(self, executable: Executable) -> Executable:
+        """Return the watching build of a program."""
+        number = id(executable)
+        if number not in self._watching_builds:
+            self._watching_builds[number] = build_watching(executable)
+        return self._watching_builds[number]
+
+    def _has_passed(self, place: Position) -> bool:
+        """Return whether a position inside the round that has just run is in the past."""
+        session = self.session
+        if (session.timesteps, session.rounds) != (place.timestep, place.round):
+            return False
+        if place.robot < 0:
+            return False
+        halted = session.halted
+        return halted is None or (halted, self.statements_begun(halted)) >= (
+            place.robot,
+            place.statements,
+        )
+
+    def _end_round(self) -> RunEvent:
+        session = self.session
+        slots = session.fleet.slots
+        ran = np.flatnonzero(session.pending)
+        posted = _posted(ran, slots["code"][ran])
+        session.end_round()
+        ended = ran[~session.alive[ran]]
+        return RunEvent("round", posted, tuple(ended.tolist()))
+
+    def _end_cycle(self) -> RunEvent:
+        session = self.session
+        timestep, rounds, alive = session.timesteps, session.rounds, session.alive.copy()
+        can_advance = session.end_cycle()
+        ended = tuple(np.flatnonzero(alive & ~session.alive).tolist())
+        self.input_log.end(timestep, rounds, ended)
+        assert self._step is not None
+        self.event_history.hear(self._step, session.environment)
+        return RunEvent("timestep", ended=ended, step=self._step, over=not can_advance)
+
+    # -- going anywhere ----------------------------------------------------------------------
+
+    def seek(self, target: Position) -> None:
+        """Move to a recorded position; cannot be interrupted."""
+        position, kept = self.history.before(target)
+        if self.is_off_timeline or not position <= self.position <= target:
+            self.restore(kept)
+        everywhere, since = frozenset[int](), {}
+        if target.robot >= 0:
+            everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
+        self.arm(StopRequest(all=everywhere, since=since))
+        while self.position < target and self.can_advance:
+            self._advance(target)
+
+    def restore(self, kept: RunSnapshot) -> None:
+        """Restore a snapshot."""
+        self.is_off_timeline = False
+        self._stopped.clear()
+        self.session.restore(kept.session)
+        self.console.restore(kept.console)
+        self._set_slots()
+        self._look_anew()
+
+    def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
+        """Switch to another history; `seek` must follow."""
+        console.is_live = self.console.is_live
+        self.history, self.console, self.event_history = history, console, event_history
+        self.input_log = InputLog()
+        self.is_off_timeline = True
+
+    def changed(self) -> None:
+        """Record a change by the user: discard the future of the history."""
+        self._look_anew()
+        self.console.truncate()
+        self.event_history.forget(self.position.timestep)
+        self.input_log.forget(self.position)
+        self.history.branch(self.position, self._kept())
+
+    def _look_anew(self) -> None:
+        """Reset the watched values: they were not changed by the programs."""
+        self._note_begun()
+        for watches in self._watches:
+            watches.forget()
+
+    def _kept(self) -> RunSnapshot:
+        return RunSnapshot(self.session.snapshot(), self.console.snapshot())
+
+    # -- where a program stands ---------------------------------------------------------------
+
+    def stopped(self, robot: int) -> Stopped:
+        """Return a program's memory and stack; cached until it moves."""
+        if robot not in self._stopped:
+            fleet = self.session.fleet
+            failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
+            self._stopped[robot] = fleet.stopped(robot) if failed is None else failed
+        return self._stopped[robot]
+
+    def site(self, robot: int) -> StatementSite | None:
+        """Return the statement before which a program has stopped, or None."""
+        if self.session.halted != robot:
+            return None
+        number = int(self.session.fleet.slots["stopped"][robot]) - 1
+        return self.programs[robot].executable.detail().compiled.statements[number]
+
+    def innermost(self, robot: int) -> StackFrame | None:
+        """Return the innermost frame of a program."""
+        stack = self.stopped(robot).stack
+        return stack[0] if stack else None
+
+    def any_failed(self) -> bool:
+        """Return whether any program was stopped by an error."""
+        return bool((self.session.fleet.slots["status"] == FAILED).any())
+
+    def is_over(self, robot: int) -> bool:
+        """Return whether a program has started and ended."""
+        session = self.session
+        joined_s = session.environment.state.presence.joined_s[robot]
+        return math.isfinite(joined_s) and not session.alive[robot]
+
+    def has_failed(self, robot: int) -> bool:
+        """Return whether a program was stopped by an error."""
+        return bool(self.session.fleet.slots["status"][robot] == FAILED)
+
+
+def _posted(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
+    """Return robots with the codes of the requests that they have posted."""
+    return tuple(
+        (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
+    )

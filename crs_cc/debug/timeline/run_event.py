@@ -1,0 +1,70 @@
+"""Where a run should stop, and the events that it advances to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from crs_cc.debug.timeline.position import Position
+    from crs_cc.debug.watch import MemoryAccess, WatchedObject
+    from crs_cc.sim.engine.step import Step
+
+
+@dataclass(frozen=True, slots=True)
+class StopRequest:
+    """Where programs stop.
+
+    Attributes:
+        statements: by robot, the numbers of statements before which it stops.
+        all: the robots that stop before every statement.
+        since: by robot, how many statements must have started before it stops at all.
+        watched: by robot, the watched objects: it stops after accesses to them.
+        at_once: whether accesses are reported at the end of the round, and not only where the
+            program has stopped for them: for backward searches.
+    """
+
+    statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
+    all: frozenset[int] = frozenset()
+    since: Mapping[int, int] = field(default_factory=dict)
+    watched: Mapping[int, Sequence[WatchedObject]] = field(default_factory=dict)
+    at_once: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class WatchHit:
+    """An access of a program to a watched object.
+
+    Attributes:
+        robot: the robot that runs the program.
+        access: the access.
+        before: the last position before it: before its statement, or else before the round.
+    """
+
+    robot: int
+    access: MemoryAccess
+    before: Position
+
+
+@dataclass(frozen=True, slots=True)
+class RunEvent:
+    """The event to which a run has advanced.
+
+    Attributes:
+        kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; or the
+            `limit` has been passed.
+        posted: the requests posted in the round: robot and code of each, ascending.
+        ended: the programs that ended or failed in the round, or whose robots left with the
+            timestep.
+        step: the result of the timestep.
+        over: whether no program is left.
+        accesses: the accesses to watched objects.
+    """
+
+    kind: Literal["statement", "round", "timestep", "limit"]
+    posted: tuple[tuple[int, int], ...] = ()
+    ended: tuple[int, ...] = ()
+    step: Step | None = None
+    over: bool = False
+    accesses: tuple[WatchHit, ...] = ()

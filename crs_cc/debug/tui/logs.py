@@ -1,0 +1,95 @@
+"""Two logs: commands with their answers, and the output of the programs."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Final
+
+from rich.style import Style
+from rich.text import Text
+from textual import events
+from textual.widgets import RichLog
+
+from crs_cc.debug.commands.shell import PROMPT
+from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import OutputLine
+
+_MAX_LINES: Final = 2000
+_ERROR: Final = Style(color="red")
+_WHO: Final = Style(color="cyan")
+_ECHO: Final = Style(dim=True)
+
+
+class ConsoleLog(RichLog):
+    """Commands and their answers."""
+
+    def __init__(self, **arguments: str) -> None:
+        super().__init__(
+            max_lines=_MAX_LINES,
+            wrap=True,
+            min_width=1,
+            **arguments,  # type: ignore[arg-type]
+        )
+        self.border_title = "console"
+        self._texts: deque[Text] = deque(maxlen=_MAX_LINES)
+        self._wrapped_at = 0
+
+    def echo(self, line: str, prompt: str = PROMPT) -> None:
+        """Show a typed line."""
+        self._add(Text(prompt + printable(line), _ECHO))
+
+    def answer(self, text: Text) -> None:
+        """Show an answer."""
+        if text.plain:
+            self._add(text)
+
+    def error(self, line: str) -> None:
+        """Show an error."""
+        self._add(Text(printable(line), _ERROR))
+
+    def _add(self, text: Text) -> None:
+        self._texts.append(text)
+        self.write(text)
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Rewrap the lines."""
+        width = event.size.width
+        if self._wrapped_at not in {0, width}:
+            self.clear()
+            for text in self._texts:
+                self.write(text)
+        self._wrapped_at = width
+
+
+class OutputLog(RichLog):
+    """The output of the programs up to the current position."""
+
+    def __init__(self, **arguments: str) -> None:
+        super().__init__(
+            max_lines=_MAX_LINES,
+            min_width=1,
+            **arguments,  # type: ignore[arg-type]
+        )
+        self.border_title = "output"
+        self._lines: tuple[OutputLine, ...] = ()
+
+    def show(self, lines: tuple[OutputLine, ...]) -> None:
+        """Show the output; less than before if the run has gone back."""
+        known = len(self._lines)
+        if lines[:known] != self._lines:
+            self.clear()
+            known = 0
+        self.add(lines[known:])
+        self._lines = lines
+
+    def add(self, lines: tuple[OutputLine, ...]) -> None:
+        """Append new output."""
+        for line in lines[-_MAX_LINES:]:
+            self.write(_written(line))
+        self._lines += lines
+
+
+def _written(line: OutputLine) -> Text:
+    text = Text(no_wrap=True)
+    text.append(f"{line.who}: " if line.who else "", _WHO)
+    return text.append(printable(line.text.expandtabs()), _ERROR if line.is_error else "")

@@ -1,0 +1,197 @@
+"""GNU attributes, `__attribute__((packed, aligned(8)))`, and `#pragma pack`.
+
+An attribute may appear nearly everywhere, but the grammar does not depend on it. So attributes are
+removed from the tokens before parsing and kept by the token that they precede; the parser attaches
+them when it has read a declarator or a specifier (see `attributes`).
+
+>>> from crs_cc.frontend.parse.lexer import lex
+>>> from crs_cc.core.source import Diagnostics, Location
+>>> messages = Diagnostics()
+>>> source = "int x __attribute__((aligned(4 * 2), packed, unused));"
+>>> tokens = lex(source, lambda line, column: Location("a.c", line, column), messages)
+>>> rest, before = take_attributes(tokens, messages)
+>>> [each.value for each in rest], [each.name for each in before[rest[2]]]
+(['int', 'x', ';'], ['aligned', 'packed'])
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final, TypeAlias
+
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.preprocess.gnu import ASM_LABEL, KEYWORD, PACK
+
+Node: TypeAlias = Any
+
+_INTERNAL: Final = frozenset({PACK, ASM_LABEL})
+
+_IMPLEMENTED: Final = frozenset({
+    "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
+})  # fmt: skip
+"""Attributes that are implemented."""
+
+_IGNORED: Final = frozenset({
+    "access", "alloc_align", "alloc_size", "always_inline", "artificial", "assume_aligned", "cdecl",
+    "cold", "common", "const", "deprecated", "designated_init", "error", "externally_visible",
+    "fallthrough", "fastcall", "flatten", "format_arg", "gnu_inline", "hot", "interrupt",
+    "may_alias", "leaf", "malloc", "naked", "no_instrument_function", "no_reorder", "no_sanitize",
+    "no_sanitize_address", "no_split_stack", "noclone", "nocommon", "noinit", "noinline", "noipa",
+    "nonnull", "nonstring", "noplt", "nothrow", "optimize", "pure", "regparm", "retain",
+    "returns_nonnull", "returns_twice", "section", "sentinel", "stack_protect", "stdcall",
+    "symver", "target", "target_clones", "tls_model", "unavailable", "unused", "used",
+    "visibility", "warn_if_not_aligned", "warn_unused_result", "warning",
+})  # fmt: skip
+"""Attributes that can be ignored: they do not change a program's behaviour."""
+
+_UNSUPPORTED: Final = frozenset({
+    "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "ms_struct",
+    "scalar_storage_order", "transparent_union", "vector_size", "weakref",
+})  # fmt: skip
+"""Attributes that cannot be ignored: a program would behave differently."""
+
+
+@dataclass(slots=True, eq=False)
+class Attribute:
+    """One attribute.
+
+    Attributes:
+        name: its name, without the underscores around it.
+        words: the tokens of its arguments, without commas.
+        value: its first argument as an expression, set by the parser; the alignment for `PACK`.
+    """
+
+    name: str
+    location: Location
+    words: list[Token] = field(default_factory=list)
+    value: Node = None
+
+
+def take_attributes(
+    tokens: Sequence[Token], diagnostics: Diagnostics
+) -> tuple[list[Token], dict[Token, list[Attribute]]]:
+    """Separate a file's attributes from its other tokens.
+
+    Args:
+        tokens: the file.
+        diagnostics: receives messages about invalid, unknown or unsupported attributes.
+
+    Returns:
+        The other tokens, and the attributes by the token that they precede. `#pragma pack` is
+        attached to the token after the keyword `struct` or `union`.
+    """
+    rest: list[Token] = []
+    before: dict[Token, list[Attribute]] = {}
+    waiting: list[Attribute] = []
+    pack = _Pack()
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        if token.value != KEYWORD:
+            rest.append(token)
+            index += 1
+            if waiting:
+                before[token] = waiting
+                waiting = []
+            if pack.align and token.type in {"STRUCT", "UNION"}:
+                waiting.append(Attribute(PACK, token.location, value=pack.align))
+            continue
+        inside, index = _inside(tokens, index + 1)
+        if inside is None:
+            diagnostics.error(token.location, f"expected '((' after '{KEYWORD}'")
+            continue
+        for attribute in _split(inside):
+            if attribute.name == PACK:
+                pack.apply(attribute, diagnostics)
+            elif attribute.name == ASM_LABEL or _accepts(attribute, diagnostics):
+                waiting.append(attribute)
+    return rest, before
+
+
+def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None, int]:
+    """Return the tokens between `((` and `))`, None if there are none, and the index after them."""
+    depth = 0
+    for index in range(start, len(tokens)):
+        depth += {"LPAREN": 1, "RPAREN": -1}.get(tokens[index].type, 0)
+        if depth < min(2, index - start + 1) and index - start < 2:
+            return None, index
+        if depth == 0:
+            return tokens[start + 2 : index - 1], index + 1
+    return None, len(tokens)
+
+
+def _split(tokens: Sequence[Token]) -> list[Attribute]:
+    """Return the attributes of a comma-separated list."""
+    found: list[Attribute] = []
+    depth, is_first = 0, True
+    for token in tokens:
+        if depth == 0 and token.type == "COMMA":
+            is_first = True
+        elif is_first:
+            name = token.value
+            if (
+                len(name) > 4
+                and name.startswith("__")
+                and name.endswith("__")
+                and name not in _INTERNAL
+            ):
+                name = name[2:-2]
+            found.append(Attribute(name, token.location))
+            is_first = False
+        else:
+            depth -= token.type == "RPAREN"
+            if depth > 0 and (depth > 1 or token.type != "COMMA"):
+                found[-1].words.append(token)
+            depth += token.type == "LPAREN"
+    return found
+
+
+def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
+    """Return whether an attribute is implemented; report it if it is unknown or unsupported."""
+    name = attribute.name
+    if name in _UNSUPPORTED:
+        diagnostics.error(attribute.location, f"attribute '{name}' is not supported")
+    elif name not in _IMPLEMENTED and name not in _IGNORED:
+        close = difflib.get_close_matches(name, sorted(_IMPLEMENTED | _IGNORED), n=1)
+        hint = f"did you mean '{close[0]}'?" if close else ""
+        diagnostics.warning(attribute.location, f"unknown attribute '{name}' is ignored", hint)
+    return name in _IMPLEMENTED
+
+
+@dataclass(slots=True)
+class _Pack:
+    """The state of `#pragma pack` at some point of the file.
+
+    Attributes:
+        align: the maximum alignment of members; 0 if there is none.
+    """
+
+    align: int = 0
+    _stack: list[tuple[str, int]] = field(default_factory=list)
+
+    def apply(self, pragma: Attribute, diagnostics: Diagnostics) -> None:
+        """Apply `pack(push, 1)`, `pack(pop)`, `pack(2)` or `pack()`."""
+        words = [each.value for each in pragma.words]
+        action = words.pop(0) if words and words[0] in {"push", "pop"} else ""
+        label = words.pop(0) if action and words and words[0].isidentifier() else ""
+        number = words.pop(0) if words else ""
+        if words or (number and number not in {"0", "1", "2", "4", "8", "16"}):
+            diagnostics.warning(pragma.location, "invalid '#pragma pack' is ignored")
+            return
+        if action == "push":
+            self._stack.append((label, self.align))
+        elif action == "pop" and not self._pop(label):
+            diagnostics.warning(pragma.location, "'#pragma pack(pop)' without a push before it")
+        if number or not action:
+            self.align = int(number or 0)
+
+    def _pop(self, label: str) -> bool:
+        """Restore the state before the last push (with this label); return whether there is one."""
+        while self._stack:
+            name, self.align = self._stack.pop()
+            if not label or name == label:
+                return True
+        return False

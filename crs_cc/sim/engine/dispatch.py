@@ -1,0 +1,171 @@
+"""Requests: from robots to handlers and back as replies, at once or at the end of a wait."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
+from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.request_context import RequestContext
+from crs_cc.sim.devices.waits import settle, when
+from crs_cc.sim.engine.step import Served
+from crs_cc.sim.engine.world_data import WorldData
+
+
+class Dispatcher:
+    """Answers the requests of all robots of a world.
+
+    Attributes:
+        served: the requests that were answered in this cycle, in order.
+    """
+
+    def __init__(self, data: WorldData) -> None:
+        self.served: list[Served] = []
+        self._data = data
+
+    def serve(
+        self, code: int, robots: IndexArray, messages: Records, clock_s: FloatArray
+    ) -> FloatArray:
+        """Answer requests of one kind, see `Environment.serve`."""
+        data, rows = self._data, np.asarray(robots, dtype=np.intp)
+        state = data.state
+        if code not in data.handlers or not len(rows):
+            messages["result"] = 0
+            return np.array(clock_s, dtype=np.float64)
+        request = REQUESTS[code]
+        now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), data.end_s)
+        data.advance_to(rows, now_s)
+        arguments = messages["i"].copy()
+        state.commands[rows] += 1
+        drive.renew_deadline(state, rows)
+        good = self._handle(request, rows, messages, now_s)
+        if request.moves:
+            data.let_go_if_empty(rows, now_s)
+        goes_on_s = now_s.copy()
+        if request.changes_world:
+            goes_on_s[:] = data.end_s
+            data.refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
+            data.advance_to(rows, goes_on_s)
+        if request.waits:
+            waiting = messages[good]
+            goes_on_s[good] = self._wait(request, rows[good], waiting)
+            messages[good] = waiting
+        answered = np.isfinite(goes_on_s)
+        if answered.all():
+            self._reply(request, rows, messages, goes_on_s, good, arguments=arguments)
+        else:
+            replies = messages[answered]
+            at_s, good, arguments = goes_on_s[answered], good[answered], arguments[answered]
+            self._reply(request, rows[answered], replies, at_s, good, arguments=arguments)
+            messages[answered] = replies
+        return goes_on_s.copy()
+
+    def end_waits(self) -> tuple[IndexArray, FloatArray, Records]:
+        """Answers the waits that end in the cycle that begins."""
+        waits = self._data.state.waits
+        waiting = np.flatnonzero(waits.code)
+        if not len(waiting):
+            return waiting, np.zeros(0), np.zeros(0, MESSAGE)
+        codes, asked = waits.code[waiting], waits.asked[waiting]
+        ends_s = self._settle_waits(waiting)
+        ended = np.isfinite(ends_s)
+        rows, at_s, messages, codes = waiting[ended], ends_s[ended], asked[ended], codes[ended]
+        for code in np.unique(codes).tolist():
+            request, mine = REQUESTS[code], codes == code
+            replies, arguments = messages[mine], messages["i"][mine].copy()
+            self._finish(request, rows[mine], replies, at_s[mine])
+            good = np.ones(len(replies), dtype=np.bool_)
+            self._reply(request, rows[mine], replies, at_s[mine], good, arguments=arguments)
+            messages[mine] = replies
+        return rows, at_s, messages
+
+    def _wait(self, request: Request, rows: IndexArray, messages: Records) -> FloatArray:
+        """Begin to wait; return when those go on that do so in this cycle, else infinity.
+
+        Answers these, in place.
+        """
+        self._data.state.waits.begin(request.code, rows, messages)
+        goes_on_s = self._settle_waits(rows)
+        ended = np.isfinite(goes_on_s)
+        replies = messages[ended]
+        self._finish(request, rows[ended], replies, goes_on_s[ended])
+        messages[ended] = replies
+        return goes_on_s
+
+    def _finish(
+        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
+    ) -> None:
+        """Do what is done when waits have ended, whose messages become the replies."""
+        self._data.devices.advance(
+            self._data.state, self._data.constants, self._data.rays, rows, at_s
+        )
+        context = self._context(request, rows, messages, at_s)
+        verdict = self._data.waits[request.code].finish(context)
+        if verdict is not None:
+            messages["result"][~verdict] = 0
+
+    def _settle_waits(self, rows: IndexArray) -> FloatArray:
+        """End the waits that end in this cycle; devices work on the way to their ends."""
+        if not len(rows):
+            return np.zeros(0)
+        state, constants = self._data.state, self._data.constants
+        ends_s = when(self._data.waits, state, rows)
+        soon = ends_s < self._data.end_s
+        until_s = np.minimum(ends_s, state.drive.deadline_s[rows])
+        self._data.devices.advance(state, constants, self._data.rays, rows[soon], until_s[soon])
+        return settle(self._data.waits, state, constants, rows, self._data.end_s)
+
+    def _context(
+        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
+    ) -> RequestContext:
+        data = self._data
+        return RequestContext(request, data.state, data.constants, data.rays, rows, messages, at_s)
+
+    def _handle(
+        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
+    ) -> BoolArray:
+        """Do what connected robots ask; return which requests were good."""
+        messages["result"] = 1
+        if request.needs_connection:
+            good = self._data.state.connected[rows]
+        else:
+            good = self._data.state.presence.present[rows]
+        handler = self._data.handlers[request.code]
+        if good.all():
+            verdict = handler(self._context(request, rows, messages, at_s))
+        else:
+            connected = messages[good]
+            verdict = handler(self._context(request, rows[good], connected, at_s[good]))
+            messages[good] = connected
+        if verdict is not None:
+            good[good] = verdict
+        return good
+
+    def _reply(
+        self,
+        request: Request,
+        rows: IndexArray,
+        messages: Records,
+        at_s: FloatArray,
+        good: BoolArray,
+        *,
+        arguments: Int32Array,
+    ) -> None:
+        """Complete replies, and note for traces what was answered."""
+        messages["result"][~good] = 0
+        states = None
+        if request.replies_state:
+            context = self._context(request, rows, messages, at_s)
+            states = self._data.devices.sensor_board.reply(context, good)
+        self.served.append(
+            Served(
+                code=request.code,
+                robots=rows,
+                clock_s=at_s,
+                arguments=arguments,
+                results=messages["result"].copy(),
+                states=states,
+                told=messages.copy() if request.traced else None,
+            )
+        )

@@ -1,0 +1,117 @@
+"""Registry of all devices: those in `crs_cc/sim/devices`, and those of installed packages.
+
+Rows are found by name, so nothing here imports a device, and adding one changes no other file.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import itertools
+import zlib
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Final
+
+from crs_cc.core.errors import DeviceError
+from crs_cc.core.source import Location
+from crs_cc.requests import CODES, REGISTERED, Field, Request, device_request, register
+from crs_cc.sim.model.device import Device
+
+GROUP: Final = "crs_cc.devices"
+"""The entry point group of devices in other packages; each entry is a `Device`."""
+
+_DEVICES: Final = Path(__file__).parents[1] / "devices"
+_FIRST_NUMBER: Final = 9  # after those of the vendor's sensors, see `state.timers`
+_FOREIGN: Final = 100  # first code of other packages' devices; those below are reserved
+_STREAMS: Final = 1000  # streams below are reserved, see `core.random_streams`
+
+
+@cache
+def devices() -> tuple[Device, ...]:
+    """Return all devices with their numbers, codes and streams: built-in ones first, then by name.
+
+    Raises:
+        DeviceError: a device's row is invalid, or its name is in use.
+    """
+    found: dict[str, Device] = {}
+    ours, others = list(_ours()), list(_of_other_packages())
+    for where, device in (*ours, *others):
+        if not isinstance(device, Device):
+            raise DeviceError.at(Location(where), "not a crs_cc.sim.model.device.Device")
+        if reason := _complaint(device, found):
+            raise DeviceError.at(Location(where), f"device {device.name!r}: {reason}")
+        found[device.name] = device
+    rows = tuple(_numbered(list(found.values()), len(ours)))
+    for row in rows:
+        register(_request(row))
+    return rows
+
+
+def device(name: str) -> Device:
+    """Return the device with a name.
+
+    Raises:
+        KeyError: there is no such device.
+    """
+    return {each.name: each for each in devices()}[name]
+
+
+def _complaint(device: Device, found: dict[str, Device]) -> str:
+    if device.name in found:
+        return "duplicate device name"
+    if device.name.upper() in CODES:
+        return "the name is that of a request"
+    if device.element in {each.element for each in found.values()}:
+        return "duplicate device element"
+    return device.complaint()
+
+
+def _ours() -> Iterator[tuple[str, object]]:
+    for folder in sorted(_DEVICES.iterdir()):
+        if (folder / "__init__.py").is_file():
+            row = getattr(importlib.import_module(f"crs_cc.sim.devices.{folder.name}"), "DEVICE", 0)
+            if row:
+                yield str(folder / "__init__.py"), row
+
+
+def _of_other_packages() -> Iterator[tuple[str, object]]:
+    points = importlib.metadata.entry_points(group=GROUP)
+    for point in sorted(points, key=lambda each: (each.name, each.value)):
+        try:
+            row = point.load()
+        except Exception as error:  # whatever the package's code may raise
+            text = f"device {point.name!r} cannot be loaded: {type(error).__name__}: {error}"
+            raise DeviceError.at(Location(point.value), text) from error
+        yield point.value, row
+
+
+def _numbered(rows: list[Device], ours: int) -> Iterator[Device]:
+    """Yield rows with their missing numbers filled in, in order.
+
+    Args:
+        rows: all devices, built-in ones first.
+        ours: number of built-in devices.
+    """
+    numbers = {row.number for row in rows}
+    free = (number for number in itertools.count(_FIRST_NUMBER) if number not in numbers)
+    for place, row in enumerate(rows):
+        yield replace(
+            row,
+            number=next(free) if row.number < 0 else row.number,
+            code=REGISTERED[place if place < ours else _FOREIGN + place - ours],
+            stream=_STREAMS + zlib.crc32(row.name.encode()) if row.stream < 0 else row.stream,
+        )
+
+
+def _request(device: Device) -> Request:
+    """Return the request of a device's C function."""
+    results = [
+        Field(value.name, f"i[{place}]", device.unit, value.meaning)
+        for place, value in enumerate(device.values)
+    ]
+    return device_request(
+        device.name.upper(), device.code, device.prototype, device.does, results=tuple(results)
+    )

@@ -1,0 +1,121 @@
+"""Tables of `docs/editors.md`, and the manifest of the VS Code extension.
+
+Both come from the attributes of the `launch` request.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any, Final
+
+from crs_cc import __version__
+from crs_cc.debug.dap.breakpoint_requests import FILTERS
+from crs_cc.debug.dap.launch import ATTRIBUTES, LaunchAttribute
+from docs.generate import ROOT, Fillers, cell, table
+
+EXTENSION: Final = ROOT / "editors" / "vscode" / "package.json"
+NEOVIM: Final = ROOT / "editors" / "nvim" / "crs.lua"
+
+CONFIGURATION: Final = {
+    "name": "This program in a room",
+    "type": "crs",
+    "request": "launch",
+    "program": "${file}",
+    "world": "${workspaceFolder}/worlds/room.xml",
+    "cwd": "${workspaceFolder}",
+    "args": [],
+    "stopOnEntry": True,
+}
+
+
+def launch() -> str:
+    """Return an example of VS Code's `launch.json`."""
+    return json.dumps({"version": "0.2.0", "configurations": [CONFIGURATION]}, indent=2)
+
+
+def neovim() -> str:
+    """Return the configuration of nvim-dap."""
+    return NEOVIM.read_text().rstrip("\n")
+
+
+def attributes() -> str:
+    """Return the table of the attributes of `launch`."""
+    titles = ("attribute", "type", "default", "description")
+    return table(titles, [_row(each) for each in ATTRIBUTES])
+
+
+def _row(each: LaunchAttribute) -> tuple[str, ...]:
+    kind: str = "strings" if each.kind == "array" else each.kind
+    if each.choices:
+        kind = " or ".join(f"`{choice}`" for choice in each.choices)
+    default = "" if each.default is None else f"`{json.dumps(each.default)}`"
+    return f"`{each.name}`", kind, default, cell(each.meaning)
+
+
+def filters() -> str:
+    """Return the table of the exception breakpoints."""
+    rows = [
+        (f"`{each['filter']}`", each["description"].removeprefix("Stop when ").rstrip("."))
+        for each in FILTERS
+    ]
+    return table(("filter", "stops when"), rows)
+
+
+def extension_text() -> str:
+    """Return the manifest of the VS Code extension as JSON."""
+    return f"{json.dumps(extension(), indent=2)}\n"
+
+
+def extension() -> dict[str, Any]:
+    """Return the manifest of the VS Code extension."""
+    properties = {each.name: _schema(each) for each in ATTRIBUTES}
+    return {
+        "name": "crs-debug",
+        "displayName": "CRS robot programs",
+        "description": "Debug C robot programs and their simulated world, forward and in reverse",
+        "publisher": "crs",
+        "version": __version__,
+        "engines": {"vscode": "^1.75.0"},
+        "categories": ["Debuggers"],
+        "contributes": {
+            "breakpoints": [{"language": "c"}],
+            "debuggers": [
+                {
+                    "type": "crs",
+                    "label": "CRS",
+                    "languages": ["c"],
+                    "runtime": "crs",
+                    "runtimeArgs": ["debug", "--dap", "stdio"],
+                    "configurationAttributes": {"launch": {"properties": properties}},
+                    "initialConfigurations": [CONFIGURATION],
+                    "configurationSnippets": [
+                        {
+                            "label": "CRS: a program in a world",
+                            "description": "Debug a robot program",
+                            "body": CONFIGURATION | {"program": '^"\\${file}"'},
+                        }
+                    ],
+                }
+            ],
+        },
+    }
+
+
+def _schema(attribute: LaunchAttribute) -> dict[str, Any]:
+    """Return the JSON schema of an attribute."""
+    made: dict[str, Any] = {"type": attribute.kind, "description": attribute.meaning}
+    if attribute.kind == "array":
+        made |= {"type": ["array", "string"], "items": {"type": "string"}}
+    if attribute.choices:
+        made["enum"] = list(attribute.choices)
+    if attribute.default is not None:
+        made["default"] = attribute.default
+    return made
+
+
+FILLERS: Fillers = {
+    "launch": launch,
+    "neovim": neovim,
+    "attributes": attributes,
+    "filters": filters,
+}

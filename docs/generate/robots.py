@@ -1,0 +1,55 @@
+"""The table of `docs/robots.md`: the bundled robot definitions."""
+
+from __future__ import annotations
+
+import math
+
+from crs_cc.sim.files.world_xml import known_robots, load_robot
+from crs_cc.sim.model.robot import RobotModel
+from docs.generate import Fillers, table
+from docs.generate.schema import SIM
+
+
+def robots() -> str:
+    """Return the table of all bundled robots."""
+    titles = ("name", "radius, mass", "drive", "top speed", "sonars", "other sensors")
+    return table(titles, [_row(name) for name in known_robots()])
+
+
+def _row(name: str) -> tuple[str, ...]:
+    model = load_robot(SIM / "files" / "robots" / f"{name}.xml")
+    return (
+        f"`{name}`",
+        f"{100 * model.radius_m:.1f} cm, {model.mass_kg:g} kg",
+        _drive(model),
+        f"{model.drive.wheels.speed_limit:.2f} m/s",
+        _sonars(model),
+        _others(model),
+    )
+
+
+def _drive(model: RobotModel) -> str:
+    drive = model.drive
+    if drive.steering is None:
+        return f"two wheels, {100 * drive.wheel_base_m:.1f} cm apart"
+    return "synchro drive with turret" if drive.turret is not None else "synchro drive"
+
+
+def _sonars(model: RobotModel) -> str:
+    front = [each.id for each in model.sonars if abs(each.direction_rad) < math.radians(20)]
+    numbers = ", ".join(map(str, front))
+    return f"{len(model.sonars)}, range {model.sonars[0].range_m:.1f} m; front: {numbers}"
+
+
+def _others(model: RobotModel) -> str:
+    devices = {
+        f"{len(model.bumpers)} bumpers": bool(model.bumpers),
+        "infrared": model.infrared is not None,
+        "compass": model.compass is not None,
+        "laser": model.laser is not None,
+        "heat": model.heat.range_m > 0.0,
+    }
+    return ", ".join(name for name, has in devices.items() if has) or "none"
+
+
+FILLERS: Fillers = {"robots": robots}

@@ -1,0 +1,74 @@
+"""Parts of `docs/sensors.md`: laws from the sensors' modules, attributes from the schema."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import re
+
+from crs_cc.sim.model.degradation import degradables
+from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.registry import devices
+from docs.generate import ROOT, Fillers
+from docs.generate.schema import Schema
+
+
+def law(module: str) -> str:
+    """Return the docstring of a sensor's module without its first line, as Markdown."""
+    text = inspect.getdoc(importlib.import_module(f"crs_cc.sim.devices.{module}")) or ""
+    parts = [part for part in text.split("\n\n")[1:] if part.strip()]
+    return "\n\n".join(
+        part.strip("\n") if re.search(r"^(- | )", part, re.MULTILINE) else " ".join(part.split())
+        for part in parts
+    )
+
+
+def attributes(element: str) -> str:
+    """Return the table of the attributes of a sensor's element in a robot definition."""
+    return f"Attributes of `<{element}>` in a robot definition:\n\n" + Schema(
+        "robot.xsd"
+    ).attributes(element)
+
+
+def degradation(name: str) -> str:
+    """Return what degradations of a sensor act on."""
+    device = degradables()[name]
+    return f"Degradation `{name}`: {device.title}; if a value is dropped: {device.nothing}."
+
+
+def registered_rows() -> str:
+    """Return the rows of the overview for the sensors of the registry."""
+    return "\n".join(
+        f"| [{device.title}](#{device.title.lower().replace(' ', '-')}) | `<{device.element}>` | "
+        f"`{device.function}` | {device.unit} | yes | `{device.name}` | {_sample(device)} |"
+        for device in _ours()
+    )
+
+
+def registered_sections() -> str:
+    """Return a section for each sensor of the registry."""
+    return "\n\n".join(
+        f"## {device.title}\n\n{law(device.folder.name)}\n\n{attributes(device.element)}\n\n"
+        f"{degradation(device.name)}"
+        for device in _ours()
+    )
+
+
+def _ours() -> list[Device]:
+    return [device for device in devices() if device.model.__module__.startswith("crs_cc.")]
+
+
+def _sample(device: Device) -> str:
+    for path in sorted((ROOT / "samples" / "scout_c").glob("*.c")):
+        if f"{device.function}(" in path.read_text():
+            return f"[{path.stem}](../samples/scout_c/{path.name})"
+    return ""
+
+
+FILLERS: Fillers = {
+    "law": law,
+    "attributes": attributes,
+    "degradation": degradation,
+    "registered_rows": registered_rows,
+    "registered_sections": registered_sections,
+}

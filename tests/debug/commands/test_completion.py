@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.commands.completion import Completion, complete
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.repl.keyboard import completer
+from tests.debug.debuggers import debugger_at
+
+PROGRAM = Path(__file__).parents[1] / "programs" / "shapes.c"
+
+
+@pytest.fixture
+def shell() -> Shell:
+    debugger = debugger_at([PROGRAM])
+    debugger.start()
+    debugger.next(2)
+    return Shell(debugger)
+
+
+def test_every_argument_kind_is_completed(shell: Shell) -> None:
+    assert complete(shell.context, "reverse-n") == Completion(0, ("reverse-next",))
+    assert complete(shell.context, "info lo") == Completion(5, ("locals",))
+    assert complete(shell.context, "  inf").words == ("info",)
+    assert complete(shell.context, "break fac") == Completion(6, ("factorial",))
+    assert complete(shell.context, "b sha") == Completion(2, ("shapes.c:",))
+    assert complete(shell.context, "b shapes.c:fa") == Completion(2, ("shapes.c:factorial",))
+    assert complete(shell.context, "print 2 * lar") == Completion(10, ("largest",))
+    assert "total" in complete(shell.context, "p ").words
+    assert complete(shell.context, "p nothing").words == ()
+    assert complete(shell.context, "robot ").words == ("robot0",)
+    assert "collision" in complete(shell.context, "catch ").words
+    assert complete(shell.context, "help rev").words[0] == "reverse-continue"
+    assert complete(shell.context, "switch ").words == ("main",)
+    assert complete(shell.context, "foo bar").words == ()
+    assert complete(shell.context, "step ").words == ()
+    assert complete(shell.context, "").words[0] == "advance"
+
+
+def test_numbers_and_files_are_completed(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shell.debugger.stop_points.add_breakpoint("main")
+    shell.debugger.checkpoint()
+    list(shell.execute("display calls"))
+    for line in ("delete ", "restart ", "undisplay "):
+        assert complete(shell.context, line).words == ("1",)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "one.dbg").touch()
+    (tmp_path / "scripts").mkdir()
+    assert complete(shell.context, "source ").words == ("one.dbg", "scripts/")
+
+
+def test_readline_gets_the_rest_of_its_word(shell: Shell) -> None:
+    line = "print shapes.c:3 + lar"
+    give = completer(shell, lambda: line)
+    assert [give("lar", 0), give("lar", 1)] == ["largest", None]
+    line = "break shapes.c:fa"
+    assert give("shapes.c:fa", 0) == "shapes.c:factorial"
+    assert give("fa", 0) == "factorial"

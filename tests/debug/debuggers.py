@@ -1,0 +1,55 @@
+"""Small programs under the debugger's engine."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from crs_cc.core.source import Diagnostics
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.program import DebugProgram
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.session.build import build_executable
+from crs_cc.session.library import HEADERS
+from crs_cc.sim.files.world_xml import empty_world, load_world
+
+ROOT = Path(__file__).parents[2]
+
+
+@functools.cache
+def debug_program(*paths: Path) -> DebugProgram:
+    """Return the debug build of some C files."""
+    options = Options((), (HEADERS,))
+    return DebugProgram(build_executable(paths, Diagnostics(), debug=True), paths, options)
+
+
+def debugger_of(*sources: str, folder: Path, world: str = "", **options: Any) -> Debugger:
+    """Put programs, given as text, into the robots of a world: the last into all that are left.
+
+    Args:
+        sources: the programs.
+        folder: where their files go: `a.c`, `b.c`, ...
+        world: the world's name in `worlds/`; by default it is empty.
+        options: further ones of the `Debugger`.
+    """
+    paths = [folder / f"{letter}.c" for letter, _ in zip("abcdefgh", sources, strict=False)]
+    for path, source in zip(paths, sources, strict=True):
+        path.write_text(source)
+    return debugger_at(paths, world, **options)
+
+
+def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debugger:
+    """Put programs into the robots of a world: the last into all that are left."""
+    model = load_world(ROOT / "worlds" / world) if world else empty_world()
+    programs = [debug_program(path) for path in paths]
+    robots = len(model.robots)
+    programs = [*programs, *programs[-1:] * (robots - len(programs))][:robots]
+    return Debugger(model, programs, **options)
+
+
+def line(debugger: Debugger) -> int:
+    """Return the line where it is; 0 where there is none."""
+    location = debugger.view.location()
+    return 0 if location is None else location.line

@@ -1,0 +1,48 @@
+"""Every script in `bench/` runs to its end in its smallest size and prints what it measured."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+BENCH = Path(__file__).parents[1] / "bench"
+
+SMALLEST = {
+    "c_speed.py": ["--repeat", "1", "fib"],
+    "compile.py": ["--lines", "80", "--repeat", "1", "--stages"],
+    "debug.py": ["--minutes", "2", "--minute", "2", "1"],
+    "environment.py": ["--seconds", "0", "--scouts", "1", "1"],
+    "fleet.py": ["--rounds", "1", "1"],
+    "messages.py": ["4"],
+    "start.py": ["--repeat", "1"],
+}
+"""Of each script, the arguments with which it measures least."""
+
+MEASURED = {
+    "c_speed.py": ["crs unchecked", "\nfib ", "\nmean "],
+    "compile.py": ["\nnew program ", "\nknown program ", "  lex ", "  generate "],
+    "debug.py": ["run build", "reverse-continue, a minute", "goto the middle"],
+    "environment.py": ["\n       1 ", "1 times a scout: ", "1 times a noisy scout: "],
+    "fleet.py": ["    bare request ", "      small loop "],
+    "messages.py": ["4 robots, silent: ", "radio: ", "infrared: ", "local: "],
+    "start.py": ["python -c pass ", "crs run, warm ", "crs run, empty cache "],
+}
+"""Of each script, words of what it prints."""
+
+
+def test_every_script_has_a_smallest_size() -> None:
+    assert {path.name for path in BENCH.glob("*.py")} == SMALLEST.keys() == MEASURED.keys()
+
+
+@pytest.mark.parametrize("script", SMALLEST)
+def test_a_script_measures_in_its_smallest_size(script: str) -> None:
+    done = subprocess.run(
+        [sys.executable, BENCH / script, *SMALLEST[script]],
+        check=False, capture_output=True, text=True, timeout=300,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    for words in MEASURED[script]:
+        assert words in done.stdout
