@@ -1,4 +1,4 @@
-"""`crs check`: what it says of one file, of a program in several, and as data."""
+"""`crs check` of one file, of a program in several files, and its JSON output."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`crs debug` as a user calls it; what its commands answer is held by `tests/debug`."""
+"""`crs debug` from the command line; its commands are tested in `tests/debug`."""
 
 from __future__ import annotations
 

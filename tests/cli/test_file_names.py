@@ -1,4 +1,4 @@
-"""Names of files that the locale, or UTF-8, has no characters for are names as all others."""
+"""File names that cannot be decoded by the locale, or as UTF-8, work as any other."""
 
 from __future__ import annotations
 

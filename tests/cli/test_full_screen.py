@@ -1,4 +1,4 @@
-"""When `crs debug` shows the full screen, and that it comes up on a terminal and goes again."""
+"""When `crs debug` shows the full-screen interface, and its start and end on a terminal."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `crs run` shows of robots that come and go."""
+"""Robots that join and leave, in the output of `crs run`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command line's own behaviour: help, usage, unreadable files, whose fault it was."""
+"""The command line: help, usage errors, unreadable files, exit statuses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How messages look on a terminal and elsewhere."""
+"""The format of messages on a terminal and elsewhere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The picture of a run, read back as XML."""
+"""The plot of a run, read back as XML."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the report of a stopped program looks on a terminal and elsewhere, and as data."""
+"""The format of error reports on a terminal and elsewhere, and as data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that programs write go below the folder that the user names, and nowhere else."""
+"""Files that programs write are saved below the folder that the user names, and nowhere else."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What sensors told, as the picture of a run draws it."""
+"""The sensor readings in the plot of a run."""
 
 import math
 from pathlib import Path

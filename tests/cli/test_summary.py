@@ -1,4 +1,4 @@
-"""What came of a run, in its three forms."""
+"""The results of a run: table, JSON and exit status."""
 
 from __future__ import annotations
 

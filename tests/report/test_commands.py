@@ -1,4 +1,4 @@
-"""The commands of the CRS report, as its programs use them and as the robot truly moves."""
+"""The commands of the CRS report, as programs use them, and the resulting motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Programs in the report's form, and how they are told from those in the vendor's."""
+"""Programs in the report's form, and the detection of their dialect."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The table of the report's commands, its header and the library say the same."""
+"""The table of the report's commands agrees with its header and the library."""
 
 from __future__ import annotations
 

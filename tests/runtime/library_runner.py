@@ -1,4 +1,4 @@
-"""Runs a C program that needs nothing but the library and a host: no world, no time."""
+"""Run a C program that needs only the library and a host, without a world."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A program moves from one build of it to another wherever it has stopped, and nothing changes."""
+"""A program can be moved to another build wherever it has stopped, without any effect."""
 
 from __future__ import annotations
 

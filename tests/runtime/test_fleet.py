@@ -1,4 +1,4 @@
-"""A fleet runs, saves and restores programs, and survives whatever one of them does."""
+"""A fleet runs, saves and restores programs, and isolates their failures."""
 
 from __future__ import annotations
 

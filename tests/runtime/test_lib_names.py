@@ -1,4 +1,4 @@
-"""What the library defines, declares, and uses of itself."""
+"""The names that the library declares, defines and uses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`crs_request.h` and `crs_cc.requests` describe the same door."""
+"""`crs_request.h` and `crs_cc.requests` describe the same interface."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Strings and character classes, against what Python makes of the same bytes."""
+"""Strings and character classes, compared with Python's."""
 
 from __future__ import annotations
 

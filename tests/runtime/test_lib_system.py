@@ -1,4 +1,4 @@
-"""What the library has of POSIX beyond C: waiting, alarms, messages, and what it must refuse."""
+"""The POSIX part of the library: waiting, alarms, messages, and unsupported functions."""
 
 from __future__ import annotations
 

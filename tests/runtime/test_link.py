@@ -1,4 +1,4 @@
-"""C files are joined as object files are, and the library as an archive."""
+"""C files are linked like object files, and the library like an archive."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Memory is kept without looking at what was never touched."""
+"""Memory is saved without reading untouched pages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was compiled before comes from the cache, as long as nothing has changed."""
+"""Programs come from the cache as long as nothing has changed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A robot's disk: what its program can do to it, and what it cannot."""
+"""A robot's disk: file operations, limits and errors."""
 
 from __future__ import annotations
 

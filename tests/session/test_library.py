@@ -1,4 +1,4 @@
-"""The C library is compiled by need, and its index is that of its sources."""
+"""The C library is compiled on demand, and its index matches its sources."""
 
 from __future__ import annotations
 

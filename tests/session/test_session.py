@@ -1,4 +1,4 @@
-"""A session is a function of programs, world and seed, and robots fail alone."""
+"""A session is a function of programs, world and seed, and isolates failures of robots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What takes a program's time: its instructions on the host, its commands on the line."""
+"""A program's time: its instructions on the host, its commands on the link."""
 
 from __future__ import annotations
 

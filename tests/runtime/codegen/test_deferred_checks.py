@@ -1,4 +1,4 @@
-"""Loads that decide nothing are found in time that grows with the program, not with its square."""
+"""Deferred checks are found in linear time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Any graph of blocks runs as drawn, whatever its loops, and wherever it is suspended.
+"""Any control flow graph runs correctly, reducible or not, wherever it is suspended.
 
 Random programs walk a random graph: every block mixes its number into a hash that decides where
 to go next. An interpreter of a few lines tells what the hash must be.

@@ -1,4 +1,4 @@
-"""Signed overflow stops a program only when that is asked for."""
+"""Signed overflow stops a program only on request."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which local variable an address below the stack was is told only when there is no doubt."""
+"""A local variable of a returned function is named only if it is unambiguous."""
 
 from __future__ import annotations
 

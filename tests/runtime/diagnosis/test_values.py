@@ -1,4 +1,4 @@
-"""Values are written as a C programmer would write them."""
+"""Values are formatted as a C programmer would write them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-/* The gripper: told to open or close, and what it knows of what it holds. */
+/* The gripper: opening, closing, and its state. */
 #include <crs/device.h>
 #include <stddef.h>
 

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Asks by a name; returns the number, -1 for none. */
+/* Looks up a name; returns the number, -1 for none. */
 static int find(int code, const char *name)
 {
     struct __crs_message message;

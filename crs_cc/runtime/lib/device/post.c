@@ -1,4 +1,4 @@
-/* Requests to devices of crs.h need no connection; afterwards signals are seen to, as after any
+/* Requests to devices of crs.h need no connection; afterwards signals are delivered, as after any
    call of the robot. */
 #include <crs/clock.h>
 #include <crs/device.h>

@@ -1,4 +1,4 @@
-/* Readings that are too many for one reply are handed over in pages. */
+/* Readings that do not fit one reply are transferred in pages. */
 #include <crs/device.h>
 
 int __crs_take_readings(int sensor, int count, int *numbers, int most)

@@ -1,4 +1,4 @@
-/* The sonars' modes, and their distances beyond what State can tell. */
+/* The sonars' modes, and their distances beyond the range of State. */
 #include <crs/device.h>
 
 #define SONARS 16

@@ -1,4 +1,4 @@
-/* What a function of the world outside says that a control program does not have. */
+/* The report of a function that is not available to control programs. */
 #include <errno.h>
 #include <string.h>
 

@@ -2,13 +2,13 @@
 #ifndef _CRS_AUTOMATIC_H
 #define _CRS_AUTOMATIC_H
 
-/* How many pieces of memory are given out; they are given back in the opposite order. */
+/* The number of blocks allocated; they are freed in the opposite order. */
 extern int __crs_automatic_count;
 
-/* Returns memory for the variable of a name; stops the program when there is none. */
+/* Allocates memory for the variable of a name; stops the program if there is none. */
 void *__crs_automatic(unsigned size, const char *name);
 
-/* Takes back all but the first `count` pieces. */
+/* Frees all but the first `count` blocks. */
 void __crs_release(int count);
 
 #endif

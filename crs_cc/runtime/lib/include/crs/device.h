@@ -11,7 +11,7 @@ int __crs_ask_device(int code, struct __crs_message *message, int a, int b, int 
 /* Posts a request that has been filled in; returns its result. */
 int __crs_post_device(int code, struct __crs_message *message);
 
-/* Reads what a sensor's reply told of, page by page: `count` readings, as far as there is room for
+/* Reads the readings announced by a sensor's reply, page by page: `count` of them, at most
    `most`. Returns how many it read. */
 int __crs_take_readings(int sensor, int count, int *numbers, int most);
 

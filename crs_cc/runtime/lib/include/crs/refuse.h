@@ -1,4 +1,4 @@
-/* Functions that a sandbox cannot have: they link, say so once on the standard error stream, and
+/* Functions that a sandbox cannot offer: they link, report it once on standard error, and
    give their error value with errno. */
 #ifndef CRS_REFUSE_H
 #define CRS_REFUSE_H

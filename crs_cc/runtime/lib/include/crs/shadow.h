@@ -6,7 +6,7 @@
 #define CRS_INACCESSIBLE 0
 #define CRS_WITHOUT_VALUE 1
 
-/* Says what C may do with some bytes; the state is a constant. */
+/* Sets the state of some bytes; the state is a constant. */
 void __crs_mark(void *address, unsigned int size, int state);
 
 /* Writes the numbers of the calls that led here, the innermost first; the count is a constant. */

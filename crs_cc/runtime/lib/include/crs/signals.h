@@ -2,7 +2,7 @@
 #ifndef CRS_SIGNALS_H
 #define CRS_SIGNALS_H
 
-/* Does what a program wants to be done on a signal, or ends it. */
+/* Delivers a signal: runs its handler, or ends the program. */
 void __crs_signal(int signal);
 
 /* Waits for an alarm under a mask of blocked signals; returns when one was delivered. */

@@ -25,7 +25,7 @@ extern FILE *__crs_streams;
 /* Appends output; returns 0, or EOF on error. Nothing leaves before the buffer is full. */
 int __crs_append(FILE *stream, const void *bytes, int size);
 
-/* Lets out what must not wait: whole lines of a line-buffered stream, all of an unbuffered one. */
+/* Flushes whole lines of a line-buffered stream, and everything of an unbuffered one. */
 int __crs_settle(FILE *stream);
 
 /* Writes out the buffer; returns 0, or EOF on error. */
