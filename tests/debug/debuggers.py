@@ -10,9 +10,8 @@ from typing import Any
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from crs_cc.sim.files.world_xml import empty_world, load_world
 
 ROOT = Path(__file__).parents[2]
@@ -21,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 @functools.cache
 def debug_program(*paths: Path) -> DebugProgram:
     """Return the debug build of some C files."""
-    options = Options((), (HEADERS,))
+    options = library_options()
     return DebugProgram(build_executable(paths, Diagnostics(), debug=True), paths, options)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,10 +11,9 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.world.state_rows import vendor_state_rows
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.requests import REQUESTS
 from crs_cc.session.build import build_executable
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from crs_cc.sim.files.world_xml import empty_world, load_world
 
 ROOT = Path(__file__).parents[2]
@@ -23,7 +23,7 @@ TABLE_2 = ROOT / "samples" / "scout_c" / "report_table2.c"
 @pytest.fixture(scope="module")
 def program() -> DebugProgram:
     executable = build_executable([TABLE_2], Diagnostics(), dialect="report", debug=True)
-    return DebugProgram(executable, [TABLE_2], Options((), (HEADERS,), dialect="report"))
+    return DebugProgram(executable, [TABLE_2], replace(library_options(), dialect="report"))
 
 
 @pytest.mark.parametrize("name", ["vm", "sonarSensorCheck"])
@@ -44,7 +44,7 @@ def test_a_function_breakpoint_stops_at_its_own_requests_only(tmp_path: Path) ->
     source = tmp_path / "two.c"
     source.write_text('#include "Nclient.h"\nint main(void)\n{\n    vm(10);\n    vm(20);\n}\n')
     executable = build_executable([source], Diagnostics(), dialect="report", debug=True)
-    options = Options((), (HEADERS,), dialect="report")
+    options = replace(library_options(), dialect="report")
     debugger = Debugger(empty_world(), [DebugProgram(executable, [source], options)])
     debugger.stop_points.add_breakpoint("vm")
     posted = []

@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -24,10 +24,9 @@ from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.run_event import RunEvent
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Output
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files.world_xml import load_world
@@ -125,7 +124,7 @@ def impatient(debugger: Debugger) -> Iterator[None]:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(run, "step", step)
-        patch.setattr(run, "again", again_but_not_for_long)
+        patch.setattr(run, "replay", again_but_not_for_long)
         yield
 
 
@@ -143,7 +142,7 @@ def programs_of(sample: Sample, world: WorldModel) -> list[DebugProgram]:
     for name in {robot.program: None for robot in world.robots}:
         paths = [Path(name)] if name else [SAMPLES / each for each in sample.program()]
         executable = build_executable(paths, Diagnostics(), debug=True, **front_end)
-        made[name] = DebugProgram(executable, paths, Options((), (HEADERS,), **front_end))
+        made[name] = DebugProgram(executable, paths, replace(library_options(), **front_end))
     return [made[robot.program] for robot in world.robots]
 
 
