@@ -1,4 +1,4 @@
-"""The messages of all robots: what answers their requests, and what a cycle's end does."""
+"""The messages of all robots: their requests, and the work at the end of a cycle."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 
 class Messenger:
-    """What carries messages; everything that changes is in `MessageState`."""
+    """The communication of a world's robots; its mutable state is `MessageState`."""
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         self._channels = Channels.of(world.communication)
         self._air = Air(self._channels, seed)
         self._robots = tuple(robot.id for robot in world.robots)
 
-    # -- what programs ask -------------------------------------------------------------------------
+    # -- requests of programs ----------------------------------------------------------------------
 
     def send(self, context: RequestContext) -> BoolArray:
         """Answer SEND: to a robot, to all, or to a group."""
@@ -49,7 +49,7 @@ class Messenger:
         return np.asarray(good)
 
     def receive(self, context: RequestContext) -> BoolArray:
-        """Answer RECEIVE, when a message has come or the time is up."""
+        """Answer RECEIVE when a message has arrived or the timeout has expired."""
         messages, rows = context.state.messages, context.rows
         inbox.let_in(messages, rows, context.at_s)
         have, packets, arrived_s = inbox.take(messages, rows)
@@ -84,7 +84,7 @@ class Messenger:
         """Answer ROBOT: the number of a robot with a name, the name of one with a number."""
         return _look_up(context, self._robots, context.rows)
 
-    # -- what time does ----------------------------------------------------------------------------
+    # -- the passage of time -----------------------------------------------------------------------
 
     def end_cycle(
         self,
@@ -95,14 +95,14 @@ class Messenger:
         from_s: float,
         to_s: float,
     ) -> None:
-        """Ends a cycle: what was sent in it goes on its way, what arrived in it is let in.
+        """End a cycle: transmit the messages sent in it, and put those that arrived into inboxes.
 
         Args:
-            state: changed in place; the bodies are where they got to.
-            constants: what stands where.
-            log: takes what is shut and opened.
-            from_s: when the cycle began.
-            to_s: when it ends.
+            state: changed in place; the bodies have moved.
+            constants: the objects of the world.
+            log: receives the start and end of outages.
+            from_s: start of the cycle.
+            to_s: its end.
         """
         messages = state.messages
         if len(messages.shuts):
@@ -122,7 +122,7 @@ class Messenger:
 
 
 def wait(context: RequestContext) -> None:
-    """Begin to wait for a message: not at all for 0 ms, without an end below 0."""
+    """Start to wait for a message: not at all for 0 ms, without limit below 0."""
     state, rows = context.state, context.rows
     wait_s = context["timeout_ms"] / 1000.0
     until_s = state.drive.clock_s[rows] + wait_s
@@ -130,13 +130,13 @@ def wait(context: RequestContext) -> None:
 
 
 def heard_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    """Gives when the waits for a message end, as far as is known, shape (k,)."""
+    """Return when the waits for a message end, as far as is known, shape (k,)."""
     first_s = np.minimum(inbox.first_s(state.messages, rows), state.waits.until_s[rows])
     return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
 
 
 def _look_up(context: RequestContext, names: tuple[str, ...], own: IndexArray) -> BoolArray:
-    """Find what has a name, or else a number, -1 for one's own; write both, and how many are."""
+    """Look up a name, or without one a number, -1 for one's own; reply with both and the count."""
     good = np.zeros(len(context), dtype=np.bool_)
     sizes, numbers = context["size"].tolist(), context["number"].tolist()
     for row, mine in enumerate(own.tolist()):

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 _LASER_WIDTHS: Final = {CODES["GET_LS"]: laser.POINTS, CODES["GET_SG"]: laser.SEGMENTS}
-"""Numbers of a reading in the replies that carry the laser's, whatever its mode."""
+"""Numbers per reading in the replies with laser readings, in any mode."""
 
 
 class SensorBoard:
@@ -61,12 +61,12 @@ class SensorBoard:
 
     @property
     def fans(self) -> list[Fan]:
-        """Gives the beams of those that measure distances."""
+        """Return the beams of the sensors that measure distances."""
         return [*self.infrared.fans, *self.lasers.fans]
 
     @property
     def timed(self) -> dict[int, Timed]:
-        """Gives those that can have a timer, by their numbers in `crs.h`."""
+        """Return the sensors that can have a timer, by their numbers in `crs.h`."""
         return {
             timers.LASER: Timed(
                 self.lasers.read,
@@ -93,7 +93,7 @@ class SensorBoard:
 
         Args:
             context: the requests, changed in place into the replies.
-            good: which of them were good; for these, sensors measure whose readings replies carry.
+            good: which of them were good; only for these, sensors measure for the replies.
 
         Returns:
             `State` of each, shape (k, 45).
@@ -117,7 +117,7 @@ class SensorBoard:
         return states
 
     def _measure(self, context: RequestContext, good: BoolArray) -> None:
-        """Measure with those instruments that the programs' masks ask for."""
+        """Measure with the instruments that the programs' masks select."""
         for has, read, sensor, group in (
             (self._has_infrared, self.infrared.read, timers.INFRARED, mask.INFRARED),
             (self._has_compasses, self.compasses.read, timers.COMPASS, mask.COMPASS),
@@ -135,17 +135,17 @@ class SensorBoard:
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[Int32Array, Int32Array]:
-        """Lets the instruments measure without any error from somewhere else.
+        """Measure with the instruments without errors from other poses.
 
         Args:
-            state: tells where all things are; keeps what lasers see for the pages.
+            state: has the poses of all objects; stores what lasers see for the pages.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: which robots, k of them.
+            rays: casts rays.
+            rows: the robots, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
         Returns:
-            what infrared sensors tell, shape (k, 16), and how many laser readings there are, (k,).
+            the infrared readings, shape (k, 16), and the number of laser readings, (k,).
         """
         infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
         has = constants.infrared[rows] >= 0
@@ -165,7 +165,7 @@ class SensorBoard:
 
 
 def _keep_laser(context: RequestContext) -> Int32Array:
-    """Keep what lasers saw for the pages; return how many readings each robot has, (k,)."""
+    """Store the lasers' scans for the pages; return the number of readings of each, (k,)."""
     laser_state, mine = context.state.laser, context.constants.laser[context.rows]
     width = _LASER_WIDTHS.get(context.request.code)
     asked = mine >= 0
@@ -182,6 +182,6 @@ def _keep_laser(context: RequestContext) -> Int32Array:
 
 
 def _is_asked(context: RequestContext, group: slice) -> BoolArray:
-    """Return which programs' masks have one of the bits of a group, (k,)."""
+    """Return which programs' masks have any bit of a group, (k,)."""
     bits = context.state.mask[context.rows, group].view(np.int8)
     return np.asarray((bits > 0).any(axis=1))

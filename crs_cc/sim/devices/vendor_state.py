@@ -1,4 +1,4 @@
-"""The vendor's `State[45]`: what a robot tells its host, in the vendor's indices and units.
+"""The vendor's `State[45]`: what a robot reports to its host, in the vendor's indices and units.
 
 Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout does not have
 (infrared, turret, laser, compass) is 0.
@@ -38,7 +38,7 @@ CONF_TURRET: Final = 37  # [0.1 deg], 0 to 3599
 VEL_RIGHT: Final = 38  # [0.1 in/s]; of a synchro drive the translation
 VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
-MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, be it in vain
+MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, even if stalled
 
 LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
@@ -49,7 +49,7 @@ _FULL_TURN: Final = 3600
 
 
 def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
-    """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
+    """Return `State` of robots at the time to which their axes were turned, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
@@ -71,7 +71,7 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
 
 
 def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
-    """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
+    """Return the part of `State` with positions and speeds, shape (k, 7)."""
     odometry = state.odometry
     speed, unit = traction.speed(state, constants, rows), take(constants.drives.unit, rows)
     now_s = state.drive.clock_s[rows]

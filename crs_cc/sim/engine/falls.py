@@ -1,7 +1,7 @@
-"""Falls: robots whose ground drops away under their middle.
+"""Falls: robots whose ground drops away under their centre.
 
-A robot falls when its middle gets lower in a cycle by more than its step and the slope under it
-account for. Nothing breaks; the event log tells of it.
+A robot falls when its centre gets lower in a cycle by more than its step and the slope under it
+account for. Nothing breaks; the event log reports it.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ def tell_falls(
     before_m: FloatArray,
     went_m: FloatArray,
 ) -> None:
-    """Tells which robots fell in a cycle, and how far.
+    """Log which robots fell in a cycle, and how far.
 
     Args:
         constants: the robots' constants.
-        log: takes it.
+        log: receives the events.
         time_s: the end of the cycle.
-        before_m: where the robots were at its start, (robots, 2).
-        went_m: where they went from there, (robots, 2).
+        before_m: positions of the robots at its start, (robots, 2).
+        went_m: their displacements, (robots, 2).
     """
     if constants.inclines is None:
         return

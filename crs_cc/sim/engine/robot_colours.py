@@ -1,4 +1,4 @@
-"""The colours by which pictures tell robots apart.
+"""The colours that distinguish robots in pictures.
 
 >>> colour(0), colour(7)
 ('#0072b2', '#2f2b8c')
@@ -15,7 +15,7 @@ _PALETTE: Final = (  # Okabe and Ito's colours for the colour-blind, 2008, witho
 
 
 def colour(number: int) -> str:
-    """Gives a robot's colour as #rrggbb; after the palette, hues a golden angle apart."""
+    """Return a robot's colour as #rrggbb; after the palette, hues a golden angle apart."""
     if number < len(_PALETTE):
         return _PALETTE[number]
     hue = number * 0.381966 % 1.0  # the golden angle's share of a turn

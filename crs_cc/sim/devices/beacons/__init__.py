@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def light(context: RequestContext) -> BoolArray:
-    """Set the brightness of lamps; refuse robots that have none."""
+    """Set the brightness of lamps; refuse robots without one."""
     rows, brightest = context.rows, context.constants.brightest[context.rows]
     wanted = _within(context, "lamp", rows, context["brightness"], most=brightest)
     context.state.beacons.brightness[rows] = wanted
@@ -26,7 +26,7 @@ def light(context: RequestContext) -> BoolArray:
 
 
 def sound(context: RequestContext) -> BoolArray:
-    """Set level and tone of speakers; refuse robots that have none, and unknown tones."""
+    """Set level and tone of speakers; refuse robots without one, and unknown tones."""
     tone, beacons = context["tone"], context.state.beacons
     good = (context.constants.loudest[context.rows] > 0.0) & (tone >= 0) & (tone < TONES)
     rows, tone = context.rows[good], tone[good]
@@ -39,7 +39,7 @@ def sound(context: RequestContext) -> BoolArray:
 def _within(
     context: RequestContext, device: str, rows: IndexArray, asked: Int32Array, *, most: FloatArray
 ) -> FloatArray:
-    """Return what becomes of the strengths that robots ask for, (k,)."""
+    """Return the requested strengths after degradation and clipping, (k,)."""
     wanted = np.clip(asked.astype(np.float64), 0.0, most)
     altered = context.constants.degradations.alter(
         context.state, device, rows, wanted[:, None], context.state.drive.clock_s[rows]

@@ -43,7 +43,7 @@ class Bumpers:
     """The switches of all robots of a world.
 
     >>> from crs_cc.sim.files.world_xml import empty_world
-    >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first one ahead
+    >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first in front
     >>> bumpers.pressed(np.array([0, 0, 0]), np.array([0.0, math.pi / 2, -0.3])).tolist()
     [1, 4, 1]
     """
@@ -53,18 +53,18 @@ class Bumpers:
         kinds = list(dict.fromkeys(models))
         self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
         most = max((len(model.bumpers) for model in kinds), default=0)
-        table = np.zeros((len(kinds), most, 3))  # robots with fewer switches have some without span
+        table = np.zeros((len(kinds), most, 3))  # robots with fewer switches get some of width 0
         for row, model in zip(table, kinds, strict=True):
             row[: len(model.bumpers)] = _switches(model)
         self._bearing_rad, self._span_rad = table[..., 0], table[..., 1]
         self._bit = table[..., 2].astype(np.int32)
 
     def pressed(self, robots: IndexArray, bearing_rad: FloatArray) -> Int32Array:
-        """Gives the bits of the switches that contacts press, shape (k,).
+        """Return the bits of the switches that contacts press, shape (k,).
 
         Args:
-            robots: which robot each contact is of, k of them.
-            bearing_rad: where it touches that robot, shape (k,).
+            robots: the robot of each contact, k of them.
+            bearing_rad: its bearing from that robot's heading, shape (k,).
         """
         kinds = self._kind[robots]
         span_rad = self._span_rad[kinds]
@@ -75,16 +75,16 @@ class Bumpers:
     def touch(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> Contacts:
-        """Presses switches and counts collisions at the end of a cycle.
+        """Press switches and count collisions at the end of a cycle.
 
         Args:
             state: changed in place.
             constants: the constants of all things.
-            contacts: all of the cycle.
+            contacts: those of the cycle.
             end_s: its end.
 
         Returns:
-            the contacts that were none in the cycle before.
+            the contacts that did not exist in the cycle before.
         """
         robot = contacts.robot
         before = state.bumpers.pressed
@@ -119,7 +119,7 @@ class Bumpers:
         pressed: Int32Array,
         at_s: float,
     ) -> Int32Array:
-        """Gives what becomes of the switches that are pressed at an instant, (robots,)."""
+        """Return the pressed switches at a time after degradation, (robots,)."""
         if not constants.degradations.concern(state, "bumper"):
             return pressed
         robots, places = np.arange(len(pressed)), np.arange(_BITS)
@@ -132,7 +132,7 @@ class Bumpers:
 
 
 def get_bp(context: RequestContext) -> BoolArray:
-    """Answer GET_BP with the switches, in `State`; refuse robots that have no bumpers.
+    """Answer GET_BP with the switches, in `State`; refuse robots without bumpers.
 
     Switches are pressed and released at the end of a cycle.
     """

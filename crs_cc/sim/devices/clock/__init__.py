@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 _WRAP: Final = 2.0**32
-_ROUNDING: Final = 1e-9  # ticks; an instant that is meant to be on a tick is
+_ROUNDING: Final = 1e-9  # ticks; a time that is on a tick but for rounding counts as on it
 
 
 class BoardClock:
@@ -37,11 +37,11 @@ class BoardClock:
         self._tick_s = np.array([board.tick_s for board in boards])
 
     def ms(self, rows: IndexArray, since_s: FloatArray) -> FloatArray:
-        """Gives what clocks show [ms], whole numbers from 0 to 2^32 - 1.
+        """Return the clocks' times [ms], whole numbers from 0 to 2^32 - 1.
 
         Args:
             rows: which robots, k of them.
-            since_s: how long each has been in the world, shape (k,).
+            since_s: time that each has been in the world, shape (k,).
         """
         tick_s = self._tick_s[rows]
         ticks = np.floor((self._start_s[rows] + since_s) / tick_s + _ROUNDING)

@@ -16,22 +16,22 @@ from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.pipeline import Pass
 from crs_cc.sim.state.degradation import width_of
 
-_SPARE: Final = 2  # so many more values are kept than a delay needs
-_LEAST_S: Final = 1e-3  # the shortest time over which a speed of long ago is taken
+_SPARE: Final = 2  # values kept in addition to those that a delay needs
+_LEAST_S: Final = 1e-3  # minimum time over which a delayed speed is averaged
 
 
 @dataclass(frozen=True, slots=True)
 class _Rings:
-    """Where the past of some values is kept: of m rows with w elements, `depth` each.
+    """Views of the ring buffers of past values: m rows with w elements, `depth` each.
 
     Attributes:
-        memory: what all degradations remember.
-        count_at: where it is kept how many values each element has had, (m, w).
-        sum_at: where its sum of ways is kept, (m, w).
-        times_at: where the instants are kept, (m, w, depth).
-        values_at: where the values are, (m, w, depth).
-        touched: which elements are meant, (m, w).
-        apart_s: how long after a value the next one is kept, (m, 1).
+        memory: the memory of all degradations.
+        count_at: index of each element's number of values so far, (m, w).
+        sum_at: index of its sum of distances, (m, w).
+        times_at: indices of the times, (m, w, depth).
+        values_at: indices of the values, (m, w, depth).
+        touched: which elements are affected, (m, w).
+        apart_s: minimum time between two values that are kept, (m, 1).
     """
 
     memory: FloatArray
@@ -44,7 +44,7 @@ class _Rings:
 
     @classmethod
     def of(cls, passing: Pass, some: IndexArray, depth: int) -> Self:
-        """Gives the rings of some rows."""
+        """Return the ring buffers of some rows."""
         width = width_of(passing.row["device"][some], passing.row["element"][some])[:, None]
         begin, slot = passing.of("begin")[some], passing.slot[some]
         times_at = (begin + 3 * width + slot * depth)[..., None] + np.arange(depth)
@@ -60,11 +60,11 @@ class _Rings:
 
     @property
     def begin(self) -> BoolArray:
-        """Tells which elements have no past yet."""
+        """Return which elements have no past values yet."""
         return np.asarray(self.touched & (self.memory[self.count_at] == 0.0))
 
     def keep(self, values: FloatArray, at_s: FloatArray, which: BoolArray) -> None:
-        """Keeps values with their instants, unless the last ones that were kept are too near."""
+        """Store values with their times, unless the last stored ones are too recent."""
         depth = self.times_at.shape[2]
         count = self.memory[self.count_at].astype(np.intp)
         last = ((count - 1) % depth)[..., None]
@@ -78,9 +78,9 @@ class _Rings:
         self.memory[self.count_at[keeps]] += 1.0
 
     def find(self, at_s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Gives instants and values of what was kept last until, and first after, some instants.
+        """Return times and values of the last stored at or before, and the first after, times.
 
-        What there is not has an infinite instant, and the value of another one.
+        A missing one has an infinite time and the value of another one.
         """
         times_s = self.memory[self.times_at]
         since = times_s <= at_s[..., None]
@@ -101,7 +101,7 @@ class _Rings:
 
 
 def delayed(passing: Pass, values: FloatArray) -> FloatArray:
-    """Gives readings of as long ago as the delay says, and remembers these."""
+    """Return the readings of `delay` ago, and store these."""
     told = values.copy()
     for some, depth in _by_depth(passing):
         rings = _Rings.of(passing, some, depth)
@@ -114,12 +114,12 @@ def delayed(passing: Pass, values: FloatArray) -> FloatArray:
 
 
 def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
-    """Gives the speeds of as long ago as the delay says, and remembers these.
+    """Return the speeds of `delay` ago, and store these.
 
     Args:
-        passing: the speeds' way; its instant is the end of the time for which they count.
+        passing: the filter pass; its time is the end of the interval of the speeds.
         speeds: the speeds, (m, w).
-        from_s: the beginning of that time, (m,).
+        from_s: the start of that interval, (m,).
     """
     told = speeds.copy()
     for some, depth in _by_depth(passing):
@@ -139,7 +139,7 @@ def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> Flo
 
 
 def _sum(rings: _Rings, at_s: FloatArray) -> FloatArray:
-    """Gives the sums of ways at instants, along straight lines between those that were kept."""
+    """Return the sums of distances at times, linearly interpolated between the stored ones."""
     lower_s, lower, upper_s, upper = rings.find(at_s)
     between = np.isfinite(lower_s) & np.isfinite(upper_s)
     with np.errstate(invalid="ignore"):

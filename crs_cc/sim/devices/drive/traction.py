@@ -40,20 +40,20 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_SAME_M: Final = 1e-9  # smaller differences of ways are rounding errors
-_STANDS_MPS: Final = 0.005  # slower wheels stand; ours
-_ARRIVED_S: Final = 0.5  # a move that stalls for so long,
-_ARRIVED_UNITS: Final = 2  # and so near to its goal, is done; ours
+_SAME_M: Final = 1e-9  # smaller differences of distances are rounding errors
+_STANDS_MPS: Final = 0.005  # slower wheels are at rest; chosen by us
+_ARRIVED_S: Final = 0.5  # a move that stalls for this time
+_ARRIVED_UNITS: Final = 2  # within this distance of its goal is complete; chosen by us
 
 
 def pull(state: EnvState, constants: RobotConstants) -> Pull:
-    """Gives what the drives do in a cycle to whose end all axes have been turned."""
+    """Return the drives' action in a cycle to whose end all axes have been turned."""
     facing_rad = (state.heading_rad + state.drive.facing_rad) / 2
     return Pull(state.drive.moved_m, facing_rad, is_limp(state, constants))
 
 
 def is_limp(state: EnvState, constants: RobotConstants) -> BoolArray:
-    """Tells which robots roll freely: all their wheels are limp, (robots,)."""
+    """Return which robots roll freely, with all wheels limp, (robots,)."""
     limp = state.drive.limp
     return np.asarray(limp[:, 0] & (limp[:, 1] | constants.drives.synchro))
 
@@ -65,17 +65,17 @@ def turned(
     way: FloatArray,
     for_s: FloatArray,
 ) -> FloatArray:
-    """Gives what the encoders of robots count while their motors turn the axes.
+    """Return the motion that encoders count while the motors turn the axes.
 
     Args:
         state: changed in place.
         constants: the robots' constants.
         rows: which robots, k of them.
-        way: how far the motors turn each axis, shape (k, 3).
-        for_s: how long that takes, shape (k,).
+        way: motion of each axis by the motors, shape (k, 3).
+        for_s: duration of it, shape (k,).
 
     Returns:
-        the way that counts, shape (k, 3).
+        the counted motion, shape (k, 3).
     """
     if not state.drive.hindered.any():
         return way
@@ -87,7 +87,7 @@ def turned(
 
 
 def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Gives the speeds of robots' axes as their encoders tell them, shape (k, 3)."""
+    """Return the speeds of robots' axes as measured by their encoders, shape (k, 3)."""
     now_s, driven = state.drive.clock_s[rows], take(state.drive.axes.speed, rows)
     driven = constants.degradations.speeds(state, "drive", rows, driven, now_s)
     if not state.drive.hindered.any():
@@ -98,12 +98,12 @@ def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Float
 
 
 def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
-    """Ends a cycle: takes what contacts have done to the robots into their axes and encoders.
+    """End a cycle: apply the effect of contacts on robots to their axes and encoders.
 
     Args:
         state: changed in place; its headings are still those of the cycle's start.
         constants: the robots' constants.
-        went_m: how far each robot really went, world frame, (robots, 2).
+        went_m: true displacement of each robot, world frame, (robots, 2).
     """
     off_m = went_m - state.drive.moved_m
     if np.abs(off_m).max(initial=0.0) <= _SAME_M and not state.drive.hindered.any():
@@ -144,12 +144,12 @@ def _arrive(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Non
 
 
 def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
-    """Gives how long the ways are that robots went, along the ground [m], (robots,).
+    """Return the distances that robots moved along the ground [m], (robots,).
 
     Args:
         constants: the robots' constants.
-        before_m: where they were, (robots, 2).
-        went_m: where they went from there, (robots, 2).
+        before_m: their positions before, (robots, 2).
+        went_m: their displacements, (robots, 2).
     """
     way_m = np.hypot(went_m[:, 0], went_m[:, 1])
     if constants.inclines is None:
@@ -161,7 +161,7 @@ def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) 
 def _give_up(
     state: EnvState, constants: RobotConstants, rows: IndexArray, stalled: BoolArray
 ) -> None:
-    """Counts for how long motors have stalled, and stops those that have for too long."""
+    """Measure how long motors have stalled, and stop those that have for too long."""
     stalled_s = np.where(stalled, state.drive.stalled_s[rows] + constants.timestep_s, 0.0)
     tired = stalled_s >= constants.drives.give_up_s[rows] - _SAME_M
     state.drive.stalled_s[rows] = np.where(tired, 0.0, stalled_s)

@@ -68,7 +68,7 @@ class Grippers:
         self.fans = [_beam(kind) for kind in kinds]
 
     def move(self, context: RequestContext) -> BoolArray:
-        """Answer GRIPPER: open or close; refuse robots that have none, and nonsense."""
+        """Answer GRIPPER: open or close; refuse robots without one, and invalid values."""
         mine, close = context.constants.gripper[context.rows], context["close"]
         good = (mine >= 0) & (close >= 0) & (close <= 1)
         which, at_s = mine[good], context.at_s[good]
@@ -84,7 +84,7 @@ class Grippers:
         return np.asarray(good)
 
     def get_gripper(self, context: RequestContext) -> BoolArray:
-        """Answer GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
+        """Answer GET_GRIPPER with the distance of the fingers, their beam and the weight."""
         mine = context.constants.gripper[context.rows]
         has = np.asarray(mine >= 0)
         which, rows = mine[has], context.rows[has]
@@ -98,7 +98,7 @@ class Grippers:
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> bool:
-        """Lets fingers take hold, let go, and lose things; tells whether any did."""
+        """Make grippers grasp, release and lose objects; return whether any did."""
         if not len(self._rows):
             return False
         held = state.bodies.holds.thing[self._rows, GRIPPER]
@@ -117,7 +117,7 @@ class Grippers:
         return bool(len(gone)) or taken
 
     def _apart_m(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
-        """Gives the distance between the fingers of grippers."""
+        """Return the distance between the fingers of grippers."""
         gripper = state.gripper
         way_m = (at_s - gripper.since_s[which]) * self._speed_mps[which]
         closing = gripper.closing[which]
@@ -143,7 +143,7 @@ class Grippers:
         apart_m: FloatArray,
         end_s: float,
     ) -> bool:
-        """Lets fingers that close take hold of what they have reached."""
+        """Grasp the objects that closing fingers have reached."""
         if not len(closing):
             return False
         bodies, scene, robots = state.bodies, constants.scene, len(state.heading_rad)
@@ -178,7 +178,7 @@ class Grippers:
         torn: BoolArray,
         end_s: float,
     ) -> None:
-        """Takes things out of fingers; they rest where they are."""
+        """Release objects from grippers; they rest where they are."""
         rows, bodies = self._rows[gone], state.bodies
         things = bodies.holds.thing[rows, GRIPPER].astype(np.intp)
         bodies.holds.drop(rows, GRIPPER)
@@ -194,7 +194,7 @@ class Grippers:
 
 
 def _weight_kg(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Gives what the grippers of robots bear; what several hold weighs on each the same."""
+    """Return the weights in the grippers; several that hold one object share it equally."""
     holds, pushables = state.bodies.holds, constants.scene.pushables
     held = holds.thing[rows, GRIPPER]
     together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]

@@ -45,12 +45,12 @@ _FULL_TURN: Final = 3600  # [0.1 deg]
 def arc(
     heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Gives the change of a place along an arc.
+    """Return the displacement along an arc.
 
     Args:
         heading_rad: the heading before, shape (k,).
         way_m: length of the arc, shape (k,).
-        turn_rad: by how much the heading turns on it, shape (k,).
+        turn_rad: change of the heading on it, shape (k,).
 
     Returns:
         change of x and of y [m].
@@ -64,7 +64,7 @@ def arc(
 def count_turns(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> None:
-    """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
+    """Add the axes' motion since the last call to the odometry, in encoder counts."""
     way = _counted(state, constants, rows, way)
     heading_rad = state.odometry.heading_rad[rows]
     turn_rad = weighted(way, take(constants.drives.turn, rows))
@@ -82,7 +82,7 @@ def count_turns(
 def _counted(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> FloatArray:
-    """Gives the ways in whole counts; what is left over counts later."""
+    """Return the motion in whole counts; the remainder counts later."""
     shaft, count = take(state.odometry.shaft, rows) + way, take(constants.drives.count, rows)
     told = np.rint(shaft / count) * count
     whole = told - take(state.odometry.told, rows)
@@ -107,7 +107,7 @@ def da(context: RequestContext) -> None:
 
 
 def zero(state: EnvState, rows: IndexArray) -> None:
-    """Sets everything to 0."""
+    """Set everything to 0."""
     state.odometry.x_m[rows] = 0.0
     state.odometry.y_m[rows] = 0.0
     state.odometry.heading_rad[rows] = 0.0

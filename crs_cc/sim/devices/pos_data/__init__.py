@@ -37,14 +37,14 @@ _PAGE: Final = 6
 def keep(
     state: EnvState, constants: RobotConstants, clock: BoardClock, rows: IndexArray, kinds: int
 ) -> None:
-    """Keep what a reply carries, for the pages.
+    """Store what a reply carries, for the pages.
 
     Args:
         state: changed in place.
         constants: the robots' constants.
         clock: the sensor boards' clocks.
-        rows: which robots, k of them.
-        kinds: whose readings the reply carries, the vendor's bits.
+        rows: the robots, k of them.
+        kinds: the kinds of sensors whose readings the reply carries, as the vendor's bits.
     """
     wanted = state.mask[rows, POS_DATA] & kinds
     if not wanted.any():
@@ -73,7 +73,7 @@ def page(context: RequestContext) -> None:
 def _read(
     state: EnvState, constants: RobotConstants, robots: IndexArray, kind: int
 ) -> tuple[FloatArray, Int32Array]:
-    """Gives when sensors were read, (k, s), below 0 for never, and from where, (k, s, 7)."""
+    """Return the times of sensors' readings, (k, s), below 0 for never, and poses, (k, s, 7)."""
     if kind == SONAR:
         return state.sonar.fired_s[robots], state.sonar.fired_from[robots]
     if kind == BUMPER:
@@ -86,7 +86,7 @@ def _read(
 
 
 def _last(moments: LastMeasurement, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
-    """Gives the last measurement of each robot; its number is -1 where the sensor is missing."""
+    """Return the last measurement of each robot, number -1 where the sensor is missing."""
     at_s = np.full((len(numbers), 1), -1.0)
     configuration = np.zeros((len(numbers), 1, moments.configuration.shape[1]), dtype=np.int32)
     has = numbers >= 0

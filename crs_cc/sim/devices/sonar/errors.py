@@ -59,10 +59,10 @@ class SonarErrors:
         self._noise = Noise(seed, SONAR, _DEVIATES, len(modes)) if random else None
 
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
-        """Gives the deviates of one firing of each robot, shape (k, 3).
+        """Return the deviates of one firing of each robot, shape (k, 3).
 
         Args:
-            rows: which robots, none twice, k of them.
+            rows: the robots, each at most once, k of them.
             numbers: the number of each robot's firing.
         """
         if self._noise is None:
@@ -70,13 +70,13 @@ class SonarErrors:
         return np.asarray(self._noise.rows(rows, numbers))
 
     def mistakes(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
-        """Tells which robots cannot tell other robots' pings from their own this time."""
+        """Return which robots mistake other robots' pings for their own in this firing."""
         return np.asarray(deviates[:, _CROSSTALK] < self._mistakes[self._first[rows] + mode])
 
     def told_m(
         self, rows: IndexArray, mode: IndexArray, distance_m: FloatArray, deviates: FloatArray
     ) -> FloatArray:
-        """Gives what is told for true distances, infinite for no echo; shape (k,)."""
+        """Return the reported range for true distances, infinite for no echo; shape (k,)."""
         if self._exact and self._noise is None:
             return distance_m
         kind = self._first[rows] + mode
@@ -94,7 +94,7 @@ class SonarErrors:
 
 
 def _rounded(told_m: FloatArray, step_m: FloatArray) -> FloatArray:
-    """Gives the nearest multiples of steps; a step of 0 changes nothing."""
+    """Return values rounded to multiples of steps; a step of 0 changes nothing."""
     if not step_m.any():
         return told_m
     steps = np.divide(told_m, step_m, out=told_m.copy(), where=step_m > 0.0)
@@ -102,7 +102,7 @@ def _rounded(told_m: FloatArray, step_m: FloatArray) -> FloatArray:
 
 
 def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
-    """Gives the smallest multiple of distances that is not nearer than a robot can hear."""
+    """Return the smallest multiple of distances that is not below the minimum range."""
     near = distance_m < blind_m
     if not near.any():
         return distance_m
@@ -112,7 +112,7 @@ def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
 
 
 def _quantile(probability: float) -> float:
-    """Gives what a normal deviate is below with a probability."""
+    """Return the quantile of the normal distribution."""
     if probability <= 0.0:
         return -np.inf
     return np.inf if probability >= 1.0 else NormalDist().inv_cdf(probability)

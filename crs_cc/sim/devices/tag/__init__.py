@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
 
 
-_NOTHING_M: Final = -1.0  # nothing is so near
+_NOTHING_M: Final = -1.0  # below every distance
 
 
 def tag(context: RequestContext) -> BoolArray:
-    """Take the heat away, and answer with how many things lost it; refuse robots without."""
+    """Remove the heat nearby, and answer with the number of objects; refuse robots without."""
     state, constants = context.state, context.constants
     has = np.asarray(constants.tag_range_m[context.rows] > 0.0)
     rows = context.rows[has]
