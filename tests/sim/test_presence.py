@@ -100,7 +100,7 @@ def test_an_obstacle_may_be_where_nobody_is():
     assert driver.post("ADD_OBSTACLE", 4, data=data)[0]["result"]
     events = [event for step in driver.run_s(1.0) for event in step.events]
     assert [(event.kind, event.text) for event in events] == [
-        ("join", "had to wait: 'obstacle-0' was in its place")
+        ("join", "had to wait: place occupied by 'obstacle-0'")
     ]
     assert driver.post("DELETE_OBSTACLE", 4, data=data)[0]["result"]
     driver.run_s(0.2)

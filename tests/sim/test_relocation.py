@@ -51,12 +51,12 @@ def test_sensors_see_at_once_where_it_is() -> None:
 @pytest.mark.parametrize(
     ("name", "place", "message"),
     [
-        ("a", Pose(5.1, 5.1), "'a' cannot be there: 'b' is in its place"),
-        ("a", Pose(4.0, 1.0), "'a' cannot be there: 'screen' is in its place"),
-        ("a", Pose(0.1, 1.0), "'a' cannot be there: the edge of the world is in its place"),
-        ("crate", Pose(5.6, 5.0), "'crate' cannot be there: 'b' is in its place"),
-        ("crate", Pose(4.2, 2.0, 1.0), "'crate' cannot be there: 'screen' is in its place"),
-        ("crate", Pose(9.8, 5.0), "'crate' cannot be there: the edge of the world is in its place"),
+        ("a", Pose(5.1, 5.1), "cannot move 'a' there: it would overlap 'b'"),
+        ("a", Pose(4.0, 1.0), "cannot move 'a' there: it would overlap 'screen'"),
+        ("a", Pose(0.1, 1.0), "cannot move 'a' there: it would overlap the edge of the world"),
+        ("crate", Pose(5.6, 5.0), "cannot move 'crate' there: it would overlap 'b'"),
+        ("crate", Pose(4.2, 2.0, 1.0), "cannot move 'crate' there: it would overlap 'screen'"),
+        ("crate", Pose(9.8, 5.0), "cannot move 'crate' there: it would overlap the edge of the world"),
         ("screen", Pose(1.0, 1.0), r"unknown robot or movable thing 'screen' \(known: a, b, crate\)"),
     ],
 )  # fmt: skip
@@ -148,7 +148,7 @@ def test_a_robot_that_is_dismissed_leaves_at_the_end_of_the_cycle() -> None:
         ("leave", "left", 1)
     ]
     assert driver.state.presence.left_s[1] == pytest.approx(0.15)
-    with pytest.raises(ValueError, match="has left before"):
+    with pytest.raises(ValueError, match="has already left"):
         driver.environment.dismiss_robot(1)
 
 

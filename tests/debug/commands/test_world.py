@@ -144,7 +144,7 @@ def test_what_cannot_be_done_changes_nothing(shell: Shell) -> None:
     said(shell, "tick 5")
     before = here(shell)
     assert said(shell, "move robot0 to 99 99") == [
-        "'robot0' cannot be there: the edge of the world is in its place"
+        "cannot move 'robot0' there: it would overlap the edge of the world"
     ]
     assert said(shell, "degrade robot0 sonar.99 dead")[0].startswith("element: sonar has no '99'")
     assert here(shell) == before

@@ -127,7 +127,7 @@ def test_monitor_counts_fates_and_events_describe_them():
     assert [event.text for event in traffic] == [
         "test message 0 of a to all, type 5, 3 bytes: sent",
         "test message 0 of b to c, type 0, 0 bytes: sent",
-        "test message 0 of a to c, type 5, 3 bytes: lost: the way was shut",
+        "test message 0 of a to c, type 5, 3 bytes: lost: link shut",
         "test message 0 of b to c, type 0, 0 bytes: lost: out of range",
         "test message 0 of a to b, type 5, 3 bytes: delivered",
     ]
