@@ -273,7 +273,7 @@ def test_a_robot_in_an_invalid_place_is_rejected(roam: Executable, changes, reas
 def test_only_a_present_robot_can_leave(roam: Executable):
     session = begun(yard('join="5s"'), roam)
     for robot in ("nobody", 2, -1):
-        with pytest.raises(ValueError, match="unknown robot|no robot number"):
+        with pytest.raises(ValueError, match=r"unknown robot|no robot number"):
             session.remove_robot(robot)
     session.remove_robot("guest")
     with pytest.raises(ValueError, match="has already left"):

@@ -199,7 +199,7 @@ class WorldData:
                 raise ValueError(wrong)
             thing = carry_thing(self.state, self.constants, number, place)
         if thing:
-            raise ValueError(f"cannot move {name!r} there: it would overlap {thing}")
+            raise ValueError(f"cannot move {name!r}: it would overlap {thing}")
         self.refurnish(moved=True)
 
     def take_away(self, name: str) -> None:

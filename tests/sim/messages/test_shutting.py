@@ -100,7 +100,7 @@ def test_invalid_outages_are_rejected():
         control.shut(channel="telepathy")
     with pytest.raises(ValueError, match="unknown robot 'z'"):
         control.shut(receiver="z")
-    with pytest.raises(ValueError, match="nothing is shut"):
+    with pytest.raises(ValueError, match="no such outage"):
         control.open(sender="a")
 
 

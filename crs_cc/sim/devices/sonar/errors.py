@@ -1,4 +1,4 @@
-"""What a sonar tells instead of the true distance.
+"""The errors of sonars: the reported instead of the true distance.
 
 In this order, each with its parameter in the robot definition:
 
