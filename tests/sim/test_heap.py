@@ -1,4 +1,4 @@
-"""Fifty robots push fifty boxes into a heap, partly on slopes: snapshots are continued bitwise equal.
+"""Fifty robots push fifty boxes into a heap, partly on slopes: snapshots continue bitwise equal.
 
 r b r b ...      every other place of a grid of 10 by 10 has a robot; all drive towards the
 b r b r ...      middle, where a plateau stands with a ramp on each of two sides; on the ramp

@@ -57,7 +57,7 @@ def test_sensors_measure_from_new_pose_at_once() -> None:
         ("crate", Pose(5.6, 5.0), "cannot move 'crate': it would overlap 'b'"),
         ("crate", Pose(4.2, 2.0, 1.0), "cannot move 'crate': it would overlap 'screen'"),
         ("crate", Pose(9.8, 5.0), "cannot move 'crate': it would overlap the edge of the world"),
-        ("screen", Pose(1.0, 1.0), r"unknown robot or movable thing 'screen' \(known: a, b, crate\)"),
+        ("screen", Pose(1.0, 1.0), r"unknown robot or movable object 'screen' \(known: a, b, c"),
     ],
 )  # fmt: skip
 def test_move_to_occupied_place_is_refused_without_effect(name, place, message) -> None:

@@ -430,7 +430,7 @@ def told_in(distance_in: float, count: int = 4000, **changes) -> np.ndarray:
     errors = SonarErrors(with_board(open_world(), **changes), seed=1)
     row, distance_m = np.array([0]), np.array([distance_in * INCH])
     draws = [errors.draw(row, np.array([number])) for number in range(count)]
-    return np.array([errors.told_m(row, row, distance_m, drawn)[0] for drawn in draws]) / INCH
+    return np.array([errors.reported_m(row, row, distance_m, drawn)[0] for drawn in draws]) / INCH
 
 
 @pytest.mark.parametrize("distance", [50, 200])

@@ -48,7 +48,7 @@ _AT_ONCE: Final = 256  # messages per batch, which bounds memory
 _STEP, _LOSS, _JITTER, _BYTE = range(4)  # purposes of random numbers
 
 
-class Air:
+class ChannelModel:
     """The channel model of a world."""
 
     def __init__(self, channels: Channels, seed: int) -> None:
@@ -56,7 +56,7 @@ class Air:
         self._chances = KeyedUniform(seed, MESSAGES)
         self._scene: Scene | None = None
 
-    def carry(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
+    def transmit(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
         """Transmit messages to their receivers, at the end of the cycle in which they were sent.
 
         Args:
@@ -69,10 +69,10 @@ class Air:
             self._scene, self._sight = scene, Sight(scene)
         place = state.x_m + 1j * state.y_m
         for first in range(0, len(packets), _AT_ONCE):
-            self._carry_few(state, place, packets[first : first + _AT_ONCE], end_s)
+            self._transmit_batch(state, place, packets[first : first + _AT_ONCE], end_s)
         inbox.in_order(state.messages)
 
-    def _carry_few(
+    def _transmit_batch(
         self, state: EnvState, place: ComplexArray, packets: Records, end_s: float
     ) -> None:
         channels, messages = self._channels, state.messages
@@ -98,12 +98,12 @@ class Air:
         lost = fate != Fate.DELIVERED
         note(messages, fate[lost], packets[packet[lost]], packets["begins_s"][packet[lost]],
              receiver[lost])  # fmt: skip
-        unheard = np.bincount(packet, minlength=len(packets)) == 0
+        unreached = np.bincount(packet, minlength=len(packets)) == 0
         if full.any():
             missed = self._reach(state, place, packets, full)
             note(messages, Fate.INBOX, packets[missed], packets["begins_s"][missed])
-            unheard &= ~missed
-        note(messages, Fate.RANGE, packets[unheard], packets["begins_s"][unheard])
+            unreached &= ~missed
+        note(messages, Fate.RANGE, packets[unreached], packets["begins_s"][unreached])
         self._send_on(state, packets, packet[~lost], receiver[~lost], end_s)
 
     def _pairs(

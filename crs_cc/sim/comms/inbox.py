@@ -55,7 +55,7 @@ def full(messages: MessageState) -> BoolArray:
     return np.asarray(_held(messages) >= COMING_MOST)
 
 
-def let_in(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
+def deliver(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
     """Put the messages that have arrived by some time into the inboxes.
 
     Args:

@@ -9,7 +9,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import DATA_SIZE
 from crs_cc.sim.comms import inbox, outages, outbox
-from crs_cc.sim.comms.channel_model import Air
+from crs_cc.sim.comms.channel_model import ChannelModel
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.messages import EVERYBODY, GROUPS, NO_GROUP, PACKET
@@ -27,7 +27,7 @@ class Messenger:
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         self._channels = Channels.of(world.communication)
-        self._air = Air(self._channels, seed)
+        self._channel_model = ChannelModel(self._channels, seed)
         self._robots = tuple(robot.id for robot in world.robots)
 
     # -- requests of programs ----------------------------------------------------------------------
@@ -51,7 +51,7 @@ class Messenger:
     def receive(self, context: RequestContext) -> BoolArray:
         """Answer RECEIVE when a message has arrived or the timeout has expired."""
         messages, rows = context.state.messages, context.rows
-        inbox.let_in(messages, rows, context.at_s)
+        inbox.deliver(messages, rows, context.at_s)
         have, packets, arrived_s = inbox.take(messages, rows)
         good = np.zeros(len(rows), dtype=np.bool_)
         good[have] = True
@@ -64,7 +64,7 @@ class Messenger:
     def count(self, context: RequestContext) -> None:
         """Answer MESSAGE_COUNT."""
         messages = context.state.messages
-        inbox.let_in(messages, context.rows, context.at_s)
+        inbox.deliver(messages, context.rows, context.at_s)
         context["messages"] = inbox.count(messages, context.rows)
 
     def group(self, context: RequestContext) -> BoolArray:
@@ -107,16 +107,16 @@ class Messenger:
         messages = state.messages
         if len(messages.shuts):
             names = self._robots
-            outages.tell(messages, self._channels, names, from_s=from_s, to_s=to_s, log=log)
+            outages.log_changes(messages, self._channels, names, from_s=from_s, to_s=to_s, log=log)
         if not state.presence.present.all():
             inbox.clear(messages, state.presence.present)
             outbox.clear(messages, state.presence.present, from_s)
         if len(messages.receptions):
             rows = np.arange(len(self._robots))
-            inbox.let_in(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
+            inbox.deliver(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
         packets = outbox.depart(messages, self._channels, to_s)
         if len(packets):
-            self._air.carry(state, constants.scene, packets, to_s)
+            self._channel_model.transmit(state, constants.scene, packets, to_s)
         if len(messages.packets):
             inbox.tidy(messages)
 
@@ -129,7 +129,7 @@ def wait(context: RequestContext) -> None:
     state.waits.until_s[rows] = np.where(wait_s < 0.0, np.inf, until_s)
 
 
-def heard_s(state: EnvState, rows: IndexArray) -> FloatArray:
+def receive_ends_s(state: EnvState, rows: IndexArray) -> FloatArray:
     """Return when the waits for a message end, as far as is known, shape (k,)."""
     first_s = np.minimum(inbox.first_s(state.messages, rows), state.waits.until_s[rows])
     return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
@@ -142,8 +142,8 @@ def _look_up(context: RequestContext, names: tuple[str, ...], own: IndexArray) -
     for row, mine in enumerate(own.tolist()):
         size, number = sizes[row], numbers[row]
         if size:
-            asked = context["name"][row, : max(0, size)].tobytes().decode("utf-8", "replace")
-            number = names.index(asked) if asked in names else ANY
+            wanted = context["name"][row, : max(0, size)].tobytes().decode("utf-8", "replace")
+            number = names.index(wanted) if wanted in names else ANY
         elif number == ANY:
             number = mine
         good[row] = 0 <= number < len(names)

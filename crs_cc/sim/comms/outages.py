@@ -59,7 +59,7 @@ def is_shut(
     return found
 
 
-def tell(
+def log_changes(
     messages: MessageState,
     channels: Channels,
     robots: tuple[str, ...],

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.bodies import Bodies
 
 
-def has_room(constants: RobotConstants, bodies: Bodies, thing: int) -> bool:
+def is_space_free(constants: RobotConstants, bodies: Bodies, thing: int) -> bool:
     """Return whether a lifted object can be put down where it is without a collision.
 
     Args:

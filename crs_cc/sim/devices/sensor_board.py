@@ -110,7 +110,7 @@ class SensorBoard:
         if self._has_lasers and request.sensors & LASER:
             context["laser_count"] = _keep_laser(context)
         pos_data.keep(state, constants, self._clock, rows, request.sensors)
-        computers, motors = self.batteries.told(state, constants, rows, at_s)
+        computers, motors = self.batteries.voltage_bytes(state, constants, rows, at_s)
         context["computer_battery"], context["motor_battery"] = computers, motors
         context["board_ms"] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
         context.put_data(states)
@@ -124,8 +124,8 @@ class SensorBoard:
             (self._has_lasers, self.lasers.read, timers.LASER, mask.LASER),
         ):
             if has:
-                asked = good & _is_asked(context, group)
-                read_on_request(context, read, sensor, asked)
+                requested = good & _is_requested(context, group)
+                read_on_request(context, read, sensor, requested)
 
     def look(
         self,
@@ -168,20 +168,20 @@ def _keep_laser(context: RequestContext) -> Int32Array:
     """Store the lasers' scans for the pages; return the number of readings of each, (k,)."""
     laser_state, mine = context.state.laser, context.constants.laser[context.rows]
     width = _LASER_WIDTHS.get(context.request.code)
-    asked = mine >= 0
+    requested = mine >= 0
     if width is None:
-        asked &= _is_asked(context, mask.LASER)
-    mine = mine[asked]
+        requested &= _is_requested(context, mask.LASER)
+    mine = mine[requested]
     mode = laser_state.mode[mine]
     widths = laser.widths(mode) if width is None else np.full(len(mine), width, np.int32)
     points = np.where(laser.is_on(mode), laser_state.points[mine], 0)
     laser.keep(context.state, laser_state.told, mine, widths, (points, laser_state.seen[mine]))
     counts = np.zeros(len(context), dtype=np.int32)
-    counts[asked] = laser_state.told.count[mine]
+    counts[requested] = laser_state.told.count[mine]
     return counts
 
 
-def _is_asked(context: RequestContext, group: slice) -> BoolArray:
+def _is_requested(context: RequestContext, group: slice) -> BoolArray:
     """Return which programs' masks have any bit of a group, (k,)."""
     bits = context.state.mask[context.rows, group].view(np.int8)
     return np.asarray((bits > 0).any(axis=1))

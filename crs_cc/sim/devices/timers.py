@@ -135,6 +135,6 @@ def read_on_request(context: RequestContext, read: Read, sensor: int, which: Boo
         sensor: their number in `crs.h`.
         which: the requests that the robot does not refuse, (k,).
     """
-    asked = which & context.state.timers.on_request(context.rows, sensor)
-    rows, at_s = context.rows[asked], context.at_s[asked]
+    requested = which & context.state.timers.on_request(context.rows, sensor)
+    rows, at_s = context.rows[requested], context.at_s[requested]
     read(context.state, context.constants, context.rays, rows, at_s)

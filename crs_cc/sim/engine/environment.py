@@ -33,7 +33,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.engine.dispatch import Dispatcher
-from crs_cc.sim.engine.falls import tell_falls
+from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.step import Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
@@ -112,7 +112,7 @@ class Environment:
         # Degradations that begin are logged before the devices' work at the end of the cycle.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._dispatcher.served)
         if state.degradation.next_s < end_s:
-            self.degradations.tell(end_s)
+            self.degradations.log_changes(end_s)
         data.devices.end_cycle(state, data.constants, time_s, end_s)
         traffic = take(state.messages)
         self._begin_cycle()
@@ -145,9 +145,9 @@ class Environment:
         contacts = data.physics.step(state.bodies, pull)
         # Wheels that were held up have not turned; only now the robots' true motion is known.
         went_m = state.bodies.position_m[: len(before_m)] - before_m
-        traction.feel(state, constants, went_m)
+        traction.apply_contacts(state, constants, went_m)
         slices = slices_of(state, data.axes, self.timestep_s)
-        tell_falls(constants, data.log, self.end_s, before_m, went_m)
+        log_falls(constants, data.log, self.end_s, before_m, went_m)
         state.distance_m += traction.ways_m(constants, before_m, went_m)
         drive.face(state, constants)
         # Hands grasp what is there now; held objects change the bodies.

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.events import EventLog
 
 
-def tell_falls(
+def log_falls(
     constants: RobotConstants,
     log: EventLog,
     time_s: float,

@@ -184,7 +184,7 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
 def waits_of(devices: DeviceBoard) -> Mapping[int, Wait]:
     """Return the wait of each request that waits according to `REQUESTS`."""
     return {
-        CODES["WS"]: Wait(drive.stands_s, acknowledge),
-        CODES["ZR"]: Wait(drive.stands_s, drive.zeroed),
-        CODES["RECEIVE"]: Wait(messenger.heard_s, devices.messenger.receive),
+        CODES["WS"]: Wait(drive.rest_s, acknowledge),
+        CODES["ZR"]: Wait(drive.rest_s, drive.zeroed),
+        CODES["RECEIVE"]: Wait(messenger.receive_ends_s, devices.messenger.receive),
     }

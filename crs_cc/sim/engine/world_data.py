@@ -284,7 +284,7 @@ class WorldData:
     def _immovable(self, name: str) -> str:
         """Return why an object cannot be moved; empty if it can."""
         if name not in self.pushables:
-            return unknown("robot or movable thing", name, (*self._robot_ids, *self.pushables))
+            return unknown("robot or movable object", name, (*self._robot_ids, *self.pushables))
         number = self.pushables.index(name)
         if self.constants.scene.pushables[number].part_of:
             return f"{name!r} is part of {self.constants.scene.pushables[number].part_of!r}"

@@ -24,7 +24,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
 from crs_cc.requests import LARGEST
-from crs_cc.sim.devices.collision_free import has_room
+from crs_cc.sim.devices.collision_free import is_space_free
 from crs_cc.sim.devices.grasp_choice import can_be_taken, nearest
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.frames import compose, relative
@@ -176,7 +176,7 @@ class Arms:
         """Release a hand's object if the space below is free; return whether it did."""
         row, scene = self._rows[which], constants.scene
         thing = int(state.bodies.holds.thing[row, HAND])
-        if not has_room(constants, state.bodies, thing):
+        if not is_space_free(constants, state.bodies, thing):
             return False
         state.bodies.holds.drop(self._rows[[which]], HAND)
         state.arm.acts[which] = False

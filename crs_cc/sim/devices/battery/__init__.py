@@ -114,7 +114,7 @@ class Batteries:
         used_j = (motors.start[kind] - share) * motors.capacity_j[kind]
         state.battery.moved_j[robot] = used_j - motors.power_w[kind] * for_s
 
-    def told(
+    def voltage_bytes(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
     ) -> tuple[Int32Array, Int32Array]:
         """Return the bytes of the computers' and of the motors' battery, shape (k,) each."""
@@ -130,8 +130,8 @@ class Batteries:
             return computers, motors
         volts = np.column_stack([supply.volts(kinds, charge) for supply, charge in pairs])
         volts = constants.degradations.alter(state, "battery", rows, volts, at_s)
-        told = np.where(np.isnan(volts), 0.0, volts)
-        return _byte(told[:, 0], COMPUTERS), _byte(told[:, 1], MOTORS)
+        reported = np.where(np.isnan(volts), 0.0, volts)
+        return _byte(reported[:, 0], COMPUTERS), _byte(reported[:, 1], MOTORS)
 
     def status(self, state: EnvState, rows: IndexArray, at_s: FloatArray) -> Int32Array | None:
         """Return bits 2 and 3 of the motors' status, None if no robot reports its charge there."""

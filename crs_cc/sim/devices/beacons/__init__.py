@@ -37,10 +37,15 @@ def sound(context: RequestContext) -> BoolArray:
 
 
 def _within(
-    context: RequestContext, device: str, rows: IndexArray, asked: Int32Array, *, most: FloatArray
+    context: RequestContext,
+    device: str,
+    rows: IndexArray,
+    requested: Int32Array,
+    *,
+    most: FloatArray,
 ) -> FloatArray:
     """Return the requested strengths after degradation and clipping, (k,)."""
-    wanted = np.clip(asked.astype(np.float64), 0.0, most)
+    wanted = np.clip(requested.astype(np.float64), 0.0, most)
     altered = context.constants.degradations.alter(
         context.state, device, rows, wanted[:, None], context.state.drive.clock_s[rows]
     )[:, 0]

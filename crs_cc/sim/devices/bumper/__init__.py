@@ -99,7 +99,7 @@ class Bumpers:
         bearing_rad -= state.base_rad[robot]
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
-        pressed = self.told(state, constants, pressed, end_s)
+        pressed = self.degraded(state, constants, pressed, end_s)
         state.bumpers.pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
         if len(hit):
@@ -112,7 +112,7 @@ class Bumpers:
             contacts.torn,
         )
 
-    def told(
+    def degraded(
         self,
         state: EnvState,
         constants: RobotConstants,

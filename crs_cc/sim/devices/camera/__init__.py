@@ -134,14 +134,14 @@ class Cameras:
             colour = camera.colour[number, : model.columns]
             range_ = camera.range[number, : model.columns]
             if context["blobs"][place]:
-                camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
+                camera.told.keep(number, _BLOB, _blob_rows(model, colour, range_))
             else:
                 camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
             context.put("count", camera.told.count[number], place)
         return has
 
 
-def _told_blobs(model: Camera, colour: Int32Array, range_: Int32Array) -> Int32Array:
+def _blob_rows(model: Camera, colour: Int32Array, range_: Int32Array) -> Int32Array:
     """Return angle and width [0.1 deg], colour and range [0.1 in] of blobs, (blobs, 4)."""
     found = blobs(colour, range_)
     step = float(rad_to_tenths_deg(model.field_of_view_rad / model.columns))

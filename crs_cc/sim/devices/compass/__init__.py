@@ -94,9 +94,9 @@ class Compasses:
         angle_rad = constants.degradations.alter(
             state, "compass", rows, angle_rad[:, None], at_s[due]
         )[:, 0]
-        told = np.isfinite(angle_rad)
-        tenths = np.rint(rad_to_tenths_deg(angle_rad[told])).astype(np.int32)
-        compass.reading[mine[told]] = tenths % _FULL_TURN
+        reported = np.isfinite(angle_rad)
+        tenths = np.rint(rad_to_tenths_deg(angle_rad[reported])).astype(np.int32)
+        compass.reading[mine[reported]] = tenths % _FULL_TURN
         compass.count[mine] += 1
         compass.measured.note(mine, at_s[due], configuration(state, constants, rows))
 

@@ -166,7 +166,7 @@ class DegradationControl:
         self._state.remove(place)
         self._say(self._time_s, "removed", row)
 
-    def tell(self, until_s: float) -> None:
+    def log_changes(self, until_s: float) -> None:
         """Log the degradations that begin, fade or end before some time."""
         if self._state.next_s >= until_s:
             return

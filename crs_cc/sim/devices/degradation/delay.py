@@ -102,15 +102,15 @@ class _Rings:
 
 def delayed(passing: Pass, values: FloatArray) -> FloatArray:
     """Return the readings of `delay` ago, and store these."""
-    told = values.copy()
+    reported = values.copy()
     for some, depth in _by_depth(passing):
         rings = _Rings.of(passing, some, depth)
         rings.keep(values[some], passing.at_s[some], rings.touched)
         wanted_s = passing.at_s[some] - passing.of("delay_s")[some] + ROUNDING_S
         lower_s, lower, upper_s, upper = rings.find(wanted_s)
         first = np.where(np.isfinite(upper_s), upper, values[some])
-        told[some] = np.where(np.isfinite(lower_s), lower, first)
-    return told
+        reported[some] = np.where(np.isfinite(lower_s), lower, first)
+    return reported
 
 
 def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
@@ -121,7 +121,7 @@ def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> Flo
         speeds: the speeds, (m, w).
         from_s: the start of that interval, (m,).
     """
-    told = speeds.copy()
+    reported = speeds.copy()
     for some, depth in _by_depth(passing):
         to_s, since_s = passing.at_s[some], from_s[some, None]
         rings = _Rings.of(passing, some, depth)
@@ -134,8 +134,8 @@ def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> Flo
             rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
         for_s = np.maximum(to_s - since_s, _LEAST_S)
         ago_s = to_s - passing.of("delay_s")[some]
-        told[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
-    return told
+        reported[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
+    return reported
 
 
 def _sum(rings: _Rings, at_s: FloatArray) -> FloatArray:

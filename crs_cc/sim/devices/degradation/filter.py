@@ -171,14 +171,14 @@ class Degradations:
         robots = np.arange(len(state.degradation.made))[rows]
         for_s = (to_s - from_s)[:, None]
         runs = np.flatnonzero(for_s[:, 0] > 0.0)
-        asked = ways[runs] / for_s[runs]
+        commanded = ways[runs] / for_s[runs]
         instants = (from_s[runs], to_s[runs])
-        speeds = self._speeds(state, device, robots[runs], asked.copy(), instants, writes=True)
+        speeds = self._speeds(state, device, robots[runs], commanded.copy(), instants, writes=True)
         if limit is not None:
             speeds = np.clip(speeds, -limit[robots[runs]], limit[robots[runs]])
         other = ways.copy()
         # Elements without a degradation stay the same to the last bit.
-        other[runs] = np.where(speeds == asked, ways[runs], speeds * for_s[runs])
+        other[runs] = np.where(speeds == commanded, ways[runs], speeds * for_s[runs])
         return other
 
     def speeds(

@@ -91,7 +91,7 @@ def renew_deadline(state: EnvState, rows: IndexArray) -> None:
     state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
 
 
-def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
+def rest_s(state: EnvState, rows: IndexArray) -> FloatArray:
     """Return when the axes that robots wait for will be at rest, or the wait times out.
 
     If the command timeout expires before, they stop earlier.
@@ -100,8 +100,8 @@ def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
     # A move that is held up is not complete at its nominal end.
     late = state.drive.hindered[rows, None] & (state.drive.axes.limit[rows] > 0.0)
     end_s = np.where(late, np.inf, end_s)
-    stands_s = np.where(state.waits.axes[rows], end_s, -np.inf).max(axis=1)
-    end_s = np.minimum(stands_s, state.waits.until_s[rows])
+    rest_s = np.where(state.waits.axes[rows], end_s, -np.inf).max(axis=1)
+    end_s = np.minimum(rest_s, state.waits.until_s[rows])
     return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
 
 

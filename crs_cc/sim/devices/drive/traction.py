@@ -97,7 +97,7 @@ def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Float
     return np.asarray(driven - lag_mps[:, None] * constants.drives.rolls[rows])
 
 
-def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
+def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
     """End a cycle: apply the effect of contacts on robots to their axes and encoders.
 
     Args:
@@ -108,17 +108,17 @@ def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None
     off_m = went_m - state.drive.moved_m
     if np.abs(off_m).max(initial=0.0) <= _SAME_M and not state.drive.hindered.any():
         return
-    felt = (np.abs(off_m) > _SAME_M).any(axis=1)
+    held_up = (np.abs(off_m) > _SAME_M).any(axis=1)
     drives, limp = constants.drives, is_limp(state, constants)
-    felt &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
-    rows = np.flatnonzero(felt | state.drive.hindered)
+    held_up &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
+    rows = np.flatnonzero(held_up | state.drive.hindered)
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
     ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
     longer = np.ones(len(rows))
     if constants.inclines is not None:
         before_m = state.bodies.position_m[rows] - went_m[rows]
         longer = constants.inclines.longer(before_m, ahead)
-    short_m = np.where(felt[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
+    short_m = np.where(held_up[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
     counted = (state.drive.ahead_m[rows] - short_m)[:, None] * drives.rolls[rows]
     odometry.count_turns(state, constants, rows, counted)
     state.drive.slice[rows] += counted
@@ -126,9 +126,9 @@ def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None
     now_s = state.drive.clock_s[rows]
     motion_profile.fall_short(state.drive.axes, rows, now_s, short_m[:, None] * drives.rolls[rows])
     forward_mps = weighted(state.bodies.velocity_mps[rows], ahead) * longer
-    state.drive.hindered[rows] = felt[rows]
-    state.drive.forward_mps[rows] = np.where(felt[rows], forward_mps, 0.0)
-    stalled = felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
+    state.drive.hindered[rows] = held_up[rows]
+    state.drive.forward_mps[rows] = np.where(held_up[rows], forward_mps, 0.0)
+    stalled = held_up[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
     _arrive(state, constants, rows[stalled])
     _give_up(state, constants, rows, stalled)
 

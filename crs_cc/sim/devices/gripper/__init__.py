@@ -73,11 +73,11 @@ class Grippers:
         good = (mine >= 0) & (close >= 0) & (close <= 1)
         which, at_s = mine[good], context.at_s[good]
         state, gripper = context.state, context.state.gripper
-        told = context.constants.degradations.alter(
+        commanded = context.constants.degradations.alter(
             state, "gripper", context.rows[good], close[good, None].astype(np.float64), at_s
         )[:, 0]
-        closing = told >= _CLOSE
-        new = (gripper.closing[which] != closing) & np.isfinite(told)
+        closing = commanded >= _CLOSE
+        new = (gripper.closing[which] != closing) & np.isfinite(commanded)
         which, at_s, closing = which[new], at_s[new], closing[new]
         gripper.from_m[which] = self._apart_m(state, which, at_s)
         gripper.since_s[which], gripper.closing[which] = at_s, closing

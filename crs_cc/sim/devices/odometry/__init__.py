@@ -84,9 +84,9 @@ def _counted(
 ) -> FloatArray:
     """Return the motion in whole counts; the remainder counts later."""
     shaft, count = take(state.odometry.shaft, rows) + way, take(constants.drives.count, rows)
-    told = np.rint(shaft / count) * count
-    whole = told - take(state.odometry.told, rows)
-    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, told
+    reported = np.rint(shaft / count) * count
+    whole = reported - take(state.odometry.told, rows)
+    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, reported
     return np.asarray(whole)
 
 

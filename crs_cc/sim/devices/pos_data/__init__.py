@@ -106,8 +106,8 @@ def _copy(
     once = at_s >= 0.0
     since_s = np.where(once, at_s - state.presence.joined_s[robots, None], 0.0)
     ms = clock.ms(robots[:, None], since_s).astype(np.uint32).view(np.int32)
-    told = np.zeros((*at_s.shape, NUMBERS), dtype=np.int32)
-    told[..., : NUMBERS - 2] = configuration
-    told[..., NUMBERS - 2 :] = ms[..., None]
-    told[~once] = 0
-    state.pos_data.told[state.pos_data.row[robots], places] = told
+    reported = np.zeros((*at_s.shape, NUMBERS), dtype=np.int32)
+    reported[..., : NUMBERS - 2] = configuration
+    reported[..., NUMBERS - 2 :] = ms[..., None]
+    reported[~once] = 0
+    state.pos_data.told[state.pos_data.row[robots], places] = reported

@@ -84,7 +84,7 @@ class SonarRing:
     ) -> None:
         """Fire all sonars in the orders just before robots start."""
         sonar = state.sonar
-        heard_m = self.hear_now(state, constants, rays, rows, np.full(len(rows), now_s))
+        heard_m = self.ranges_now_m(state, constants, rays, rows, np.full(len(rows), now_s))
         row, turn = np.nonzero(np.arange(MAX_SONARS) < sonar.length[rows, None])
         robot = rows[row]
         number = sonar.order[robot, turn]
@@ -121,7 +121,7 @@ class SonarRing:
             self._fire(state, constants, rays, firing, at_s)
         state.sonar.hear(rows, to_s)
 
-    def hear_now(
+    def ranges_now_m(
         self,
         state: EnvState,
         constants: RobotConstants,
@@ -131,14 +131,14 @@ class SonarRing:
     ) -> FloatArray:
         """Return the ranges that all sonars would report if they fired at `at_s` [m], (k, 16)."""
         distance_m = self._around(state, rays, rows, *self._stands(state, constants, rows))
-        told_m = np.empty_like(distance_m)
+        reported_m = np.empty_like(distance_m)
         for number in range(MAX_SONARS):
             deviates = self._errors.draw(rows, state.sonar.count[rows])
-            told_m[:, number] = self._told_m(
+            reported_m[:, number] = self._reported_m(
                 state, constants, (rows, number, at_s), distance_m[:, number], deviates
             )
             state.sonar.count[rows] += 1
-        return told_m
+        return reported_m
 
     def get_ranges(self, context: RequestContext) -> BoolArray:
         """Answer SONAR and SONAR_RANGES in 0.1 in, -1 for no echo; refuse robots without sonars."""
@@ -147,7 +147,7 @@ class SonarRing:
         has = np.asarray(constants.sonars[rows].any(axis=1))
         now = has & (context["fire"] != 0)
         if now.any():
-            echo_m[now] = self.hear_now(
+            echo_m[now] = self.ranges_now_m(
                 state, constants, context.rays, rows[now], context.at_s[now]
             )
         heard = np.isfinite(echo_m)
@@ -214,25 +214,25 @@ class SonarRing:
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, sonar.count[rows])
-        confused = np.flatnonzero(self._errors.mistakes(rows, sonar.mode[rows], deviates))
+        confused = np.flatnonzero(self._errors.confused(rows, sonar.mode[rows], deviates))
         voices = None
         if len(confused):
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
         prospect = self._prospect(state, rays, pings, number)
         distance_m = first_echo(pings, prospect, voices, rays.surfaces.hushed)
-        told_m = self._told_m(state, constants, (rows, number, at_s), distance_m, deviates)
-        in_time = 2 * told_m / SOUND_MPS <= gives_up_s
+        reported_m = self._reported_m(state, constants, (rows, number, at_s), distance_m, deviates)
+        in_time = 2 * reported_m / SOUND_MPS <= gives_up_s
         sonar.listening[rows] = number
         sonar.sent_s[rows] = at_s
         sonar.sent_from[rows] = configuration(state, constants, rows)
-        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * told_m / SOUND_MPS, gives_up_s)
-        sonar.heard_m[rows] = np.where(in_time, told_m, np.inf)
+        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * reported_m / SOUND_MPS, gives_up_s)
+        sonar.heard_m[rows] = np.where(in_time, reported_m, np.inf)
         sonar.count[rows] += 1
         sonar.turn[rows] += 1
         sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
 
-    def _told_m(
+    def _reported_m(
         self,
         state: EnvState,
         constants: RobotConstants,
@@ -250,14 +250,14 @@ class SonarRing:
             deviates: of each firing, (k, 3).
         """
         rows, number, at_s = pings
-        told_m = self._errors.told_m(rows, state.sonar.mode[rows], distance_m, deviates)
+        reported_m = self._errors.reported_m(rows, state.sonar.mode[rows], distance_m, deviates)
         if not constants.degradations.concern(state, "sonar"):
-            return told_m
+            return reported_m
         elements = np.broadcast_to(number, rows.shape)
-        told_m = constants.degradations.alter(
-            state, "sonar", rows, told_m[:, None], at_s, elements=elements
+        reported_m = constants.degradations.alter(
+            state, "sonar", rows, reported_m[:, None], at_s, elements=elements
         )[:, 0]
-        return np.where(np.isnan(told_m), np.inf, np.maximum(told_m, 0.0))
+        return np.where(np.isnan(reported_m), np.inf, np.maximum(reported_m, 0.0))
 
     def _stands(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray

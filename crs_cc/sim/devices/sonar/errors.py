@@ -69,11 +69,11 @@ class SonarErrors:
             return np.zeros((len(rows), _DEVIATES))
         return np.asarray(self._noise.rows(rows, numbers))
 
-    def mistakes(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
+    def confused(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
         """Return which robots mistake other robots' pings for their own in this firing."""
         return np.asarray(deviates[:, _CROSSTALK] < self._mistakes[self._first[rows] + mode])
 
-    def told_m(
+    def reported_m(
         self, rows: IndexArray, mode: IndexArray, distance_m: FloatArray, deviates: FloatArray
     ) -> FloatArray:
         """Return the reported range for true distances, infinite for no echo; shape (k,)."""
@@ -81,24 +81,24 @@ class SonarErrors:
             return distance_m
         kind = self._first[rows] + mode
         beyond_m = _beyond(self._blind_m[kind], distance_m)
-        told_m: FloatArray = np.maximum(beyond_m, self._minimum_m[kind])
+        reported_m: FloatArray = np.maximum(beyond_m, self._minimum_m[kind])
         if self._noise is None:
-            return _rounded(told_m, self._resolution_m[kind])
-        heard = np.isfinite(told_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
-        size_m = np.where(heard, told_m, 0.0)
+            return _rounded(reported_m, self._resolution_m[kind])
+        heard = np.isfinite(reported_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
+        size_m = np.where(heard, reported_m, 0.0)
         error_m = deviates[:, _ERROR] * np.hypot(
             self._noise_m[kind], self._noise_share[kind] * size_m
         )
-        told_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)
-        return _rounded(told_m, self._resolution_m[kind])
+        reported_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)
+        return _rounded(reported_m, self._resolution_m[kind])
 
 
-def _rounded(told_m: FloatArray, step_m: FloatArray) -> FloatArray:
+def _rounded(reported_m: FloatArray, step_m: FloatArray) -> FloatArray:
     """Return values rounded to multiples of steps; a step of 0 changes nothing."""
     if not step_m.any():
-        return told_m
-    steps = np.divide(told_m, step_m, out=told_m.copy(), where=step_m > 0.0)
-    return np.where(step_m > 0.0, np.rint(steps) * step_m, told_m)
+        return reported_m
+    steps = np.divide(reported_m, step_m, out=reported_m.copy(), where=step_m > 0.0)
+    return np.where(step_m > 0.0, np.rint(steps) * step_m, reported_m)
 
 
 def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
