@@ -1,6 +1,6 @@
-"""Which sources of light or sound are within the range of which robots, and which are in sight.
+"""Sources of light or sound within the range of robots, and the lines of sight to them.
 
-A source is in sight where nothing lies on the straight line to it: no wall, no thing, no robot but
+A source is in sight if nothing is on the straight line to it: no wall, no object, no robot except
 the one that carries the source.
 """
 

@@ -1,8 +1,8 @@
-"""Where the mount of a robot's sensors is at the instant to which its axes have been turned.
+"""The poses of the robots' mounts at the time to which their axes have been turned.
 
-The mount is the turret, or the base of a robot without one. Within a cycle it is where the axes
-have taken the robot since the cycle's start; a robot that something holds back is taken to be where
-it was then.
+The mount is the turret, or the base of a robot without one. Within a cycle its pose follows the
+axes' motion since the start of the cycle; a robot that is held up counts as being where it was
+then.
 
 >>> from crs_cc.sim.state.env_state import EnvState
 >>> from crs_cc.sim.devices.robot_constants import RobotConstants

@@ -1,6 +1,6 @@
 """Ray casting, for all sensors that measure distances.
 
-One object knows where everything is in the current cycle; each kind of sensor gives it the beams
+One object has the poses of everything in the current cycle; each kind of sensor passes its beams
 and gets distances.
 
 >>> from crs_cc.sim.state.env_state import EnvState

@@ -1,4 +1,4 @@
-"""The order of sensors that `conf_sn` and `conf_ir` hand over.
+"""The order of sensors that is passed to `conf_sn` and `conf_ir`.
 
 It ends with its last element, or before the first 255 (vendor header `Nclient.h` 1.29).
 

@@ -1,9 +1,9 @@
-"""The serial line between host and robot: how long commands and replies are on their way.
+"""The serial line between host and robot: transmission times of commands and replies.
 
-A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
-its reply have says the robot's definition; one that is not named there takes no time. What only a
-simulator does, and what devices of `crs.h` do, goes over the network instead, which takes the same
-time for all; so do the commands to a robot whose definition names none.
+A byte is ten bits on the line: a start bit, eight of data, a stop bit. The robot's definition has
+the numbers of bytes of commands and replies; a command that is missing there takes no time.
+Requests to the simulator only, and to devices of `crs.h`, use the network instead, with the same
+time for all; so do all commands to a robot whose definition names none.
 """
 
 from __future__ import annotations

@@ -1,18 +1,19 @@
-"""The arm: two links that turn in a plane, and a hand that takes things and lets them go.
+"""The arm: two links that turn in a plane, and a hand that grasps and releases objects.
 
-    joint angle = angle when told + what is left of the way, at most speed * time since
-    elbow       = shoulder place + upper * (cos s, sin s)
+    joint angle = angle at the command + rest of the turn, at most speed * time since
+    elbow       = shoulder position + upper * (cos s, sin s)
     tip         = elbow + fore * (cos (s + e), sin (s + e))      direction of the hand: s + e
 
-s and e are the angles of shoulder and elbow, counter-clockwise, 0 straight on; all in the frame of
-the mount. Joints turn with a constant speed, both at once, each until it is where it was told to
-go; what they are told beyond their limits is brought within.
+s and e are the angles of shoulder and elbow, counter-clockwise, 0 for straight; all in the frame of
+the mount. Both joints turn at the same time, each at a constant speed, until they reach their
+targets; targets beyond the limits are clipped.
 
-The arm moves above everything, and so does what is in its hand: it touches nothing, though beams
-see it. At the end of the cycle in which it is told to close, the hand takes the thing that can be
-pushed, is not too heavy, is held by nobody, and has its nearest point nearest to the tip, within
-the hand's reach; from then on it moves with the hand. Told to open, it lets go as soon as there is
-room below: the thing rests where it is. All of this was chosen by us.
+The arm moves above everything, and so does the object in its hand: it touches nothing, but beams
+see it. At the end of the cycle in which it receives the command to close, the hand grasps the
+pushable object that is not too heavy, not held by anybody, and has its nearest point nearest to the
+tip, within the reach of the hand; from then on the object moves with the hand. After the command to
+open, it releases the object as soon as the space below is free: the object is at rest there. All of
+this was chosen by us.
 """
 
 from __future__ import annotations

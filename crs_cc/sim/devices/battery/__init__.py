@@ -1,25 +1,25 @@
-"""The batteries: how they drain, what they tell, and what happens when they are empty.
+"""The batteries: discharge, reported voltages, and the effect of an empty battery.
 
     energy used = power * time + work / efficiency + stall power * time held back
     work        = sum over the axes of  friction * |way| + m / 2 * max(0, v1^2 - v0^2)
 
-in joules: friction all along the way, and in each cycle in which an axis got faster from v0 to v1
-what the mass m takes that it moves: the robot's, or half of it for each of two wheels. Of an axis
-that turns, a synchro drive's steering and turret, way and speed are those of a point on the robot's
-shell. Braking gives nothing back. The voltage is read from the
-definition's curve at the charge that is left. On the line goes a byte n with
+in joules: friction along the whole distance, and for each cycle in which an axis accelerates from
+v0 to v1 the kinetic energy of the mass m that it moves: the robot's, or half of it for each of two
+wheels. For an axis that turns, a synchro drive's steering and turret, distance and speed are those
+of a point on the robot's shell. Braking recovers nothing. The voltage is that of the definition's
+curve at the state of charge. On the line it is a byte n with
 
     volts = (2 + n * 3 / 255) * 12 / 5       for the computers' battery,
     volts = (2 + n * 3 / 255) * 12.85 / 5    for the motors' battery
 
-(vendor source `Ndirect.c` 2.7); what is beyond its range is its end. The vendor says that neither
-should drop below 10.8 V, not what happens then: here motors that have less than the definition's
-cut-off have no force any more, and the wheels roll out. When the computers' battery is empty
-nothing happens but that it says so. All numbers but those two formulas' are ours.
+(vendor source `Ndirect.c` 2.7), clipped to its range. The vendor says that neither should drop
+below 10.8 V, but not what happens then: here motors with less than the definition's cut-off have no
+force, and the wheels roll out. An empty computer battery has no effect except on its voltage. All
+numbers except those two formulas were chosen by us.
 
-Some drivers read the charge from bits 2 and 3 of the motors' status (ISR's driver of the Scout: 0
-low, 1 medium, 2 high), where the vendor's header has the turret's motor; a definition can ask for
-that. Degradation (`battery`) is that of the voltages; where nothing comes the byte is 0.
+Some drivers read the charge from bits 2 and 3 of the motor status (ISR's driver of the Scout: 0
+low, 1 medium, 2 high), where the vendor's header has the turret's motor; a definition can select
+that. Degradation (`battery`) applies to the voltages; a dropped value is byte 0.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
-"""Lamps and speakers: how bright and how loud robots are, from the instant they are told to be.
+"""Lamps and speakers: brightness and level of robots, effective at the time of the command.
 
-What is told beyond what the lamp or speaker can is brought within. Who senses it is in
-`sensors.light` and `sensors.sound`.
+Values beyond the limits of the lamp or speaker are clipped. They are sensed by `light` and `sound`.
 """
 
 from __future__ import annotations

@@ -2,16 +2,15 @@
 
     pressed when -span / 2 <= bearing of the contact - bearing of the switch < span / 2
 
-with bearings from ahead, counter-clockwise, as seen from the middle of the robot. So where switches
-follow each other without a gap, each contact presses one; between switches with gaps it presses
-none, where their spans overlap it presses both. Which bit of `State[33]` a switch sets is said by
-the robot definition (vendor header `Nclient.h` 1.29 names no layout, and every known Scout program
-asks for "not 0" only). Source of the geometry: Player's driver of the Nomad 200, whose 20 switches
-lie 18 degrees apart.
+with bearings counter-clockwise from the front, at the centre of the robot. So where switches are
+adjacent without a gap, each contact presses one; in a gap it presses none, and where spans overlap
+both. The robot definition specifies which bit of `State[33]` a switch sets (vendor header
+`Nclient.h` 1.29 has no layout, and every known Scout program only tests for "not 0"). Source of the
+geometry: Player's driver of the Nomad 200, whose 20 switches are 18 degrees apart.
 
-A switch is pressed at a cycle's start when something touched it in the cycle before, whether or not
-the wheels turn. Degradation (`bumper`): a switch is 1 when it is pressed, else 0, and told as
-pressed when 0.5 or more comes of that.
+A switch is pressed at a cycle's start if something touched it in the cycle before, whether or not
+the wheels turn. Degradation (`bumper`): a switch is 1 when it is pressed, else 0, and reported as
+pressed if the degraded value is at least 0.5.
 """
 
 from __future__ import annotations

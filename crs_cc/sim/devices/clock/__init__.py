@@ -2,10 +2,10 @@
 
     reading = floor(floor(t / tick) * tick in ms)  modulo 2^32
 
-with t the simulated time since the robot is in the world, and what the clock showed then. The
-vendor's header `Nclient.h` 1.29 gives the unit (ms), the tick of 16.4 ms, and that it starts at
-zero when the robot is switched on and flows over after 49 days, which are 2^32 ms. When a robot was
-switched on is a parameter of its definition. No degradation.
+with t the simulated time that the robot has been in the world, plus the initial time of its clock.
+The vendor's header `Nclient.h` 1.29 specifies the unit (ms), the tick of 16.4 ms, and that it
+starts at zero when the robot is switched on and overflows after 49 days, which are 2^32 ms. The
+time for which a robot has been on is a parameter of its definition. No degradation.
 
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> BoardClock(empty_world()).ms(np.array([0, 0]), np.array([0.0164, 1.0])).tolist()

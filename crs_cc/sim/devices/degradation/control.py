@@ -1,6 +1,6 @@
-"""Who changes degradations while a world runs, and tells of them: for programs that run worlds.
+"""Control of degradations in a running world, for programs that run worlds.
 
-What goes in and comes out is plain data (`Degradation`). Every change is an event of the kind
+Arguments and results are plain data (`Degradation`). Every change is an event of the kind
 `degradation`: one is added, changed or removed, it began, faded, ended.
 
 >>> from crs_cc.sim.engine.environment import Environment

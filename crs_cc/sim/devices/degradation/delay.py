@@ -1,7 +1,7 @@
-"""Delayed values: what degradations with a delay remember of the past, and how it is found again.
+"""Delayed values: the memory of past values of degradations with a delay.
 
-Each element has a ring of instants and values, and keeps values at least `delay / (depth - 2)`
-apart; so the ring always reaches back beyond the delay.
+Each element has a ring buffer of times and values, and stores values at least `delay / (depth - 2)`
+apart; so the buffer always reaches back beyond the delay.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The law of degradation: what becomes of values on their way from a sensor or to an actuator.
+"""The filter of degradations: what happens to values from a sensor or to an actuator.
 
-Of each degradation, with its severity s at the instant of the value:
+For each degradation, with its severity s at the time of the value:
 
     1. gain, bias, noise:  v = v * (1 + s * (gain - 1)) + s * bias + s * noise * normal deviate
     2. step:               v = the nearest multiple of s * step
@@ -11,18 +11,18 @@ Of each degradation, with its severity s at the instant of the value:
     s = 0 before the onset, 1 for the duration, then 1 - (time since) / recovery, then 0
 
 so that all effects fade together: those with a size get smaller, those without get rarer. Several
-degradations of an element work one after the other, in the order of the world file, then in that in
-which they were added; each gets what the one before it gave.
+degradations of an element apply in sequence, in the order of the world file, then in that in which
+they were added; each gets the result of the one before it.
 
-What it is stuck at is the last value from before the onset, or the first one if there was none, or
-the one that was given. A delayed value is the last one that was measured at least `delay` before,
-or the first one that there is; values are kept at least a 62nd of the delay apart (of all points
-of a laser, a sixth). A direction mixes the shorter way around. Where there was nothing to measure,
-such as no echo, steps 1 and 2 leave that. A magnitude beyond 10^6 is 10^6.
+The stuck value is the last value from before the onset, or the first one if there was none, or the
+specified one. A delayed value is the last one that was measured at least `delay` before, or the
+first one of all; values are stored at least a 62nd of the delay apart (of all points of a laser, a
+sixth). A direction is mixed along the shorter arc. Where there was nothing to measure, such as no
+echo, steps 1 and 2 have no effect. A magnitude above 10^6 is 10^6.
 
-Readings have an instant each. Motions (`MOTIONS`) are speeds all along a time, for which s is the
-mean of the severity; their deviates are drawn once in a timestep, however often it is cut; a
-delayed motion is the one of `delay` before, exactly as long; one that is lost stands still for the
+Readings have a time each. Motions (`MOTIONS`) are speeds over an interval, for which s is the mean
+severity; their deviates are drawn once in a timestep, however often it is divided; a delayed motion
+is that of `delay` before, over an equally long interval; a dropped one is no motion for the
 timestep.
 
 Each degradation draws from a stream of its own: the robot's, numbered by the order of its

@@ -3,26 +3,26 @@
 On a differential drive (Scout) axis 1 of a command is the right wheel, axis 2 the left one, axis 3
 is not used; on a synchro drive (Nomad 200) they are translation, steering and turret (vendor header
 `Nclient.h` 1.29, which calls the speeds STATE_VEL_TRANS and STATE_VEL_RIGHT, and so on). Units on
-the interface: 0.1 in or 0.1 deg, those by the second, and by the second squared. `hardware` turns
-commands into slices; here they are understood:
+the interface: 0.1 in or 0.1 deg, also per second and per second squared. `motion_profile` turns
+commands into slices; here they are interpreted:
 
-- speeds and accelerations beyond the limits of the robot definition are the limits; `ac` and `sp`
+- speeds and accelerations are clipped to the limits of the robot definition; `ac` and `sp`
   take the magnitude (the vendor's library sends it without sign), and at least 1 unit; both count
   for the commands that follow;
 - a command that comes while another runs replaces it, from the speed reached;
-- `conf_tm`: when no command came for so long, the axes brake to a standstill;
-- `ws` gives up after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
+- `conf_tm`: when no command arrives for this time, the axes brake to a standstill;
+- `ws` ends after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
   robot definition says;
 - `zr` sets the odometry of a differential drive to 0 at once. A synchro drive stops, turns steering
   and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
   waits, 120 s at most, and `conf_tm` is off.
 
-`traction` has what contacts do, `rolling` how wheels differ from what is believed of them.
+`traction` has the effect of contacts, `rolling` the errors of the wheels.
 
-Degradation has three places, each with the speeds of the axes: `drive` is what the motors make of
-what they are told, and the encoders see it; `wheels` is what that does on the floor, and they do
-not see it (a wheel that slips); `odometry` is what they count. A dead motor holds its wheel. The
-motor controller is told nothing: a move ends when it would have ended, wherever the wheels are.
+Degradation applies to the speeds of the axes at three places: `drive` is the motors' response to
+commands, which the encoders measure; `wheels` is its effect on the floor, which they do not measure
+(a wheel that slips); `odometry` is what they count. A dead motor holds its wheel. The motor
+controller does not notice: a move ends at its nominal time, wherever the wheels are.
 """
 
 from __future__ import annotations

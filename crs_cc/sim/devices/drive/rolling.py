@@ -1,4 +1,4 @@
-"""Rolling: how wheels differ from what odometry believes of them.
+"""Rolling: differences between the true motion of wheels and that assumed by odometry.
 
     true way  = sum of the axes' ways, each with its true weight (`drives`), + random way
     true turn = the same with the weights of turning                        + random turn

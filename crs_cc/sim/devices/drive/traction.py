@@ -1,24 +1,24 @@
-"""Traction: what contacts do to the wheels of a robot, and so to its encoders.
+"""Traction: the effect of contacts on a robot's wheels and so on its encoders.
 
 When something holds a robot up, or pushes it, along its wheels:
 
-- motors that are weaker than the wheels' grip stall or are overrun: the encoders count what the
-  wheels really roll. A relative move goes on until it is done; until then its motors are at work;
-- wheels whose grip is weaker than the motors slip: the encoders count as if nothing were there;
-- a robot that stands and is held (`st`) gives way to a push stronger than its grip, with wheels
+- motors that are weaker than the wheels' grip stall or are overrun: the encoders count the
+  true rolling of the wheels. A relative move continues until it is complete, with its motors working;
+- wheels whose grip is weaker than the motors slip: the encoders count as without a contact;
+- a robot that is at rest and held (`st`) yields to a push stronger than its grip, with wheels
   that do not turn;
 - limp wheels (`lp`) roll with any push stronger than their friction, and their encoders count.
 
-The force of the motors grows with how far the wheels lag behind, so at the end of a relative move,
-where little is left to go, it is less than what it takes to push a box, or to slide along a wall.
-So a move that has stalled for a while, as near to its goal as two units of the interface, is done.
+The force of the motors grows with the lag of the wheels, so at the end of a relative move, where
+the rest is small, it is less than what is needed to push a box, or to slide along a wall. So a move
+that has stalled for a while, within two units of the interface of its goal, is complete.
 
 Across the wheels everything slips. Motors that have stalled for the time `give-up` of the robot
 definition stop, as if the program had called `st`.
 
-What is left of the motion during a cycle is known at its end only; until then the encoders count
-as if it went on as in the cycle before. All of this was chosen by us: no source tells how the
-vendor's motor controller behaves when a robot is held up.
+The true motion in a cycle is known only at its end; until then the encoders count as if it
+continued as in the cycle before. All of this was chosen by us: no source describes how the vendor's
+motor controller behaves when a robot is held up.
 """
 
 from __future__ import annotations

@@ -1,17 +1,16 @@
-"""The gripper: two fingers that close on what is between them, and carry it.
+"""The gripper: two fingers that close on an object between them, and carry it.
 
-    distance of the fingers = distance when told + or - opening * time since / closing time
+    distance of the fingers = distance at the command + or - opening * time since / closing time
 
-`crs_gripper` returns at once; the fingers need their time. They are no bodies: they pass through
-everything. When, at the end of a cycle, they have got as near to each other as a thing between them
-is wide, they hold it: the nearest thing to the palm that can be pushed, is not too heavy, lies with
-all of its part between palm and tips within the opening, and is in nobody's hand. From then on it
-moves with the robot (`carrying`), and the distance of the fingers is its width. As soon as they are
-told to open, it lies at rest where it is.
+`crs_gripper` returns at once, while the fingers move. They are no bodies: they pass through
+everything. When, at the end of a cycle, their distance has reached the width of an object between
+them, they hold it: the nearest pushable object to the palm that is not too heavy, whose part
+between palm and tips is within the opening, and that is not in any hand. From then on it moves with
+the robot (`carrying`), and the distance of the fingers is its width. After the command to open, it
+is at rest where it is.
 
-A beam from finger to finger, half-way between palm and tips, tells whether anything is there. All
-of this was chosen by us, after the gripper of the Pioneer, whose fingers close in parallel and have
-such beams.
+A beam from finger to finger, half-way between palm and tips, detects objects. All of this was
+chosen by us, after the gripper of the Pioneer, whose fingers close in parallel and have such beams.
 """
 
 from __future__ import annotations

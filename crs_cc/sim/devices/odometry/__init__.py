@@ -1,18 +1,19 @@
-"""Odometry: where a robot believes to be, from the turns of its wheels.
+"""Odometry: the pose of a robot as computed from the motion of its wheels.
 
-A differential drive, with the ways of its right and left wheel:
+A differential drive, with the motion of its right and left wheel:
 
     turn = (right - left) / wheel base
     way  = (right + left) / 2
 
-A synchro drive tells way and turn by its axes 1 and 2. While the speeds of the axes keep, the robot
-runs along an arc; its chord is way * sinc(turn / 2), at half the turn from the old heading (exact:
-J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, gives the same with the
-chord taken for the arc). `actuators.traction` has what counts when a robot is held up.
+A synchro drive measures way and turn by its axes 1 and 2. While the speeds of the axes are
+constant, the robot drives along an arc; its chord is way * sinc(turn / 2), at half the turn from
+the old heading (exact: J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, has
+the same with the arc in place of the chord). `drive.traction` specifies what is counted when a
+robot is held up.
 
-Encoders count in steps: the way of an axis is told as a whole number of them. Units on the
-interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry takes the wheels for what
-they should be; `actuators.rolling` has what they are.
+Encoders count in steps: the motion of an axis is reported as a whole number of them. Units on the
+interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry assumes nominal wheels;
+`drive.rolling` has their errors.
 
 >>> quarter = np.array([math.pi / 2]), np.array([math.pi / 2])    # along a circle of radius 1
 >>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), *quarter)]

@@ -4,10 +4,10 @@
               the reading
 
 in the units of `State` and in ms of the sensor board (vendor header `Nclient.h` 1.29); both times
-are the same here. A program asks with the bits of `Smask[0]` for kinds of sensors; replies that
-carry their readings carry these then: of sonars when each sent the ping that it heard, of bumpers
-the last hit, of the others when they measured last. What a robot does not have, and what has not
-been read yet, is 0. A copy of what the last reply told is kept, as the client gets it in pages.
+are equal here. A program requests them by the bits of `Smask[0]` for kinds of sensors; replies with
+readings of these then contain them: for sonars at the ping of each reading, for bumpers at the last
+hit, for the others at the last measurement. Entries of missing devices, and of those without a
+reading yet, are 0. A copy of the last reply is kept, as the client requests it in pages.
 
 No degradation.
 """

@@ -1,16 +1,17 @@
-"""The beams of sonars, and how a sonar takes another robot's ping for an echo of its own.
+"""The beams of sonars, and crosstalk: another robot's ping that is mistaken for an echo.
 
-Sound that another robot's sonar sends comes straight to a sonar that listens. It cannot know, and
-takes half of the way that sound goes in the time since its own firing for the distance:
+The ping of another robot's sonar reaches a listening sonar directly. The sonar cannot distinguish
+it from an echo, and reports half of the distance that sound travels in the time since its own
+firing:
 
     distance = (sent + way / (speed of sound) - fired) * (speed of sound) / 2
 
-where `sent` is the instant of the other's firing and `way` is how far apart the two are. For this
-each must lie in the other's beam and within its reach, with nothing in between, and the sound must
-come before the true echo. Sound that comes by way of a wall is left out. Other robots are where
-they were at the start of the cycle, and fire in the order that they have then.
+where `sent` is the time of the other robot's firing and `way` the distance between the two sonars.
+Each must be in the other's beam and range, with nothing in between, and the sound must arrive
+before the true echo. Sound that is reflected by walls is ignored. Other robots are at their
+positions at the start of the cycle, and fire in the order that they have then.
 
-How often a robot makes this mistake is a parameter of its definition (`crosstalk`).
+The probability of this mistake is a parameter of the robot definition (`crosstalk`).
 """
 
 from __future__ import annotations

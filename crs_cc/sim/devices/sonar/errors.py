@@ -2,20 +2,20 @@
 
 In this order, each with its parameter in the robot definition:
 
-- the board is deaf while the transducer still rings (`blind`). An echo from nearer than that goes
-  to and fro between robot and thing, and is heard when it comes in time: a distance d is told as
-  the smallest multiple of it that is not below `blind`, which users of the robot saw as twice the
-  distance below 3 in;
-- nothing is told as nearer than `minimum`;
+- the board is deaf while the transducer still rings (`blind`). An echo from a nearer object goes
+  back and forth, and is heard when it arrives in time: a distance d is reported as the smallest
+  multiple of it that is not below `blind`, which users of the robot saw as twice the distance
+  below 3 in;
+- no reading is below `minimum`;
 - a normal deviate is added, with the standard deviation hypot(`noise`, `noise-share` * d);
 - an echo is missed altogether with the probability `dropouts`;
-- what is told is a multiple of `resolution`.
+- the reading is a multiple of `resolution`.
 
 Then the distance is rounded to whole inches. In the definitions' ideal setup all of this is 0.
 
-Each robot draws from a stream of its own (`noise`), three deviates for each firing, so that what
-others do changes nothing; an event of probability p is a deviate below the p-quantile of the
-normal distribution.
+Each robot draws from a stream of its own (`noise`), three deviates for each firing, independent of
+other robots; an event of probability p is a deviate below the p-quantile of the normal
+distribution.
 """
 
 from __future__ import annotations
