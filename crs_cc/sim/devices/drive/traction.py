@@ -3,7 +3,8 @@
 When something holds a robot up, or pushes it, along its wheels:
 
 - motors that are weaker than the wheels' grip stall or are overrun: the encoders count the
-  true rolling of the wheels. A relative move continues until it is complete, with its motors working;
+  true rolling of the wheels. A relative move continues, with its motors working, until it is
+  complete;
 - wheels whose grip is weaker than the motors slip: the encoders count as without a contact;
 - a robot that is at rest and held (`st`) yields to a push stronger than its grip, with wheels
   that do not turn;
