@@ -78,7 +78,7 @@ class Bumpers:
 
         Args:
             state: changed in place.
-            constants: the constants of all things.
+            constants: the constants of all objects.
             contacts: those of the cycle.
             end_s: its end.
 
