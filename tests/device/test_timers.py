@@ -127,7 +127,7 @@ def test_missing_sensor_and_negative_period_are_refused(tmp_path, arguments):
 @pytest.mark.parametrize(
     ("attributes", "wrong"),
     [
-        ('rate="10Hz" period="99ms"', "gps, period: must not be shorter than its rate allows"),
+        ('rate="10Hz" period="99ms"', "gps, period: must not be shorter than 1 / rate"),
         ('rate="1MHz" period="0.1ms"', "gps, period: must be 0, or 1ms or more"),
         ('period="-1s"', "gps, period: '-1s' must not be negative"),
     ],
