@@ -150,7 +150,7 @@ def forward(bench: Bench, table: Table) -> tuple[Debugger, float]:
     plain_s = bench.run_build_s()
     table.row("run build", plain_s, plain_s / bench.timesteps * 1000, "ms for a timestep")
     watching = bench.debugger()
-    watching.add_watchpoint("untouched")
+    watching.stop_points.add_watchpoint("untouched")
     few = max(1, bench.timesteps // 10)
     seconds = timed(lambda: watching.tick(few))
     over = plain_s * few / bench.timesteps

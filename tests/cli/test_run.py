@@ -404,7 +404,7 @@ def test_the_message_trace_shows_the_life_of_each_message(
     rows = [line.split(":") for line in NAME_ONLY.sub("", capfd.readouterr().err).splitlines()]
     told = [(row[0].split()[1], row[1], row[-1].strip()) for row in rows]
     assert told[0] == ("left", " radio message 0 of left to all, type 4, 2 bytes", "sent")
-    assert {row[2] for row in told} <= {"sent", "delivered", "something is in the way"}
+    assert {row[2] for row in told} <= {"sent", "delivered", "path blocked"}
 
 
 # -- from outside ----------------------------------------------------------------------------------

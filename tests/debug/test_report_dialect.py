@@ -49,7 +49,7 @@ def test_a_function_breakpoint_stops_at_its_own_requests_only(tmp_path: Path) ->
     debugger.stop_points.add_breakpoint("vm")
     posted = []
     while debugger.resume().reason == "breakpoint":
-        location = debugger.location()
+        location = debugger.view.location()
         assert location is not None
         code = int(debugger.session.fleet.slots["code"][0])
         posted.append((location.line, REQUESTS[code].name))

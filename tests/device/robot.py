@@ -8,7 +8,7 @@ from crs_cc.sim.files import world_xml
 
 
 def scout_with(folder: Path, *devices: str) -> str:
-    """Writes the definition of a Scout with more devices, elements of XML, and gives its path."""
+    """Write the definition of a Scout with additional XML elements; return its path."""
     text = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     path = folder / "scout-with.xml"
     path.write_text(text.replace("<computer-battery", f"{''.join(devices)}<computer-battery", 1))

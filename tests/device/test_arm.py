@@ -11,7 +11,7 @@ CAN = '<robot x="0" y="0"/><cylinder x="30in" y="0" radius="2in" mass="500g"/>'
 
 
 @pytest.mark.function("crs_arm_move", "crs_arm_turn", "crs_arm_get")
-def test_the_tip_goes_where_the_joints_put_it(tmp_path):
+def test_tip_position_follows_from_joint_angles(tmp_path):
     """Stretched out 30 inches ahead; up and ahead 20 and 10; with the elbow at 180, 10 and 0."""
     robot = scout_with(tmp_path, ARM)
     program = (
@@ -24,7 +24,7 @@ def test_the_tip_goes_where_the_joints_put_it(tmp_path):
 
 
 @pytest.mark.function("crs_hand", "crs_get_hand")
-def test_the_hand_lifts_what_is_at_the_tip(tmp_path):
+def test_hand_lifts_object_at_tip(tmp_path):
     robot = scout_with(tmp_path, ARM)
     show = 'crs_get_hand(&w); printf("%d\\n", w);'
     program = (
@@ -34,6 +34,6 @@ def test_the_hand_lifts_what_is_at_the_tip(tmp_path):
     assert drive(program, robot=robot, things=CAN).numbers == [0, 500, 0]
 
 
-def test_a_robot_without_one_gives_false():
+def test_robot_without_arm_returns_false():
     ask = "crs_arm_move(0, 0) + crs_arm_turn(0, 0) + crs_arm_get(0, 0, 0, 0)"
     assert drive(f"int w; return {ask} + crs_hand(CRS_CLOSE) + crs_get_hand(&w);").status == 0

@@ -13,7 +13,7 @@ SHOW = 'for (i = 0; i < 8; i++) printf("%d ", n[i]); printf("%d\\n", got);'
 
 
 @pytest.mark.function("crs_get_light", "crs_get_sound")
-def test_what_shines_and_sounds_is_told(tmp_path):
+def test_lights_and_sounds_of_the_world_are_sensed(tmp_path):
     robot = scout_with(tmp_path, "<light-sensors/><microphones/>")
     program = (
         f"int n[8] = {{0}}, i, got, d; got = crs_get_light(n, 8); {SHOW}"
@@ -26,7 +26,7 @@ def test_what_shines_and_sounds_is_told(tmp_path):
 
 
 @pytest.mark.function("crs_light", "crs_sound")
-def test_robots_shine_and_sound_for_each_other(tmp_path):
+def test_robots_sense_lamps_and_speakers_of_each_other(tmp_path):
     robot = scout_with(tmp_path, "<light-sensors/><microphones/><lamp/><speaker/>")
     sense = (
         "int n[8], m[8]; usleep(200000); crs_get_light(n, 8); crs_get_sound(m, 8, 0);"
@@ -38,6 +38,6 @@ def test_robots_shine_and_sound_for_each_other(tmp_path):
     assert done.output == ["100 300\n", "2\n"]
 
 
-def test_a_robot_without_them_gives_false():
+def test_robot_without_beacons_returns_false():
     program = "int n[8]; return crs_light(1) + crs_sound(1, 1) + crs_get_light(n, 8)"
     assert drive(f"{program} + crs_get_sound(n, 8, 0);").status == 0

@@ -34,13 +34,13 @@ POLES = (
 
 
 def seen(tmp_path, camera: str, program: str = ROW, width: int = 2, **world):
-    """Gives what a camera tells, a row for each pixel or blob."""
+    """Return what a camera reports, a row for each pixel or blob."""
     robot = scout_with(tmp_path, f"<camera {camera}/>")
     return np.array(drive(program, robot=robot, **world).numbers, dtype=int).reshape(-1, width)
 
 
 @pytest.mark.function("crs_camera")
-def test_columns_go_from_the_left_to_the_right_and_tell_colour_and_range(tmp_path):
+def test_columns_have_colour_and_range_from_left_to_right(tmp_path):
     """Four columns around: 135 degrees to the left, 45, then the same to the right."""
     camera = 'columns="4" field-of-view="360deg" range="10m" direction="45deg" background="#010203"'
     row = seen(tmp_path, camera, things=POLES)
@@ -52,8 +52,8 @@ def test_columns_go_from_the_left_to_the_right_and_tell_colour_and_range(tmp_pat
     ]
 
 
-def test_a_camera_sees_from_its_place_on_the_robot(tmp_path):
-    """From 5 in ahead and 3 in left, a wall at x = 50 in, of 2 in, is 44 in away in its middle."""
+def test_camera_sees_from_its_position_on_robot(tmp_path):
+    """From 5 in ahead and 3 in left, a wall at x = 50 in, of 2 in, is 44 in away at its centre."""
     wall = '<robot x="0" y="0"/><wall x1="50in" y1="-2m" x2="50in" y2="2m" thickness="2in"/>'
     camera = 'columns="3" field-of-view="90deg" forward="5in" left="3in"'
     row = seen(tmp_path, camera, things=wall)
@@ -61,13 +61,13 @@ def test_a_camera_sees_from_its_place_on_the_robot(tmp_path):
     assert row[:, 1].tolist() == [round(440 / math.cos(math.radians(30))), 440, 508]
 
 
-def test_a_robot_is_seen_in_its_own_colour(tmp_path):
+def test_robot_is_seen_in_its_own_colour(tmp_path):
     things = '<robot x="0" y="0"/><robot x="100in" y="0" colour="yellow"/>'
     robot = scout_with(tmp_path, '<camera columns="1" field-of-view="10deg"/>')
     assert drive(ROW, "return 0;", things=things, robot=robot).numbers == [0xFFFF00, 920]
 
 
-def test_three_hundred_columns_come_in_pages_and_none_is_lost(tmp_path):
+def test_300_columns_are_returned_in_pages(tmp_path):
     """A wall across the view: the range of each column is that of its direction."""
     wall = '<robot x="0" y="0"/><wall x1="101in" y1="-9m" x2="101in" y2="9m" thickness="2in"/>'
     row = seen(tmp_path, 'columns="320" field-of-view="80deg"', things=wall)
@@ -76,7 +76,7 @@ def test_three_hundred_columns_come_in_pages_and_none_is_lost(tmp_path):
 
 
 @pytest.mark.parametrize(("most", "told"), [(0, 0), (1, 1), (40, 40), (100, 64), (-5, 0)])
-def test_no_more_is_told_than_there_is_room_for(tmp_path, most, told):
+def test_result_is_limited_to_buffer_size(tmp_path, most, told):
     program = f"""
     struct crs_pixel row[101];
     memset(row, 7, sizeof row);
@@ -88,8 +88,8 @@ def test_no_more_is_told_than_there_is_room_for(tmp_path, most, told):
 
 
 @pytest.mark.function("crs_blobs")
-def test_blobs_have_angle_width_colour_and_the_nearest_range(tmp_path):
-    """Columns of 1 degree, at half degrees: the red pole covers 2.87 degrees to each side.
+def test_blobs_have_angle_width_colour_and_nearest_range(tmp_path):
+    """Columns of 1 degree, at half degrees: the red pole covers 2.87 degrees on each side.
 
     At half a degree it is 200 cos 0.5 - sqrt(10^2 - (200 sin 0.5)^2) = 190.15 in away.
     """
@@ -97,7 +97,7 @@ def test_blobs_have_angle_width_colour_and_the_nearest_range(tmp_path):
     assert found.tolist() == [[0, 60, RED, 1901]]
 
 
-def test_blobs_count_from_the_left_and_two_colours_are_two_blobs(tmp_path):
+def test_blobs_are_ordered_from_left_and_split_by_colour(tmp_path):
     """Seen from 100 in, a screen of two halves, 20 in each, 11.31 degrees to each side."""
     things = (
         '<robot x="0" y="0"/>'
@@ -110,12 +110,12 @@ def test_blobs_count_from_the_left_and_two_colours_are_two_blobs(tmp_path):
     assert found[:, 3] == pytest.approx([1000, 1000], abs=1)
 
 
-def test_a_robot_without_one_sees_nothing():
+def test_robot_without_camera_sees_nothing():
     assert drive("struct crs_pixel row[1]; return crs_camera(row, 1);").status == 0
     assert drive("struct crs_blob blob[1]; return crs_blobs(blob, 1);").status == 0
 
 
-def test_between_two_looks_it_tells_the_last_one(tmp_path):
+def test_previous_picture_is_returned_between_two_pictures(tmp_path):
     wall = '<robot x="0" y="0"/><wall x1="100in" y1="-2m" x2="100in" y2="2m"/>'
     ask = 'crs_camera(row, 1); printf("%d\\n", row[0].range);'
     program = f"struct crs_pixel row[1]; connect_robot(1); vm(100, 100, 0); {ask} usleep(300000);"
@@ -124,8 +124,8 @@ def test_between_two_looks_it_tells_the_last_one(tmp_path):
     assert now == same > later
 
 
-def test_noise_grows_with_the_square_of_the_distance(tmp_path):
-    """320 columns on a ring of 2 m around the camera, 20 looks, and a deviation of 4 cm there."""
+def test_noise_grows_with_square_of_distance(tmp_path):
+    """320 columns on a ring of 2 m around the camera, 20 pictures, a deviation of 4 cm there."""
     robot = scout_with(tmp_path, '<camera columns="320" field-of-view="360deg" noise="1cm"/>')
     poles = "".join(
         f'<cylinder x="{2.01 * math.cos(a)}m" y="{2.01 * math.sin(a)}m" radius="1cm"/>'
@@ -150,7 +150,7 @@ def test_noise_grows_with_the_square_of_the_distance(tmp_path):
         ('range="0m"', "camera, range: '0m' must be greater than 0"),
     ],
 )
-def test_a_wrong_definition_is_named(tmp_path, attribute, wrong):
+def test_invalid_definition_is_reported(tmp_path, attribute, wrong):
     with pytest.raises(WorldError, match=wrong):
         load_robot(Path(scout_with(tmp_path, f"<camera {attribute}/>")))
 
@@ -163,7 +163,7 @@ PLACED = """
 
 
 def placed(tmp_path, *places: str, camera: str = "<camera columns='3'/>") -> Path:
-    """Writes the definition of a Scout whose camera is placed by `<sensor>`, and gives its path."""
+    """Write the definition of a Scout whose camera is placed by `<sensor>`; return its path."""
     path = Path(scout_with(tmp_path, camera))
     text = path.read_text()
     start = text.index("  <sensor>")
@@ -171,7 +171,7 @@ def placed(tmp_path, *places: str, camera: str = "<camera columns='3'/>") -> Pat
     return path
 
 
-def test_the_report_s_element_for_sensors_places_a_camera(tmp_path):
+def test_report_sensor_element_places_camera(tmp_path):
     """A cone as wide as it is long to each side is 90 degrees; 1.570796 rad is to the left."""
     camera = load_robot(placed(tmp_path, PLACED.format("1.570796"))).camera
     assert camera.field_of_view_rad == pytest.approx(math.pi / 2)
@@ -191,19 +191,19 @@ def test_the_report_s_element_for_sensors_places_a_camera(tmp_path):
         (2, "<camera/>", "duplicate camera"),
     ],
 )
-def test_a_camera_that_is_placed_wrongly_is_named(tmp_path, places, camera, wrong):
+def test_invalid_camera_placement_is_reported(tmp_path, places, camera, wrong):
     path = placed(tmp_path, *[PLACED.format("0")] * places, camera=camera)
     with pytest.raises(WorldError, match=wrong):
         load_robot(path)
 
 
-def test_a_sensor_of_another_type_is_refused_with_the_types_there_are(tmp_path):
+def test_unknown_sensor_type_is_refused_with_list_of_types(tmp_path):
     path = placed(tmp_path, PLACED.format("0").replace(">camera<", ">gps<"))
     with pytest.raises(WorldError, match="invalid value 'gps'; expected sonar or camera"):
         load_robot(path)
 
 
-def test_from_a_snapshot_it_sees_the_same_again(tmp_path):
+def test_pictures_are_reproduced_from_snapshot(tmp_path):
     robot = scout_with(tmp_path, '<camera columns="8" noise="1cm"/>')
     driver = Driver.of(empty_world(robot=robot))
     driver.post("CAMERA")
@@ -218,7 +218,7 @@ def test_from_a_snapshot_it_sees_the_same_again(tmp_path):
     assert hashes[0] == hashes[1]
 
 
-def test_a_degraded_column_tells_other_ranges_and_a_dead_one_the_background(tmp_path):
+def test_degraded_column_has_other_range_and_dead_one_background(tmp_path):
     wall = '<robot id="me" x="0" y="0"/><wall x1="2.05m" y1="-9m" x2="2.05m" y2="9m"/>'
     faults = (
         '<degradation robot="me" device="camera" element="0" bias="1m"/>'

@@ -1,4 +1,4 @@
-"""`crs_gps` from C: where the robot is, and what its receiver gets wrong."""
+"""`crs_gps` from C: the robot's position, and the receiver's errors."""
 
 import numpy as np
 import pytest
@@ -10,13 +10,13 @@ ASK = 'int x, y, got = crs_gps(&x, &y); printf("%d %d %d\\n", got, x, y);'
 
 
 @pytest.mark.function("crs_gps")
-def test_it_tells_where_the_robot_is_in_tenths_of_an_inch(tmp_path):
+def test_position_is_in_tenths_of_an_inch(tmp_path):
     robot = scout_with(tmp_path, '<gps rate="1Hz"/>')
     done = drive(ASK, robot=robot, things='<robot x="30in" y="-4in"/>')
     assert done.numbers == [1, 300, -40]
 
 
-def test_between_two_measurements_it_tells_the_last_one(tmp_path):
+def test_previous_measurement_is_returned_between_two_measurements(tmp_path):
     robot = scout_with(tmp_path, '<gps rate="1Hz"/>')
     ask = 'crs_gps(&x, &y); printf("%d\\n", x);'
     program = f"int x, y; connect_robot(1); vm(100, 100, 0); {ask} usleep(500000); {ask}"
@@ -24,12 +24,12 @@ def test_between_two_measurements_it_tells_the_last_one(tmp_path):
     assert now == same < later
 
 
-def test_a_robot_without_one_gives_false():
+def test_robot_without_gps_returns_false():
     assert drive("int x, y; return crs_gps(&x, &y);").status == 0
 
 
-def test_its_noise_has_the_deviation_of_the_definition(tmp_path):
-    """2,000 readings of a robot that stands: the standard error is 1.6 % of the deviation."""
+def test_noise_has_standard_deviation_of_definition(tmp_path):
+    """2,000 readings of a robot at rest: the standard error is 1.6 % of the deviation."""
     robot = scout_with(tmp_path, '<gps rate="1kHz" noise="10in"/>')
     loop = 'for (i = 0; i < 2000; i++) { crs_gps(&x, &y); printf("%d %d\\n", x, y); }'
     readings = np.array(drive(f"int i, x, y; {loop}", robot=robot).numbers).reshape(-1, 2) / 10

@@ -1,4 +1,4 @@
-"""`crs_heat` from C: the sum of what is in range, and how heat spreads."""
+"""`crs_heat` from C: the sum of the heat in range, and the spread of heat."""
 
 import pytest
 
@@ -15,8 +15,8 @@ def around(things: str) -> list[float]:
 
 
 @pytest.mark.function("crs_heat")
-def test_it_tells_the_sum_of_all_heat_in_range():
-    """A Scout senses 3 m; without a spread, heat is the same wherever in the range it is."""
+def test_reading_is_sum_of_heat_in_range():
+    """A Scout's range is 3 m; without a spread, the distance in the range has no effect."""
     stoves = "".join(
         f'<cylinder x="{x}m" y="0" radius="20cm" heat="{heat}"/>'
         for x, heat in ((1, 5), (-2, 7), (4, 100))
@@ -28,12 +28,12 @@ def test_it_tells_the_sum_of_all_heat_in_range():
     ("away_m", "told"),
     [(0.5, 75), (1.0, 50), (1.5, 25), (1.992, 0), (2.5, 0)],
 )
-def test_heat_with_a_spread_falls_with_the_distance_and_ends_there(away_m, told):
+def test_heat_with_spread_decreases_linearly_to_zero(away_m, told):
     """100 at the stove's shell, 0 at 2 m from it, and a straight line between."""
     assert around(STOVE.format(away_m + 0.2, 100, 2)) == [1, told]
 
 
-def test_spread_heat_of_several_things_is_added_before_it_is_rounded():
+def test_spread_heat_is_summed_before_rounding():
     """A quarter of 1 is sensed from each of two: half of 1, and so 0; from three of them 1."""
     stove = '<cylinder x="{}m" y="{}m" radius="20cm" heat="1" spread="2m"/>'
     two = stove.format(1.7, 0) + stove.format(-1.7, 0)
@@ -41,12 +41,12 @@ def test_spread_heat_of_several_things_is_added_before_it_is_rounded():
     assert around(two + stove.format(0, 1.7)) == [1, 1]
 
 
-def test_the_report_s_sensor_obeys_the_same_law():
+def test_report_sense_heat_returns_same_sum():
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + STOVE.format(1.2, 100, 2)))
     assert driver.post("HEAT")[0]["i"][0] == driver.post("SENSE_HEAT")[0]["i"][0] == 50
 
 
-def test_a_robot_without_one_gives_false(tmp_path):
+def test_robot_without_heat_sensor_returns_false(tmp_path):
     path = tmp_path / "scout-with.xml"
     scout_with(tmp_path)
     path.write_text(path.read_text().replace('<heat range="3m"/>', ""))

@@ -20,12 +20,12 @@ def run(*programs: str, things: str = PAIR, **options):
 
 
 @pytest.mark.function("crs_send", "crs_receive")
-def test_what_is_sent_to_a_robot_is_what_it_receives():
+def test_message_is_received_as_sent():
     done = run('crs_send(1, 7, "hello", 5);', f"crs_receive(&m, CRS_FOREVER); {SHOW}")
     assert done.output[1] == "0 1 7 5 hello\n"
 
 
-def test_every_byte_goes_through_248_of_them_at_most():
+def test_all_byte_values_are_transmitted_up_to_248_bytes():
     send = """
         char data[300];
         for (i = 0; i < 300; i++) data[i] = (char)(i * 7);
@@ -41,7 +41,7 @@ def test_every_byte_goes_through_248_of_them_at_most():
     assert done.output == ["0 0 1\n", "248 248 0\n"]
 
 
-def test_nobody_sends_to_a_robot_that_is_not_there_or_to_itself():
+def test_sending_to_unknown_robot_or_itself_is_refused():
     text = (
         'printf("%d %d %d", crs_send(2, 0, "", 0), crs_send(-1, 0, "", 0), crs_send(0, 0, 0, 0));'
     )
@@ -49,7 +49,7 @@ def test_nobody_sends_to_a_robot_that_is_not_there_or_to_itself():
 
 
 @pytest.mark.function("crs_broadcast")
-def test_all_in_range_hear_a_broadcast_but_its_sender():
+def test_broadcast_reaches_all_in_range_except_sender():
     hear = f"crs_receive(&m, 500); {SHOW}"
     done = run(
         'crs_broadcast(3, "x", 1); printf("%d", crs_receive(&m, 300));', hear, hear, things=ROW
@@ -58,7 +58,7 @@ def test_all_in_range_hear_a_broadcast_but_its_sender():
 
 
 @pytest.mark.function("crs_multicast", "crs_join_group", "crs_leave_group")
-def test_a_group_hears_what_is_sent_to_it_until_it_is_left():
+def test_group_messages_reach_members_until_they_leave():
     send = (
         'usleep(200000); crs_multicast(4, 1, "a", 1); usleep(200000); crs_multicast(4, 2, "b", 1);'
     )
@@ -69,7 +69,7 @@ def test_a_group_hears_what_is_sent_to_it_until_it_is_left():
     assert done.output[1:] == ["1 group 4 to -1 2 group 4 to -1 ", "1 group 4 to -1 "]
 
 
-def test_groups_beyond_31_are_refused():
+def test_groups_above_31_are_refused():
     text = (
         'printf("%d %d %d", crs_join_group(32), crs_leave_group(-1), crs_multicast(32, 0, "", 0));'
     )
@@ -77,7 +77,7 @@ def test_groups_beyond_31_are_refused():
 
 
 @pytest.mark.function("crs_message_count")
-def test_messages_wait_in_the_order_of_their_arrival():
+def test_inbox_is_in_order_of_arrival():
     send = 'for (i = 0; i < 3; i++) crs_send(1, i, "", 0);'
     receive = """
         sleep(1);
@@ -88,7 +88,7 @@ def test_messages_wait_in_the_order_of_their_arrival():
     assert run(send, receive).output[1] == "3: 0 1 2 0"
 
 
-def test_receiving_waits_so_long_and_no_longer():
+def test_receive_waits_up_to_its_timeout():
     receive = """
         struct timeval before, after;
         gettimeofday(&before, NULL);
@@ -100,7 +100,7 @@ def test_receiving_waits_so_long_and_no_longer():
 
 
 @pytest.mark.function("crs_use_channel", "crs_find_channel")
-def test_a_message_goes_on_the_channel_in_use():
+def test_message_uses_selected_channel():
     things = f'{PAIR}<communication><channel name="pipe" delay="1s"/></communication>'
     send = """
         crs_broadcast(0, "", 0);
@@ -115,7 +115,7 @@ def test_a_message_goes_on_the_channel_in_use():
 
 
 @pytest.mark.function("crs_my_number", "crs_robot_count", "crs_find_robot", "crs_robot_name")
-def test_a_robot_knows_its_own_number_and_the_names_of_the_others():
+def test_robot_number_and_names_can_be_looked_up():
     things = '<robot id="anna" x="0" y="0"/><robot id="bert" x="1m" y="0"/>'
     text = """
         char name[20], cut[3];
@@ -130,7 +130,7 @@ def test_a_robot_knows_its_own_number_and_the_names_of_the_others():
     assert done.output == ["0 of 2, bert be 1 -1 0", "1 of 2, anna an 1 -1 0"]
 
 
-def test_it_tells_when_it_was_sent_and_when_it_arrived():
+def test_message_has_send_and_arrival_times():
     things = f'{PAIR}<communication><channel name="radio" delay="1s" jitter="0"/></communication>'
     show = 'crs_receive(&m, CRS_FOREVER); printf("%d %d", m.sent, m.arrived);'
     sent, arrived = map(
@@ -140,7 +140,7 @@ def test_it_tells_when_it_was_sent_and_when_it_arrived():
     assert arrived - sent == pytest.approx(1001, abs=1)  # 12 bytes at 14.4 kB/s
 
 
-def test_sent_is_when_a_message_was_posted_although_it_waits_in_the_queue():
+def test_send_time_is_time_of_posting_despite_queueing():
     slow = '<channel name="radio" bandwidth="20B/s" delay="0s" jitter="0"/>'
     things = f"{PAIR}<communication>{slow}</communication>"
     send = 'crs_send(1, 0, "12345678", 8); crs_send(1, 0, "12345678", 8);'
@@ -152,7 +152,7 @@ def test_sent_is_when_a_message_was_posted_although_it_waits_in_the_queue():
     assert second_here - first_here == pytest.approx(1000, abs=1)  # 20 bytes at 20 B/s
 
 
-def test_a_program_that_sends_in_a_loop_fills_no_memory_and_stops_nobody():
+def test_sending_in_a_loop_uses_bounded_memory_and_blocks_nobody():
     hostile = "while (1) crs_broadcast(0, m.data, 248);"
     done = run(
         f"memset(&m, 0, sizeof m); {hostile}", "sleep(2); return crs_message_count();", seconds=3.0

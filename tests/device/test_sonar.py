@@ -1,4 +1,4 @@
-"""`crs_sonar` and `crs_sonar_mode` from C: modes of sonars, and what surfaces do to sound."""
+"""`crs_sonar` and `crs_sonar_mode` from C: modes of sonars, and the effect of surfaces."""
 
 from pathlib import Path
 
@@ -15,11 +15,11 @@ MODES = (
     '<mode name="HF" range="2m" half-angle="5deg" resolution="1mm"/>'
 )
 ASK = 'crs_sonar(ranges, 16); printf("%d %d\\n", ranges[0], ranges[1]);'
-TURNS = "sleep(2);"  # all sixteen have had their turn
+TURNS = "sleep(2);"  # all sixteen have fired
 
 
 def with_modes(folder: Path, modes: str = MODES) -> str:
-    """Writes the definition of a Scout whose sonars have modes, and gives its path."""
+    """Write the definition of a Scout whose sonars have modes; return its path."""
     path = Path(scout_with(folder))
     old = '<sonars order="0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8" noise="0in"/>'
     text = path.read_text()
@@ -29,12 +29,12 @@ def with_modes(folder: Path, modes: str = MODES) -> str:
 
 
 def far_m(x_m: float) -> float:
-    """Gives the thing's x for a distance from the shell."""
+    """Return the object's x for a distance from the shell."""
     return x_m + SCOUT_RADIUS_M
 
 
 @pytest.mark.function("crs_sonar", "crs_sonar_mode")
-def test_a_far_mode_hears_further_and_a_fine_one_more_exactly(tmp_path):
+def test_far_mode_has_longer_range_and_fine_mode_higher_resolution(tmp_path):
     """A pole 7.34 m ahead, at the left a nearer one, 1.2345 m from sonar 1."""
     program = f"""
     int ranges[16];
@@ -60,7 +60,7 @@ def test_a_far_mode_hears_further_and_a_fine_one_more_exactly(tmp_path):
     ]
 
 
-def test_the_beam_is_that_of_the_mode(tmp_path):
+def test_beam_width_is_that_of_mode(tmp_path):
     """A pole 1 m away, 10 degrees off the axis: in a cone of 15 degrees, not in one of 5."""
     things = '<robot x="0" y="0"/><cylinder x="1.188m" y="0.174m" radius="1cm"/>'
     program = f"int ranges[16]; {ASK} crs_sonar_mode(1); {TURNS} {ASK}"
@@ -70,14 +70,14 @@ def test_the_beam_is_that_of_the_mode(tmp_path):
 
 
 @pytest.mark.parametrize("mode", [-1, 2, 2**31 - 1])
-def test_modes_there_are_not_are_refused(tmp_path, mode):
+def test_unknown_modes_are_refused(tmp_path, mode):
     driver = Driver.of(empty_world(robot=with_modes(tmp_path)))
     assert driver.post("SONAR_MODE", mode)[0]["result"] == 0
     assert driver.post("SONAR_MODE", 1)[0]["result"] == 1
     assert driver.state.sonar.mode.tolist() == [1]
 
 
-def test_a_robot_without_modes_has_one_and_one_without_sonars_none(tmp_path):
+def test_robot_without_modes_has_one_mode_and_robot_without_sonars_none(tmp_path):
     driver = Driver.of(empty_world())
     assert driver.post("SONAR_MODE", 0)[0]["result"] == 1
     assert driver.post("SONAR_MODE", 1)[0]["result"] == 0
@@ -109,15 +109,13 @@ def test_a_robot_without_modes_has_one_and_one_without_sonars_none(tmp_path):
         '<box x="{x}m" y="0" length="20cm" width="20cm" sonar="{share}"/>',
     ],
 )
-def test_what_takes_sound_away_is_heard_to_the_fourth_root_of_the_distance(
-    thing, share, away_m, is_heard
-):
+def test_range_scales_with_fourth_root_of_reflected_power(thing, share, away_m, is_heard):
     things = '<robot x="0" y="0"/>' + thing.format(x=far_m(away_m) + 0.1, share=share)
     message, _ = _driver(things).post("SONAR_RANGES", 0)
     assert (message["data"][:4].view("<i4")[0] >= 0) == is_heard
 
 
-def test_a_curtain_hides_what_stands_behind_it():
+def test_curtain_hides_objects_behind_it():
     curtain = '<wall x1="3m" y1="-3m" x2="3m" y2="3m" thickness="2cm" sonar="0"/>'
     wall = '<wall x1="4m" y1="-3m" x2="4m" y2="3m"/>'
     for things, is_heard in ((wall, True), (curtain + wall, False)):
@@ -139,13 +137,13 @@ def _driver(things: str) -> Driver:
         ('<mode name="LF"/><mode name="LF"/>', "duplicate mode 'LF'"),
     ],
 )
-def test_a_mode_that_cannot_be_is_named_once(tmp_path, mode, wrong):
+def test_invalid_mode_is_reported_once(tmp_path, mode, wrong):
     with pytest.raises(WorldError, match=wrong) as error:
         load_robot(Path(with_modes(tmp_path, mode)))
     assert str(error.value).count("error:") == 1
 
 
-def test_from_a_snapshot_the_mode_is_the_same(tmp_path):
+def test_snapshot_contains_mode(tmp_path):
     driver = Driver.of(empty_world(robot=with_modes(tmp_path)))
     driver.post("SONAR_MODE", 1)
     snapshot = driver.environment.snapshot()

@@ -1,4 +1,4 @@
-"""`crs_tag` from C: what is near is hot no more."""
+"""`crs_tag` from C: nearby objects lose their heat."""
 
 import re
 from pathlib import Path
@@ -10,8 +10,8 @@ from tests.nclient.drive import drive
 
 
 @pytest.mark.function("crs_tag")
-def test_it_takes_the_heat_from_what_is_near_and_counts_it():
-    """A Scout's reach is 3 m: it takes the heat of two of the three, and then of none."""
+def test_tag_removes_heat_in_range_and_returns_count():
+    """A Scout's range is 3 m: it removes the heat of two of the three, and then of none."""
     things = '<robot x="0" y="0"/>' + "".join(
         f'<cylinder x="{x}m" y="0" radius="20cm" heat="5"/>' for x in (1, -2, 4)
     )
@@ -21,7 +21,7 @@ def test_it_takes_the_heat_from_what_is_near_and_counts_it():
 
 
 @pytest.mark.function("crs_tag")
-def test_a_robot_that_cannot_is_told_so_and_takes_nothing(tmp_path):
+def test_robot_without_tagging_returns_error_and_removes_nothing(tmp_path):
     scout = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     (tmp_path / "cold.xml").write_text(re.sub("<heat [^>]*/>", "", scout))
     things = '<robot x="0" y="0"/><cylinder x="1m" y="0" radius="20cm" heat="5"/>'

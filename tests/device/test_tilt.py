@@ -1,4 +1,4 @@
-"""`crs_tilt` from C: how a robot on a ramp is tilted, and what its inclinometer gets wrong."""
+"""`crs_tilt` from C: pitch and roll of a robot on a ramp, and the inclinometer's errors."""
 
 import math
 
@@ -19,7 +19,7 @@ STEEP = round(10 * math.degrees(math.atan(0.25)))  # 14.0 degrees
     [(0, STEEP, 0), (90, 0, -STEEP), (180, -STEEP, 0), (270, 0, STEEP), (60, 71, -122)],
 )
 @pytest.mark.function("crs_tilt")
-def test_it_tells_pitch_and_roll_on_a_ramp(tmp_path, heading, pitch, roll):
+def test_reads_pitch_and_roll_on_ramp(tmp_path, heading, pitch, roll):
     """At 60 degrees: atan(0.25 cos 60) = 7.1, and atan(0.25 sin 60) = 12.2 with the right side up.
 
     Up is along x. With the heading 90 degrees the right side is the upper one.
@@ -29,7 +29,7 @@ def test_it_tells_pitch_and_roll_on_a_ramp(tmp_path, heading, pitch, roll):
     assert done.numbers == [1, pitch, roll]
 
 
-def test_on_level_ground_it_tells_nothing_but_zero(tmp_path):
+def test_level_ground_reads_zero(tmp_path):
     robot = scout_with(tmp_path, "<inclinometer/>")
     assert drive(ASK, robot=robot).numbers == [1, 0, 0]
     level = RAMP.replace(
@@ -38,12 +38,12 @@ def test_on_level_ground_it_tells_nothing_but_zero(tmp_path):
     assert drive(ASK, robot=robot, things=f'{level}<robot x="0" y="0"/>').numbers == [1, 0, 0]
 
 
-def test_a_robot_without_one_gives_false():
+def test_robot_without_inclinometer_returns_false():
     assert drive("int pitch, roll; return crs_tilt(&pitch, &roll);").status == 0
 
 
-def test_its_noise_has_the_deviation_of_the_definition(tmp_path):
-    """2,000 readings of a robot that stands: the standard error is 1.6 % of the deviation."""
+def test_noise_has_standard_deviation_of_definition(tmp_path):
+    """2,000 readings of a robot at rest: the standard error is 1.6 % of the deviation."""
     robot = scout_with(tmp_path, '<inclinometer rate="1kHz" noise="1deg"/>')
     loop = 'for (i = 0; i < 2000; i++) { crs_tilt(&p, &r); printf("%d %d\\n", p, r); }'
     readings = np.array(drive(f"int i, p, r; {loop}", robot=robot).numbers).reshape(-1, 2)
@@ -51,7 +51,7 @@ def test_its_noise_has_the_deviation_of_the_definition(tmp_path):
     assert abs(readings.mean(axis=0)).max() < 1.0
 
 
-def test_a_snapshot_holds_what_it_told(tmp_path):
+def test_snapshot_contains_last_measurement(tmp_path):
     robot = scout_with(tmp_path, '<inclinometer rate="1Hz" noise="1deg"/>')
     done = drive(ASK, robot=robot)
     environment = done.session.environment

@@ -1,4 +1,4 @@
-"""`crs_period` and `crs_age`: sensors that measure whether anybody asks or not."""
+"""`crs_period` and `crs_age`: sensors that measure independently of requests."""
 
 import re
 from pathlib import Path
@@ -29,7 +29,7 @@ ALL = (
 )
 
 
-def test_the_header_and_the_simulator_number_the_sensors_alike():
+def test_header_and_simulator_use_same_sensor_numbers():
     text = (HEADERS / "crs.h").read_text() + device_headers()[0][1]
     defined = re.findall(r"#define CRS_SENSOR_(\w+) (\d+)", text)
     assert {name: int(number) for name, number in defined} == SENSORS
@@ -39,8 +39,8 @@ def test_the_header_and_the_simulator_number_the_sensors_alike():
 
 
 @pytest.mark.function("crs_age")
-def test_a_periodic_sensor_measures_at_multiples_of_its_period(tmp_path):
-    """Asked at 1.23 s (plus 1 ms on the network) it last measured at 1.2 s."""
+def test_periodic_sensor_measures_at_multiples_of_its_period(tmp_path):
+    """Requested at 1.23 s (plus 1 ms on the network), the last measurement is from 1.2 s."""
     program = """
     int x, y;
     usleep(1230000);
@@ -49,22 +49,22 @@ def test_a_periodic_sensor_measures_at_multiples_of_its_period(tmp_path):
     printf("%d\\n", crs_age(CRS_SENSOR_GPS));
     """
     ages = drive(program, robot=scout_with(tmp_path, GPS_10_HZ)).numbers
-    assert ages == pytest.approx([30.5, 32.5], abs=1.01)  # crs_gps does not let it measure
+    assert ages == pytest.approx([30.5, 32.5], abs=1.01)  # crs_gps does not make it measure
 
 
-def test_a_periodic_sensor_fires_in_its_timestep_whether_anybody_asks_or_not(tmp_path):
+def test_periodic_sensor_fires_independently_of_requests(tmp_path):
     """Every 70 ms, in timesteps of 50 ms: the last one before the end of each timestep."""
     robot = scout_with(tmp_path, '<gps rate="100Hz" period="70ms"/>')
     driver = Driver.of(empty_world(robot=robot))
     for cycle in range(1, 30):
         driver.run(1)
-        turn = np.ceil(cycle * 0.05 / 0.07 - 1e-9) - 1  # what falls on the end comes in the next
+        turn = np.ceil(cycle * 0.05 / 0.07 - 1e-9) - 1  # the end belongs to the next timestep
         assert driver.state.sensors.gps.at_s[0] == pytest.approx(turn * 0.07, abs=1e-12)
     assert driver.state.sensors.gps.count[0] == turn + 1
 
 
-def test_it_measures_from_where_the_robot_is_at_that_instant(tmp_path):
-    """At 10 in/s for a while, it has measured at the last of its instants, 0.33 s apart."""
+def test_periodic_measurement_uses_pose_at_its_time(tmp_path):
+    """At 10 in/s for a while, it has measured at the last of its times, 0.33 s apart."""
     program = """
     int x, y;
     connect_robot(1);
@@ -82,13 +82,13 @@ def test_it_measures_from_where_the_robot_is_at_that_instant(tmp_path):
     periodic, age, now, fresh = done.numbers
     assert 150 < age < 185
     assert fresh <= 2
-    # What was measured then is as far behind as the robot went since, at 0.01 in in a millisecond.
+    # The measurement lags by the distance moved since, at 0.01 in per millisecond.
     assert now - periodic == pytest.approx((age + 2 - fresh) / 10, abs=1.1)
 
 
 @pytest.mark.function("crs_period")
 @pytest.mark.parametrize("sensor", SENSORS)
-def test_every_sensor_can_have_a_timer_and_lose_it_again(tmp_path, sensor):
+def test_timer_of_every_sensor_can_be_set_and_cleared(tmp_path, sensor):
     program = f"""
     int sensor = CRS_SENSOR_{sensor};
     printf("%d\\n", crs_age(sensor));
@@ -108,7 +108,7 @@ def test_every_sensor_can_have_a_timer_and_lose_it_again(tmp_path, sensor):
     assert 600 <= old <= 615
 
 
-def test_the_rate_is_the_shortest_period(tmp_path):
+def test_rate_limits_period(tmp_path):
     driver = Driver.of(empty_world(robot=scout_with(tmp_path, '<gps rate="10Hz"/>')))
     assert driver.post("PERIOD", 0, 1)[0]["result"] == 1
     driver.run_s(1.0)
@@ -116,7 +116,7 @@ def test_the_rate_is_the_shortest_period(tmp_path):
 
 
 @pytest.mark.parametrize("arguments", [(1, 100), (6, 100), (-1, 100), (2**31 - 1, 0), (0, -1)])
-def test_a_sensor_that_is_not_there_and_a_time_below_0_are_refused(tmp_path, arguments):
+def test_missing_sensor_and_negative_period_are_refused(tmp_path, arguments):
     driver = Driver.of(empty_world(robot=scout_with(tmp_path, '<gps rate="10Hz"/>')))
     assert driver.post("PERIOD", *arguments)[0]["result"] == 0
     assert not np.isfinite(driver.state.timers.soonest_s).any()
@@ -132,13 +132,13 @@ def test_a_sensor_that_is_not_there_and_a_time_below_0_are_refused(tmp_path, arg
         ('period="-1s"', "gps, period: '-1s' must not be negative"),
     ],
 )
-def test_a_period_that_cannot_be_is_named(tmp_path, attributes, wrong):
+def test_invalid_period_is_reported(tmp_path, attributes, wrong):
     with pytest.raises(WorldError, match=wrong):
         load_robot(Path(scout_with(tmp_path, f"<gps {attributes}/>")))
 
 
-def test_a_robot_that_joins_starts_its_timers_then(tmp_path):
-    """It joins at 1 s; three tenths of a second apart, it measures at 1, 1.3 and 1.6 s."""
+def test_timers_of_joining_robot_start_when_it_joins(tmp_path):
+    """It joins at 1 s and measures every 0.3 s: at 1, 1.3 and 1.6 s."""
     robot = scout_with(tmp_path, '<gps rate="100Hz" period="300ms"/>')
     world = '<world version="1"><area length="9m" width="9m"/><robot x="1m" y="1m"/>{}</world>'
     guest = '<robot x="5m" y="5m" join="1s"/>'
@@ -150,7 +150,7 @@ def test_a_robot_that_joins_starts_its_timers_then(tmp_path):
     assert driver.state.sensors.gps.at_s[1] == pytest.approx(1.6)
 
 
-def test_from_a_snapshot_timers_go_on(tmp_path):
+def test_timers_continue_from_snapshot(tmp_path):
     robot = scout_with(tmp_path, '<gps rate="100Hz" noise="1cm" period="30ms"/>')
     driver = Driver.of(empty_world(robot=robot))
     driver.run(3)
@@ -163,8 +163,8 @@ def test_from_a_snapshot_timers_go_on(tmp_path):
     assert hashes[0] == hashes[1]
 
 
-def test_a_laser_that_was_switched_off_has_not_measured(tmp_path):
-    """What it saw before is forgotten; to ask for its age was an internal error."""
+def test_laser_that_was_switched_off_has_no_measurement(tmp_path):
+    """Its earlier readings are discarded; a request for their age was an internal error."""
     laser = "<laser field-of-view='90deg' range='5m' mode='51'/>"
     driver = Driver.of(empty_world(robot=scout_with(tmp_path, laser)))
     driver.post("LASER")
@@ -173,10 +173,10 @@ def test_a_laser_that_was_switched_off_has_not_measured(tmp_path):
     assert driver.post("AGE", SENSORS["LASER"])[0]["i"][0] == -1
 
 
-def test_light_sensors_and_microphones_with_a_timer_tell_what_they_sensed_last(tmp_path):
+def test_light_sensors_and_microphones_with_timer_return_last_measurement(tmp_path):
     """A neighbour 2 m ahead shines (400) and sounds (600) from 0.5 s on; they measure each second.
 
-    Asked at 0.7 s they tell what was at 0 s: nothing. From 1 s on it is 400 / 2^2, and 600 / 2.
+    Requested at 0.7 s they report nothing, as at 0 s. From 1 s on it is 400 / 2^2, and 600 / 2.
     """
     devices = '<light-sensors period="1s"/><microphones period="1s"/><lamp/><speaker/>'
     robot = scout_with(tmp_path, devices)
@@ -195,7 +195,7 @@ def test_light_sensors_and_microphones_with_a_timer_tell_what_they_sensed_last(t
     assert done.output[0] == "0 0 7\n100 300 4\n"
 
 
-def test_an_inclinometer_with_a_timer_tells_how_the_robot_was_tilted(tmp_path):
+def test_inclinometer_with_timer_returns_last_measurement(tmp_path):
     """It drives from level ground onto a ramp of 1 in 4 while the last reading is from before."""
     robot = scout_with(tmp_path, '<inclinometer period="20s"/>')
     program = """
@@ -213,7 +213,7 @@ def test_an_inclinometer_with_a_timer_tells_how_the_robot_was_tilted(tmp_path):
     assert done.numbers == [0, 0, 140, 0]
 
 
-def test_what_light_sensors_and_microphones_told_is_part_of_a_snapshot(tmp_path):
+def test_snapshot_contains_light_and_sound_measurements(tmp_path):
     devices = '<light-sensors period="70ms" noise="0.1"/><microphones period="40ms" noise="0.1"/>'
     light = '<light x="2m" y="0" brightness="400"/><sound x="0" y="2m" level="300" tone="2"/>'
     area = '<area length="4m" width="4m"/>'

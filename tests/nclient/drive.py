@@ -1,4 +1,4 @@
-"""Runs C programs in worlds, for tests that look at what a user of the library would look at.
+"""Run C programs in worlds, for tests from the perspective of a user of the library.
 
 >>> done = drive("connect_robot(1); pr(100, 100, 0); ws(1, 1, 0, 10);")
 >>> round(done.x_in[-1], 3), done.status
@@ -33,12 +33,12 @@ class Drive:
 
     Attributes:
         session: the session as it was at the end.
-        output: what each robot printed.
-        errors: what each robot wrote to its standard error stream.
-        steps: what happened in each timestep.
-        x_in: where the first robot truly was after each timestep [in], world frame.
-        y_in: the same.
-        heading_deg: the same, 0 to 360.
+        output: the standard output of each robot.
+        errors: the standard error output of each robot.
+        steps: the record of each timestep.
+        x_in: true x of the first robot after each timestep [in], world frame.
+        y_in: its y.
+        heading_deg: its heading, 0 to 360.
     """
 
     session: Session
@@ -64,12 +64,12 @@ class Drive:
 
     @property
     def status(self) -> int | None:
-        """Gives what the first robot's program returned."""
+        """Return the exit status of the first robot's program."""
         return self.session.result().robots[0].exit_status
 
     @property
     def numbers(self) -> list[float]:
-        """Gives the numbers that the first robot printed, white space between them."""
+        """Return the numbers that the first robot printed, separated by white space."""
         return [float(word) for word in self.output[0].split()]
 
 
@@ -86,20 +86,20 @@ def drive(
     arguments: Sequence[Sequence[str]] = (),
     dialect: Dialect | None = None,
 ) -> Drive:
-    """Runs programs to their end, one in each robot, or the same in all.
+    """Run programs to their end, one in each robot, or the same in all.
 
     Args:
-        programs: whole C programs, or just what stands in `main`; in the report's dialect any.
+        programs: whole C programs, or just the body of `main`; in the report's dialect any.
         things: the elements of the world.
         area: the attributes of its area.
         timestep: its timestep.
-        seconds: end the run after so long.
-        seed: decides all that is random.
+        seconds: maximum duration of the run.
+        seed: the random seed.
         setup: the robots' setup.
-        robot: the kind of robots that say none, or the path of a definition.
-        client: which of the vendor's client libraries to behave like.
+        robot: the default model of robots, or the path of a definition.
+        client: which of the vendor's client libraries to emulate.
         arguments: `argv` of each robot.
-        dialect: whose functions the programs call; by default what they look like.
+        dialect: the dialect of the programs; detected by default.
     """
     text = f'<world version="1" timestep="{timestep}"><area {area}/>{things}</world>'
     world = parse_world(text.encode(), "test", setup, robot)
@@ -122,7 +122,7 @@ def drive(
 
 @cache
 def _build(source: str, dialect: Dialect | None):
-    """Builds a program, once for all worlds that it is run in."""
+    """Build a program, once for all worlds that it is run in."""
     if dialect != "report" and "main" not in source and "runcode" not in source:
         includes = "\n".join(f"#include <{name}.h>" for name in HEADERS)
         source = f'{includes}\n#include "Nclient.h"\nint main(void)\n{{\n{source}\nreturn 0;\n}}\n'

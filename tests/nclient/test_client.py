@@ -11,17 +11,17 @@ NDIRECT = NCLIENT.replace("Nclient", "Ndirect")
 NOMAD200 = '<robot definition="nomad200" x="0" y="0"/>'
 
 DIRECTLY = 'connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400); freopen("out", "w", stdout);'
-"""Connects under Ndirect, and keeps what it says out of the numbers."""
+"""Connects under Ndirect, without its messages among the numbers."""
 
 
 def numbers(calls, **options):
-    """Gives what the calls print, each as one number, in a connected program."""
+    """Return what the calls print, each as one number, in a connected program."""
     prints = "".join(f'printf("%ld ", (long)({call}));' for call in calls)
     return drive(f"connect_robot(1); {prints}", **options).numbers
 
 
 def directly(calls, **options):
-    """Gives the same under Ndirect."""
+    """Return the same under Ndirect."""
     prints = "".join(f'fprintf(stderr, "%ld ", (long)({call}));' for call in calls)
     done = drive(f"{DIRECTLY} {prints}", client="ndirect", **options)
     return [float(word) for word in done.errors[0].removeprefix(NDIRECT).split()]
@@ -31,7 +31,7 @@ def directly(calls, **options):
 
 
 @pytest.mark.function("connect_robot", "disconnect_robot")
-def test_nclient_greets_once_and_gives_the_servers_port():
+def test_nclient_prints_greeting_once_with_server_port():
     done = drive("""
         printf("%d ", connect_robot(1));
         printf("%d ", disconnect_robot(1));
@@ -52,18 +52,18 @@ def test_nclient_greets_once_and_gives_the_servers_port():
         ('"", 7', "TCP/IP", "machine localhost on port 7"),
     ],
 )
-def test_ndirect_says_how_it_is_connected_and_gives_true(arguments, how, what):
+def test_ndirect_prints_connection_and_returns_true(arguments, how, what):
     done = drive(f'printf("%d", connect_robot(1, MODEL_SCOUT, {arguments}));', client="ndirect")
     assert done.output[0] == f"Robot <-> Host {how} communication setup\n({what})\n1"
     assert done.errors[0] == NDIRECT
 
 
-def test_ndirect_corrects_a_wrong_speed():
+def test_ndirect_corrects_invalid_speed():
     done = drive('connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 1200);', client="ndirect")
     assert done.errors[0] == f"{NDIRECT}Invalid baud rate 1200, using 38400\n"
 
 
-def test_the_speed_that_ndirect_connects_with_is_the_lines():
+def test_ndirect_connection_sets_line_speed():
     slow, fast = (
         drive(f"""
             struct timeval before, after;
@@ -78,16 +78,16 @@ def test_the_speed_that_ndirect_connects_with_is_the_lines():
     assert int(slow) - int(fast) == pytest.approx(54 * 10 * 1e6 * (1 / 9600 - 1 / 38400), abs=3)
 
 
-def test_ndirect_reads_arguments_that_are_not_there():
+def test_ndirect_reads_missing_arguments():
     done = drive("connect_robot(1);", client="ndirect")
     error = done.session.result().robots[0].error
     assert error is not None
     assert error.kind == "missing argument"
-    assert "ndirect wants model, device, and baud rate or port" in error.notes[0]
+    assert "--client ndirect also needs model, device, and baud rate or port" in error.notes[0]
 
 
 @pytest.mark.function("server_is_running", "create_robot", "real_robot", "simulated_robot")
-def test_questions_to_the_server():
+def test_server_queries():
     done = drive("""
         printf("%d ", server_is_running());
         printf("%d %d %d", create_robot(2), real_robot(), simulated_robot());
@@ -97,7 +97,7 @@ def test_questions_to_the_server():
 
 
 @pytest.mark.function("set_server_machine_name", "set_serv_tcp_port", "quit_server")
-def test_a_server_that_has_ended_answers_nobody():
+def test_ended_server_does_not_answer():
     done = drive("""
         int quit, read, again;
         set_server_machine_name("procyon");
@@ -122,7 +122,7 @@ def test_a_server_that_has_ended_answers_nobody():
 
 
 @pytest.mark.function("gs", "vm", "get_sn", "special_request", "disconnect_robot")
-def test_without_a_connection_nothing_is_done():
+def test_requests_without_connection_do_nothing():
     done = drive("""
         unsigned char packet[8] = {8}, answer[248];
         int results = gs() + vm(50, 50, 0) + get_sn() + special_request(packet, answer)
@@ -135,7 +135,7 @@ def test_without_a_connection_nothing_is_done():
 
 
 @pytest.mark.function("disconnect_robot")
-def test_a_robot_goes_on_after_it_was_disconnected():
+def test_robot_continues_after_disconnection():
     done = drive("connect_robot(1); ac(1000, 1000, 0); vm(50, 50, 0); disconnect_robot(1);"
                  " sleep(4);")  # fmt: skip
     assert 15 < done.x_in[-1] < 25
@@ -153,7 +153,7 @@ CHANGED = """
         return count;
     }
 """
-"""Tells how many entries were refreshed since it was called last."""
+"""Counts the entries that were refreshed since the last call."""
 
 REFRESHING = [
     *("ac(9, 9, 0)", "sp(9, 9, 0)", "pr(0, 0, 0)", "vm(0, 0, 0)", "mv(1, 0, 1, 0, 0, 0)", "st()"),
@@ -164,7 +164,7 @@ REFRESHING = [
 
 @pytest.mark.function("ac", "sp", "pr", "vm", "mv", "st", "lp", "ws", "dp", "da", "zr", "conf_sn")
 @pytest.mark.function("conf_tm", "conf_ser", "ct", "init_sensors", "gs", "connect_robot")
-def test_every_command_that_is_answered_with_the_state_refreshes_all_of_it():
+def test_commands_with_state_reply_refresh_all_of_state():
     calls = "".join(
         f'changed(0, 44); {call}; printf("%d ", changed(0, 44));' for call in REFRESHING
     )
@@ -196,7 +196,7 @@ def test_every_command_that_is_answered_with_the_state_refreshes_all_of_it():
         ("get_state(copy)", 45, 44),
     ],
 )
-def test_reading_a_group_refreshes_nothing_else(call, first, last):
+def test_reading_group_refreshes_nothing_else(call, first, last):
     done = drive(f"""
         int i;
         long copy[NUM_STATE];
@@ -211,7 +211,7 @@ def test_reading_a_group_refreshes_nothing_else(call, first, last):
 
 
 @pytest.mark.function("ct", "init_mask", "init_sensors", "get_mask", "set_mask")
-def test_the_mask_counts_once_it_was_sent():
+def test_mask_takes_effect_when_sent():
     done = drive("""
         int mask[NUM_MASK], i;
         connect_robot(1);
@@ -237,7 +237,7 @@ def test_the_mask_counts_once_it_was_sent():
 
 
 @pytest.mark.function("get_state", "get_laser", "posDataRequest", "posDataCheck")
-def test_copies_and_what_was_asked_for():
+def test_copies_contain_requested_values():
     done = drive("""
         long state[NUM_STATE];
         int laser[2 * NUM_LASER + 1] = {9};
@@ -253,7 +253,7 @@ def test_copies_and_what_was_asked_for():
 
 @pytest.mark.function("get_ir", "get_cp", "get_ls", "get_sg", "conf_ir", "conf_cp", "conf_ls")
 @pytest.mark.function("conf_sg", "ct", "init_sensors", "pa")
-def test_under_ndirect_a_scout_knows_less():
+def test_ndirect_scout_reports_less():
     unknown = [
         *("get_ir()", "get_cp()", "get_ls()", "get_sg()", "conf_ir(0, NULL)", "conf_cp(1)"),
         *("conf_ls(51, 20, 20, 20, 4)", "conf_sg(50, 4, 30)", "ct()", "init_sensors()"),
@@ -263,7 +263,7 @@ def test_under_ndirect_a_scout_knows_less():
     assert directly([*unknown[:-1], "Smask[43]"], things=NOMAD200) == [1] * len(unknown)
 
 
-def test_under_ndirect_a_scouts_mask_is_fixed():
+def test_ndirect_scout_has_fixed_mask():
     done = drive(f"""
         int mask[NUM_MASK], i;
         {DIRECTLY}
@@ -287,7 +287,7 @@ DUMMIES = [
 ]
 
 
-def test_under_ndirect_there_is_no_simulator():
+def test_ndirect_has_no_simulator():
     done = drive(f"""
         long obs[NUM_STATE] = {{3, 0, 0, 10, 0, 0, 10}};
         double collide[3];
@@ -307,6 +307,6 @@ def test_under_ndirect_there_is_no_simulator():
     ("given", "arrives"),
     [(300, 300), (-300, -300), (32767, 32767), (40000, -7232), (-40000, 7232)],
 )
-def test_under_ndirect_numbers_go_through_sixteen_bits(given, arrives):
+def test_ndirect_truncates_numbers_to_16_bits(given, arrives):
     assert directly([f"dp({given}, 0)", "State[STATE_CONF_X]"]) == [1, arrives]
     assert numbers([f"dp({given}, 0)"]) == [1]

@@ -15,7 +15,7 @@ draw_robot(100, 200, 900, 1800, 2);
 
 
 @pytest.mark.function("draw_line", "draw_arc", "draw_robot")
-def test_what_is_drawn_is_in_the_picture():
+def test_marks_appear_in_picture():
     done = drive(DRAWINGS)
     assert done.numbers == [1, 1, 1, 0]
     drawn = drawings_in(done.session.environment.state.drawings)
@@ -43,12 +43,12 @@ def test_what_is_drawn_is_in_the_picture():
         ("client_graphics", 0),
     ],
 )
-def test_drawings_go_where_the_program_says(what, left):
+def test_marks_are_at_requested_positions(what, left):
     done = drive(f'{DRAWINGS} printf("%d", refresh_{what}());')
     assert done.numbers == [1, 1, 1, 0, 1]
     assert len(drawings_in(done.session.environment.state.drawings)) == left
 
 
-def test_drawing_takes_its_time_on_the_network():
+def test_drawing_takes_network_time():
     done = drive("int n = 0; connect_robot(1); while (n < 1000) draw_line(n++, 0, 0, 0, 1);")
     assert done.session.time_s == pytest.approx(1.0, abs=0.1)

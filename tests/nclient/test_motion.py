@@ -26,7 +26,7 @@ AT_WALL_IN = 50 - 1 - 8
 
 @pytest.mark.function("pr", "ws")
 @pytest.mark.parametrize("way", [100, -250, 1])
-def test_pr_drives_its_distance(way):
+def test_pr_drives_commanded_distance(way):
     done = drive(f"connect_robot(1); pr({way}, {way}, 0); ws(1, 1, 0, 60);")
     assert done.x_in[-1] == pytest.approx(way / 10, abs=0.005)
     assert done.y_in[-1] == 0.0
@@ -41,7 +41,7 @@ def test_pr_drives_its_distance(way):
         (-50, -50, -100, 3.0),  # magnitudes: 1 s up, 1 s at 5 in/s, 1 s down
     ],
 )
-def test_a_move_takes_the_time_of_its_trapezoid(acceleration, speed, way, seconds):
+def test_move_takes_time_of_trapezoidal_profile(acceleration, speed, way, seconds):
     done = drive(
         f"""{NOW} ac({acceleration}, {acceleration}, 0); sp({speed}, {speed}, 0);
         gettimeofday(&a, NULL); pr({way}, {way}, 0); ws(1, 1, 0, 60); {PASSED}"""
@@ -51,7 +51,7 @@ def test_a_move_takes_the_time_of_its_trapezoid(acceleration, speed, way, second
 
 
 @pytest.mark.function("pr")
-def test_wheels_turn_the_robot_by_their_difference():
+def test_robot_turns_by_difference_of_wheels():
     done = drive("connect_robot(1); pr(100, -100, 0); ws(1, 1, 0, 60);")
     assert done.heading_deg[-1] == pytest.approx(math.degrees(20 / BASE_IN), abs=0.01)
     done = drive("connect_robot(1); sp(100, 50, 0); ac(100, 50, 0); pr(200, 100, 0); ws(1,1,0,60);")
@@ -69,7 +69,7 @@ def test_pr_returns_at_once():
 
 
 @pytest.mark.function("pr", "vm")
-def test_a_new_command_replaces_the_running_one_from_the_speed_reached():
+def test_new_command_starts_from_speed_reached():
     done = drive(
         """connect_robot(1); pr(1000, 1000, 0); usleep(1000000);
         pr(-50, -50, 0); ws(1, 1, 0, 60); gs(); printf("%ld", State[34]);"""
@@ -94,7 +94,7 @@ def test_vm_keeps_its_speed_until_st():
 
 
 @pytest.mark.function("vm", "ac", "get_rv")
-def test_speeds_change_with_the_acceleration():
+def test_speeds_change_with_acceleration():
     read = f"usleep(250000); get_rv(); {SPEEDS}"
     done = drive(f"connect_robot(1); ac(200, 100, 0); vm(100, -100, 0); {read}{read}{read}")
     right, left, turret = done.numbers[0::3], done.numbers[1::3], done.numbers[2::3]
@@ -107,7 +107,7 @@ def test_speeds_change_with_the_acceleration():
 
 
 @pytest.mark.function("ac", "sp", "vm")
-def test_nothing_is_faster_than_the_robot():
+def test_speed_is_limited_to_maximum_of_robot():
     done = drive(
         f"""connect_robot(1); ac(30000, 30000, 0); sp(30000, 30000, 0); vm(9999, -9999, 0);
         sleep(2); get_rv(); {SPEEDS} st(); ws(1, 1, 0, 9); pr(2000, 2000, 0);
@@ -132,7 +132,7 @@ def test_mv_commands_each_axis_in_its_own_mode():
 
 
 @pytest.mark.function("mv")
-def test_mv_without_a_motion_leaves_the_motion_alone():
+def test_mv_without_motion_keeps_motion():
     done = drive(
         "connect_robot(1); pr(100, 100, 0); mv(0, 1, 0, 2, 0, 3); mv(MV_SP, 1, MV_AC, 1, 0, 0);"
         "ws(1, 1, 0, 20);"
@@ -144,13 +144,13 @@ def test_mv_without_a_motion_leaves_the_motion_alone():
 
 
 @pytest.mark.function("ws")
-def test_ws_gives_up_after_its_timeout_and_stops_nothing():
+def test_ws_times_out_without_stopping_axes():
     done = drive(f"{NOW} vm(100, 100, 0); {PASSED} ws(1, 1, 0, 2); {PASSED} get_rv(); {SPEEDS}")
     assert done.numbers[1:] == [pytest.approx(2 + 58 * 10 / 38400, abs=0.002), 100, 100, 0]
 
 
 @pytest.mark.function("ws")
-def test_ws_waits_for_the_axes_that_are_chosen():
+def test_ws_waits_for_selected_axes():
     done = drive(
         f"""{NOW} pr(100, 300, 0); ws(1, 0, 0, 60); {PASSED} ws(0, 1, 0, 60); {PASSED}
         ws(0, 0, 0, 60); {PASSED}"""
@@ -171,14 +171,14 @@ def test_timeouts_of_ws_are_bytes_and_0_does_not_wait():
 
 
 @pytest.mark.function("conf_tm", "vm")
-def test_the_robot_stops_when_its_program_sleeps_too_long():
+def test_robot_stops_after_command_timeout():
     done = drive("connect_robot(1); conf_tm(2); vm(100, 100, 0); sleep(9); gs();")
     assert done.x_in[-1] == pytest.approx(20, abs=0.02)
     assert done.x_in[round(4 / 0.05)] == pytest.approx(20, abs=0.02)
 
 
 @pytest.mark.function("conf_tm")
-def test_any_command_keeps_the_robot_going():
+def test_any_command_restarts_command_timeout():
     done = drive(
         """int i; connect_robot(1); conf_tm(1); vm(100, 100, 0);
         for (i = 0; i < 10; i++) { usleep(900000); get_bp(); }"""
@@ -188,7 +188,7 @@ def test_any_command_keeps_the_robot_going():
 
 @pytest.mark.function("conf_tm")
 @pytest.mark.parametrize("timeout", [0, 256, 1000])
-def test_conf_tm_takes_a_byte_and_0_is_never(timeout):
+def test_conf_tm_takes_byte_and_0_disables_it(timeout):
     done = drive(f"connect_robot(1); conf_tm(1); conf_tm({timeout}); vm(100, 100, 0); sleep(8);")
     assert done.x_in[-1] > 75  # 1000 are 232 s
 
@@ -211,7 +211,7 @@ TWO = '<robot x="0" y="0"/><robot x="30in" y="0"/>'
 
 
 @pytest.mark.function("lp", "st")
-def test_a_limp_robot_is_pushed_away_and_knows_it_and_a_held_one_stays():
+def test_limp_robot_is_pushed_and_counts_it_while_held_one_stays():
     pushes = "connect_robot(1); sleep(1); vm(100, 100, 0); sleep(8);"
     for how, least, most in (("lp", 500, 700), ("st", 0, 9)):
         waits = f'connect_robot(1); {how}(); sleep(9); get_rc(); printf("%ld", State[34]);'
@@ -223,7 +223,7 @@ def test_a_limp_robot_is_pushed_away_and_knows_it_and_a_held_one_stays():
 
 
 @pytest.mark.function("vm", "get_rc", "gs")
-def test_a_robot_at_a_wall_stalls_and_its_odometry_stops():
+def test_robot_at_wall_stalls_and_odometry_stops():
     done = drive(
         'connect_robot(1); vm(100, 100, 0); sleep(9); gs(); printf("%ld %ld %ld %ld ", State[34],'
         "State[38], State[39], State[41]); vm(-100, -100, 0); sleep(3); get_rc();"
@@ -236,7 +236,7 @@ def test_a_robot_at_a_wall_stalls_and_its_odometry_stops():
 
 
 @pytest.mark.function("pr", "ws")
-def test_a_move_into_a_wall_is_not_done():
+def test_move_into_wall_does_not_complete():
     done = drive(
         f"{NOW} pr(900, 900, 0); {PASSED} ws(1, 1, 0, 15); {PASSED} pr(-10, -10, 0);"
         f"ws(1, 1, 0, 15); {PASSED}",
@@ -247,7 +247,7 @@ def test_a_move_into_a_wall_is_not_done():
 
 
 @pytest.mark.function("pr")
-def test_a_box_is_pushed_along():
+def test_robot_pushes_box():
     box = '<box id="box" x="30in" y="0" length="10in" width="10in" mass="5kg"/>'
     done = drive(
         "connect_robot(1); pr(500, 500, 0); ws(1, 1, 0, 30);",
@@ -262,7 +262,7 @@ def test_a_box_is_pushed_along():
 
 
 @pytest.mark.function("dp", "da")
-def test_dp_and_da_set_the_odometry_and_move_nothing():
+def test_dp_and_da_set_odometry_without_motion():
     done = drive(
         f"connect_robot(1); dp(1234, -567); {TELL} da(-900, 100); {TELL} pr(100, 100, 0);"
         f"ws(1, 1, 0, 9); {TELL}"
@@ -273,14 +273,14 @@ def test_dp_and_da_set_the_odometry_and_move_nothing():
 
 
 @pytest.mark.function("zr")
-def test_zr_of_a_scout_sets_the_odometry_to_zero_at_once():
+def test_zr_of_scout_sets_odometry_to_zero_at_once():
     done = drive(f"{NOW} pr(100, 50, 0); ws(1, 1, 0, 9); {PASSED} zr(); {PASSED} {TELL}")
     assert done.numbers[1:] == [pytest.approx(54 * 10 / 38400, abs=0.001), 0, 0, 0, 0]
     assert done.x_in[-1] > 7
 
 
 @pytest.mark.function("place_robot")
-def test_place_robot_moves_the_robot_and_its_odometry():
+def test_place_robot_moves_robot_and_odometry():
     done = drive(
         f"""connect_robot(1); pr(100, 0, 0); ws(1, 1, 0, 9);
         printf("%d ", place_robot(300, -400, 900, 0)); get_rc(); {TELL}
@@ -295,7 +295,7 @@ def test_place_robot_moves_the_robot_and_its_odometry():
 
 
 @pytest.mark.function("get_rc", "get_rv")
-def test_get_rc_and_get_rv_refresh_their_own_part_of_state():
+def test_get_rc_and_get_rv_refresh_only_their_part_of_state():
     done = drive(
         f"""connect_robot(1); vm(100, 100, 0); sleep(2);
         {TELL} {SPEEDS} get_rc(); {TELL} {SPEEDS} sleep(1); get_rv(); {TELL} {SPEEDS}"""
@@ -307,7 +307,7 @@ def test_get_rc_and_get_rv_refresh_their_own_part_of_state():
 
 
 @pytest.mark.function("get_rc")
-def test_a_noisy_scout_believes_what_is_not_so():
+def test_odometry_of_noisy_scout_deviates_from_true_pose():
     program = f"connect_robot(1); pr(2000, 2000, 0); ws(1, 1, 0, 60); get_rc(); {TELL}"
     ideal, noisy = (drive(program, setup=setup) for setup in ("ideal", "noisy"))
     assert noisy.numbers == ideal.numbers == [2000, 0, 0, 0]
@@ -320,7 +320,7 @@ def test_a_noisy_scout_believes_what_is_not_so():
 
 
 @pytest.mark.function("pr", "vm", "ws", "zr", "da")
-def test_a_nomad_200_drives_steers_and_turns_its_turret():
+def test_nomad_200_drives_steers_and_turns_turret():
     done = drive(
         f"""connect_robot(1); ac(300, 500, 500); sp(100, 300, 300);
         pr(0, 900, -900); ws(0, 1, 1, 60); {TELL}
@@ -344,7 +344,7 @@ def test_a_nomad_200_drives_steers_and_turns_its_turret():
 
 
 @pytest.mark.function("zr")
-def test_zr_of_a_nomad_200_blocks_until_it_is_aligned():
+def test_zr_of_nomad_200_blocks_until_aligned():
     done = drive(
         f"""{NOW} ac(300, 500, 500); sp(100, 300, 300); pr(0, 900, 0); ws(1, 1, 1, 60);
         gettimeofday(&a, NULL); zr(); {PASSED} {TELL}""",

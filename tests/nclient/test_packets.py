@@ -1,4 +1,4 @@
-"""Packets of the user's own, against bytes made by hand, and the arm that understands them."""
+"""User-defined packets, compared with hand-made bytes, and the arm that accepts them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ DUMP = 'for (i = 0; i < index; i++) printf("%d ", buffer[i]);'
 
 
 def packed(calls):
-    """Gives the bytes that calls put into a buffer, and what they gave."""
+    """Return the bytes that calls write to a buffer, and their return values."""
     done = drive(f"""
         unsigned char buffer[64] = {{0}};
         unsigned short index;
@@ -26,7 +26,7 @@ def packed(calls):
 @pytest.mark.function("init_send_buffer", "stuff_send_buffer_header")
 @pytest.mark.function("stuffchar", "stuff2byteint", "stuff4byteint")
 @pytest.mark.function("stuffuchar", "stuff2byteuint", "stuff4byteuint", "stuffdouble")
-def test_numbers_are_packed_low_byte_first_and_with_a_sign_of_their_own():
+def test_numbers_are_packed_little_endian_with_separate_sign():
     given, *found = packed("""
         init_send_buffer(&index);
         stuffchar(-5, buffer, &index);
@@ -44,7 +44,7 @@ def test_numbers_are_packed_low_byte_first_and_with_a_sign_of_their_own():
 
 
 @pytest.mark.function("stuffchar", "stuff2byteint", "stuff4byteint", "init_send_buffer")
-def test_every_packing_function_gives_the_new_index():
+def test_packing_functions_return_new_index():
     assert packed("""
         printf("%d ", init_send_buffer(&index));
         printf("%d ", stuffchar(1, buffer, &index));
@@ -58,7 +58,7 @@ def test_every_packing_function_gives_the_new_index():
 @pytest.mark.function("init_receive_buffer", "extract_receive_buffer_header")
 @pytest.mark.function("extractchar", "extract2byteint", "extract4byteint", "extractdouble")
 @pytest.mark.function("extractuchar", "extract2byteuint", "extract4byteuint")
-def test_numbers_are_taken_out_as_they_were_put_in():
+def test_unpacking_inverts_packing():
     content = [0x85, 0x02, 0x81, 0, 0, 1, 0x80, 200, 0xCD, 0xAB, 0xEF, 0xCD, 0xAB, 0x89]
     content += struct.pack("<d", -1.5)
     done = drive(f"""
@@ -86,7 +86,7 @@ def test_numbers_are_taken_out_as_they_were_put_in():
 @pytest.mark.parametrize(
     ("size", "ctype", "least"), [(2, "short", -32767), (4, "long", -(2**31) + 1)]
 )
-def test_packing_and_unpacking_the_limits(size, ctype, least):
+def test_limits_are_packed_and_unpacked(size, ctype, least):
     done = drive(f"""
         unsigned char buffer[16];
         unsigned short index = 4;
@@ -100,7 +100,7 @@ def test_packing_and_unpacking_the_limits(size, ctype, least):
 
 
 @pytest.mark.function("special_request", "arm_mv", "arm_ws", "arm_zr")
-def test_no_robot_knows_packets_of_the_users_own():
+def test_user_packets_are_refused():
     done = drive("""
         unsigned char send[300] = {44, 1, 0, 1}, receive[300] = {9};
         long left = 5;
@@ -114,7 +114,7 @@ def test_no_robot_knows_packets_of_the_users_own():
     assert done.numbers == [0, 9, 1, 0, 0, 0, 0, 0]
 
 
-def test_a_packet_that_is_too_long_is_cut_off():
+def test_long_packet_is_truncated():
     done = drive("""
         static unsigned char send[0xFFFF] = {0xFF, 0xFF}, receive[300];
         connect_robot(1);

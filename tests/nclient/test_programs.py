@@ -1,4 +1,4 @@
-"""Programs as they were written: with names of their own, without headers, in old C."""
+"""Programs as they were written: with their own names, without headers, in old C."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_the_scouts_macros(head):
     assert done.heading_deg[-1] == pytest.approx(90, abs=1)
 
 
-def test_the_same_macros_again_are_taken_silently_others_with_a_warning():
+def test_macro_redefinition_warns_only_if_different():
     include = '#include "Nclient.h"\n'
     assert warnings_of(include + OWN_MACROS + "int unit;\n") == []
     assert warnings_of(OWN_MACROS + include + "int unit;\n") == []
@@ -65,7 +65,7 @@ def test_the_same_macros_again_are_taken_silently_others_with_a_warning():
     assert "LEFT" in told[0]
 
 
-def test_a_programs_own_macro_wins():
+def test_macro_of_program_takes_precedence():
     done = drive("""
         #include <stdio.h>
         #include <Nclient.h>
@@ -79,7 +79,7 @@ def test_a_programs_own_macro_wins():
 
 
 @pytest.mark.function("connect_robot", "dp", "gs")
-def test_a_program_defines_the_clients_variables_itself():
+def test_program_may_define_client_variables():
     done = drive("""
         #include <stdio.h>
         #include "Nclient.h"
@@ -99,7 +99,7 @@ def test_a_program_defines_the_clients_variables_itself():
 
 
 @pytest.mark.function("vm", "conf_tm", "conf_ser", "pa", "ac", "get_sn", "tk")
-def test_a_program_without_any_header():
+def test_program_without_header_runs():
     done = drive("""
         long State[45];
         main()
@@ -121,7 +121,7 @@ def test_a_program_without_any_header():
 
 
 @pytest.mark.function("mv")
-def test_mv_sends_only_what_it_knows():
+def test_mv_sends_only_known_modes():
     done = drive("""
         connect_robot(1);
         printf("%d %d ", mv(MV_PA, 1, MV_IGNORE, 0, MV_IGNORE, 0), mv(0, 0, 0, 0, -1, 0));
@@ -140,7 +140,7 @@ def test_speaking():
     assert (silent.status, "hello" in silent.output[0]) == (0, False)
 
 
-def test_writing_behind_the_mask_is_told():
+def test_writing_past_end_of_mask_is_reported():
     done = drive("int i; connect_robot(1); for (i = 0; i <= NUM_MASK; i++) Smask[i] = 1;")
     error = done.session.result().robots[0].error
     assert error is not None
@@ -156,14 +156,14 @@ def test_writing_behind_the_mask_is_told():
         ("posSonarRingget(0)", "posSonarRingGet"),
     ],
 )
-def test_a_misspelt_name_is_told_with_the_one_that_was_meant(call, meant):
+def test_misspelt_name_is_reported_with_suggestion(call, meant):
     with pytest.raises(CompileError) as caught:
         drive(f"connect_robot(1); {call};")
     assert meant in "".join(each.render() for each in caught.value.diagnostics)
 
 
 @pytest.mark.parametrize("use", ["State[0]", "SERV_TCP_PORT", "STATE_SONAR_0"])
-def test_a_name_without_its_header_leads_to_it(use):
+def test_missing_header_is_suggested(use):
     with pytest.raises(CompileError) as caught:
         drive(f"int main(void) {{ return {use}; }}")
     assert "include <Nclient.h>" in "".join(each.render() for each in caught.value.diagnostics)
@@ -183,7 +183,7 @@ int dp(int x, int y);
 
 
 @pytest.mark.function("connect_robot", "dp")
-def test_a_program_brings_a_header_of_its_own():
+def test_program_may_bring_its_own_header():
     done = drive(VENDORS_WAY + """
         #include <stdio.h>
         #include "Nclient.h"
@@ -193,7 +193,7 @@ def test_a_program_brings_a_header_of_its_own():
 
 
 @pytest.mark.function("predict_sensors", "posSonarRingGet", "get_rpx")
-def test_pointers_that_lead_nowhere_stop_the_program_alone():
+def test_invalid_pointers_stop_only_their_program():
     for call in ("get_rpx(NULL)", "posSonarRingGet(NULL)", "get_state(NULL)", "tk(NULL)"):
         done = drive(f"connect_robot(1); posDataRequest(POS_SONAR); {call};")
         error = done.session.result().robots[0].error

@@ -1,4 +1,4 @@
-"""The sensors but the sonars, as a program sees them against a world of known distances."""
+"""The sensors except sonars, as a program sees them in a world of known distances."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ PRINT_POS = (
 
 
 def near_wall(distance_in: float) -> str:
-    """Gives a wall so far ahead of a Nomad's shell."""
+    """Return a wall at a distance ahead of a Nomad's shell."""
     x_in = RADIUS_IN + distance_in + 1
     return f'<wall x1="{x_in}in" y1="-5m" x2="{x_in}in" y2="5m" thickness="2in"/>'
 
 
 def own(folder: Path, robot: str, old: str, new: str) -> str:
-    """Writes a definition like a known one, but for something, and gives its path."""
+    """Write a known definition with a change; return its path."""
     text = (Path(world_xml.__file__).parents[0] / "robots" / f"{robot}.xml").read_text()
     assert old in text
     path = folder / "own.xml"
@@ -44,7 +44,7 @@ def own(folder: Path, robot: str, old: str, new: str) -> str:
 
 
 @pytest.mark.function("get_bp")
-def test_the_bit_of_the_bumper_is_on_the_side_of_the_contact():
+def test_bumper_bit_is_on_side_of_contact():
     done = drive(
         """connect_robot(1); vm(100, 100, 0);
         do get_bp(); while (State[STATE_BUMPER] == 0);
@@ -53,11 +53,11 @@ def test_the_bit_of_the_bumper_is_on_the_side_of_the_contact():
         pr(-50, -50, 0); ws(1, 1, 0, 20); get_bp(); printf("%ld\\n", State[STATE_BUMPER]);""",
         things='<robot x="0" y="0"/><wall x1="30in" y1="-2m" x2="30in" y2="2m"/>',
     )
-    assert done.numbers == [1, 1, 0]  # switch 0 is ahead, also while it stands against the wall
+    assert done.numbers == [1, 1, 0]  # switch 0 is in front, also while it is at rest at the wall
 
 
 @pytest.mark.function("get_bp")
-def test_robots_that_bump_each_other_both_feel_it():
+def test_collision_of_robots_presses_bumpers_of_both():
     done = drive(
         "connect_robot(1); vm(100, 100, 0); sleep(6); get_bp();"
         'printf("%ld\\n", State[STATE_BUMPER]);',
@@ -72,7 +72,7 @@ def test_robots_that_bump_each_other_both_feel_it():
 
 
 @pytest.mark.function("get_ir")
-def test_infrared_reads_inches_to_the_wall_ahead():
+def test_infrared_reads_inches_to_wall():
     done = drive(
         'connect_robot(1); printf("%d\\n", get_ir());'
         'printf("%ld %ld\\n", State[STATE_IR_0], State[STATE_IR_8]);',
@@ -82,7 +82,7 @@ def test_infrared_reads_inches_to_the_wall_ahead():
 
 
 @pytest.mark.function("conf_ir")
-def test_conf_ir_chooses_sensors_and_lets_readings_linger():
+def test_conf_ir_selects_sensors_and_history():
     done = drive(
         """int first[16] = {1, 255}, all[16] = {0, 1, 2, 15, 255};
         connect_robot(1);
@@ -103,7 +103,7 @@ def test_conf_ir_chooses_sensors_and_lets_readings_linger():
 
 
 @pytest.mark.function("conf_cp", "get_cp")
-def test_the_compass_tells_the_turrets_direction_once_it_is_on():
+def test_compass_reads_turret_direction_when_on():
     done = drive(
         """connect_robot(1); get_cp(); printf("%ld\\n", State[STATE_COMPASS]);
         printf("%d\\n", conf_cp(1)); get_cp(); printf("%ld\\n", State[STATE_COMPASS]);
@@ -117,7 +117,7 @@ def test_the_compass_tells_the_turrets_direction_once_it_is_on():
 
 
 @pytest.mark.function("conf_cp")
-def test_calibrating_turns_the_turret_once_around(tmp_path):
+def test_compass_calibration_turns_turret_once(tmp_path):
     done = drive(
         """connect_robot(1); conf_cp(2); ws(0, 0, 1, 255);
         gs(); printf("%ld %d", State[STATE_CONF_TURRET], posTimeGet());""",
@@ -135,7 +135,7 @@ PRINT_LASER = """
 
 
 @pytest.mark.function("conf_ls", "get_ls")
-def test_laser_points_lie_on_the_wall():
+def test_laser_points_are_on_wall():
     done = drive(
         'int i; connect_robot(1); printf("%d ", conf_ls(51, 20, 20, 20, 4)); Laser[0] = 0;'
         'printf("%d ", get_ls());' + PRINT_LASER % 2,
@@ -150,7 +150,7 @@ def test_laser_points_lie_on_the_wall():
 
 
 @pytest.mark.function("conf_sg", "get_sg")
-def test_laser_segments_are_the_sides_of_a_corner():
+def test_laser_segments_are_sides_of_corner():
     done = drive(
         "int i; connect_robot(1); conf_ls(33, 20, 20, 482, 4);"
         'printf("%d ", conf_sg(50, 4, 30)); printf("%d ", get_sg());' + PRINT_LASER % 4,
@@ -167,7 +167,7 @@ def test_laser_segments_are_the_sides_of_a_corner():
 
 
 @pytest.mark.function("conf_ls", "get_ls")
-def test_every_state_brings_all_points_of_the_laser():
+def test_every_state_includes_all_laser_points():
     done = drive(
         """int i; connect_robot(1); conf_ls(51, 20, 20, 482, 4); gs();
         printf("%d %ld %d %d ", Laser[0], State[STATE_LASER], Laser[1], Laser[2 * Laser[0] - 1]);
@@ -177,12 +177,12 @@ def test_every_state_brings_all_points_of_the_laser():
     assert done.numbers == [482, 51, 787, 787, 0]
 
 
-# -- what a Scout does not have ----------------------------------------------------------------
+# -- devices that a Scout does not have ---------------------------------------------------------
 
 
 @pytest.mark.function("get_ir", "get_cp", "get_ls", "get_sg", "conf_ir", "conf_cp", "conf_ls")
 @pytest.mark.parametrize("client", ["nclient", "ndirect"])
-def test_a_scout_refuses_what_it_does_not_have(client):
+def test_scout_refuses_missing_devices(client):
     done = drive(
         """int order[16] = {255};
         connect_robot(1, MODEL_SCOUT2, "/dev/ttyS0", 38400);
@@ -211,7 +211,7 @@ def test_pos_data_are_attached_on_request():
 
 
 @pytest.mark.function("posInfraredRingGet", "posInfraredGet", "posLaserGet", "posCompassGet")
-def test_pos_data_tell_where_the_robot_was_when_it_measured():
+def test_pos_data_contain_pose_at_measurement():
     done = drive(
         f"""PosData ring[INFRAREDS], p; int i;
         connect_robot(1); conf_cp(1); conf_ls(51, 20, 20, 20, 4);
@@ -231,7 +231,7 @@ def test_pos_data_tell_where_the_robot_was_when_it_measured():
 
 
 @pytest.mark.function("posSonarRingGet", "posSonarGet")
-def test_each_sonar_has_its_own_time():
+def test_each_sonar_has_its_own_timestamp():
     done = drive(
         """PosData ring[SONARS], p; int i, order[16] = {0, 8, 4, 255};
         connect_robot(1); conf_sn(15, order); posDataRequest(POS_SONAR); sleep(2); get_sn();
@@ -247,7 +247,7 @@ def test_each_sonar_has_its_own_time():
 
 
 @pytest.mark.function("posBumperGet")
-def test_the_bumper_has_the_time_and_place_of_the_hit():
+def test_bumper_pos_data_are_those_of_hit():
     done = drive(
         f"""PosData p; long hit_ms; connect_robot(1); posDataRequest(POS_BUMPER);
         gs(); posBumperGet(&p); {PRINT_POS}
@@ -264,7 +264,7 @@ def test_the_bumper_has_the_time_and_place_of_the_hit():
 
 
 @pytest.mark.function("posTimeGet")
-def test_the_boards_time_is_that_of_the_last_reply_in_steps_of_16_4_ms():
+def test_board_time_is_that_of_last_reply_in_steps_of_16_4_ms():
     done = drive(
         """int i; connect_robot(1);
         for (i = 0; i < 5; i++) { sleep(1); gs(); printf("%d ", posTimeGet()); }
@@ -281,17 +281,17 @@ def test_the_boards_time_is_that_of_the_last_reply_in_steps_of_16_4_ms():
 
 
 @pytest.mark.function("voltCpuGet", "voltMotorGet")
-def test_the_voltages_are_those_of_full_batteries_at_the_start():
+def test_initial_voltages_are_those_of_full_batteries():
     done = drive(
         'connect_robot(1); gs(); printf("%.3f %.3f", voltCpuGet(), voltMotorGet());',
     )
     cpu, motor = done.numbers
-    assert cpu == 12.0  # the most that the byte on the line can tell
+    assert cpu == 12.0  # the maximum of the byte on the line
     assert motor == pytest.approx(12.7, abs=0.02)
 
 
 @pytest.mark.function("voltMotorGet")
-def test_driving_drains_the_motors_battery(tmp_path):
+def test_driving_drains_motor_battery(tmp_path):
     cells = '''capacity="408Wh" power="5W" curve="10.5 11.5 11.8 12.0 12.2 12.4 12.7"'''
     done = drive(
         """float before; connect_robot(1); gs(); before = voltMotorGet();

@@ -1,4 +1,4 @@
-"""The sonars as a C program sees them: distances known by hand, and how old they are."""
+"""The sonars as a C program sees them: hand-computed distances, and their age."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ BEAM = math.atan2(45, 255)  # to each side
 
 
 def ring(things: str, setup: str = "") -> list[int]:
-    """Gives what a Scout at the origin reads of things."""
+    """Return the readings of a Scout at the origin for objects."""
     done = drive(f"connect_robot(1); get_sn(); {TELL}", things=OPEN + things, setup=setup)
     return [int(number) for number in done.numbers]
 
 
 def wall(distance_in: float, turned_deg: float, thick_in: float = 1.0) -> str:
-    """Gives a wall whose foot is so far from the origin, its normal turned off the heading."""
+    """Return a wall at a distance from the origin, its normal turned off the heading."""
     turn = math.radians(turned_deg)
     middle = (distance_in + thick_in / 2) * complex(math.cos(turn), math.sin(turn))
     along = 800 * 1j * complex(math.cos(turn), math.sin(turn))
@@ -32,9 +32,9 @@ def wall(distance_in: float, turned_deg: float, thick_in: float = 1.0) -> str:
 
 
 def expected_wall(number: int, distance_in: float, turned_deg: float) -> int:
-    """Gives what a sonar reads of a wall: by hand, from the foot of the perpendicular.
+    """Return a sonar's reading of a wall, from the foot of the perpendicular.
 
-    The sonar sits 8 in from the middle, so the wall is 8 in times the cosine of the angle between
+    The sonar is 8 in from the centre, so the wall is 8 in times the cosine of the angle between
     sonar and normal nearer to it; where the foot is out of the beam its side meets the wall first.
     """
     off = math.remainder(math.radians(22.5 * number - turned_deg), math.tau)
@@ -46,14 +46,14 @@ def expected_wall(number: int, distance_in: float, turned_deg: float) -> int:
 
 @pytest.mark.function("get_sn")
 @pytest.mark.parametrize("turned", [0, 5, 11, 22.5, 45, 70])
-def test_a_wall_at_several_angles(turned):
+def test_wall_is_measured_at_several_angles(turned):
     readings = ring(wall(100, turned))
     assert readings == [expected_wall(number, 100, turned) for number in range(16)]
 
 
 @pytest.mark.function("get_sn")
 @pytest.mark.parametrize("number", [0, 3, 8, 13])
-def test_a_cylinder_before_each_sonar(number):
+def test_cylinder_is_measured_by_each_sonar(number):
     turn = math.radians(22.5 * number)
     place = f'x="{120 * math.cos(turn)}in" y="{120 * math.sin(turn)}in"'
     readings = ring(f'<cylinder {place} radius="12in"/>')
@@ -63,7 +63,7 @@ def test_a_cylinder_before_each_sonar(number):
 
 @pytest.mark.function("get_sn")
 @pytest.mark.parametrize("setup", ["", "noisy"])
-def test_a_corner_of_a_box(setup):
+def test_corner_of_box_is_measured(setup):
     # The corner points at the robot, so that its faces are turned by 45 degrees.
     box = f'<box x="{90 + 10 * math.sqrt(2)}in" y="0" length="20in" width="20in" heading="45"/>'
     reading = ring(box, setup)[0]
@@ -71,14 +71,14 @@ def test_a_corner_of_a_box(setup):
 
 
 @pytest.mark.function("get_sn")
-def test_a_smooth_wall_is_not_heard_beyond_its_critical_angle():
+def test_smooth_wall_has_no_echo_beyond_critical_angle():
     # Sonar 2 looks at the wall ahead from 45 degrees; its beam begins at 35.
     assert ring(wall(60, 0))[2] == expected_wall(2, 60, 0) < 255
     assert ring(wall(60, 0), "noisy")[2] == 255
 
 
 @pytest.mark.function("get_sn")
-def test_get_sn_refreshes_the_sonars_and_nothing_else():
+def test_get_sn_refreshes_only_sonars():
     done = drive(
         """
         connect_robot(1); State[STATE_CONF_X] = 77; State[STATE_SONAR_0] = -1;
@@ -94,7 +94,7 @@ def test_get_sn_refreshes_the_sonars_and_nothing_else():
 
 
 def subset(order: str, rate: int = 15, wait_us: int = 1_000_000) -> list[int]:
-    """Gives the sonars that hear a wall around them after a call of `conf_sn`."""
+    """Return the sonars that hear a wall around them after a call of `conf_sn`."""
     done = drive(
         f"""
         {order}
@@ -119,7 +119,7 @@ def subset(order: str, rate: int = 15, wait_us: int = 1_000_000) -> list[int]:
         ("int order[2] = {9, -1};", [9]),
     ],
 )
-def test_conf_sn_fires_the_sonars_up_to_255(order, heard):
+def test_conf_sn_order_ends_at_255(order, heard):
     assert subset(order) == heard
 
 
@@ -138,7 +138,7 @@ def test_conf_sn_fires_every_rate_times_4_ms(rate, interval_s):
 
 
 @pytest.mark.function("conf_sn")
-def test_readings_get_older_until_it_is_their_turn():
+def test_readings_age_until_next_firing():
     # At 20 in/s towards a wall: sonar 0 fires each half second, so its reading falls by 10 in.
     done = drive(
         """
@@ -162,7 +162,7 @@ def test_readings_get_older_until_it_is_their_turn():
 
 
 @pytest.mark.function("conf_sn", "get_sn")
-def test_two_robots_see_each_other():
+def test_two_robots_measure_each_other():
     done = drive(
         f"""
         int order[2] = {{0, 255}};
@@ -175,7 +175,7 @@ def test_two_robots_see_each_other():
 
 
 @pytest.mark.function("conf_sn")
-def test_a_program_in_the_manner_of_carmen_switches_its_sonars_off():
+def test_carmen_style_program_switches_sonars_off():
     done = drive(
         """
         int order[16] = {0,2,15,1,14,3,13,4,12,5,11,6,10,7,9,8};

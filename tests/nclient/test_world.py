@@ -1,4 +1,4 @@
-"""What a program can ask of the simulator: obstacles, where robots are, what would be if."""
+"""Requests to the simulator: obstacles, poses of robots, and predictions."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from tests.nclient.drive import drive
 
 BLOCK = "long block[21] = {4, 300, -200, 500, -200, 500, 200, 300, 200};"
 LOOK = 'conf_sn(15, order); ws(1, 1, 1, 1); usleep(100000); gs(); printf("%ld ", State[17]);'
-"""Fires the sonar ahead alone, and prints what it hears."""
+"""Fires only the front sonar, and prints its reading."""
 
 ORDER = "int order[2] = {0, 255}; connect_robot(1);"
 
 
 @pytest.mark.function("add_obstacle", "move_obstacle", "delete_obstacle")
 @pytest.mark.parametrize("names", ["obstacle", "Obs"])
-def test_an_obstacle_is_added_moved_and_deleted(names):
+def test_obstacle_is_added_moved_and_deleted(names):
     done = drive(
         f"""{BLOCK} {ORDER}
         printf("%d ", add_{names}(block)); {LOOK}
@@ -29,7 +29,7 @@ def test_an_obstacle_is_added_moved_and_deleted(names):
 
 
 @pytest.mark.function("add_Obs", "move_Obs", "delete_Obs", "new_world")
-def test_a_robot_is_stopped_by_an_obstacle_until_the_world_is_new():
+def test_obstacle_stops_robot_until_new_world():
     done = drive(
         f"""{BLOCK} connect_robot(1); add_Obs(block);
         pr(600, 600, 0); ws(1, 1, 1, 6); gs(); printf("%d ", State[33] != 0);
@@ -44,7 +44,7 @@ def test_a_robot_is_stopped_by_an_obstacle_until_the_world_is_new():
 
 
 @pytest.mark.function("add_obstacle")
-def test_robots_share_the_obstacles_that_their_programs_add():
+def test_robots_share_added_obstacles():
     first = f"{BLOCK} connect_robot(1); add_obstacle(block); sleep(3);"
     second = f"{ORDER} sleep(1); {LOOK}"
     robots = '<robot x="0" y="0"/><robot x="-30in" y="60in" heading="-90deg"/>'
@@ -54,7 +54,7 @@ def test_robots_share_the_obstacles_that_their_programs_add():
 
 
 @pytest.mark.function("get_rpx")
-def test_get_rpx_tells_where_all_robots_are():
+def test_get_rpx_returns_poses_of_all_robots():
     robots = "".join(f'<robot x="{30 * n}in" y="{n}in" heading="{n}deg"/>' for n in range(23))
     done = drive(
         'long p[1 + 3 * 30]; int i; connect_robot(1); printf("%d ", get_rpx(p));'
@@ -67,13 +67,13 @@ def test_get_rpx_tells_where_all_robots_are():
 
 
 @pytest.mark.function("create_robot", "connect_robot")
-def test_create_robot_connects_to_the_robot_that_is_there():
+def test_create_robot_connects_to_existing_robot():
     done = drive('printf("%d ", create_robot(1) != 0); printf("%d", vm(10, 10, 0));')
     assert done.numbers == [1, 1]
 
 
 @pytest.mark.function("quit_server")
-def test_after_quit_server_nobody_answers():
+def test_quit_server_ends_all_answers():
     done = drive(
         'connect_robot(1); printf("%d ", quit_server()); printf("%d ", gs());'
         'printf("%ld\\n", State[STATE_ERROR]); printf("%d", connect_robot(1));'
@@ -85,7 +85,7 @@ def test_after_quit_server_nobody_answers():
 
 
 @pytest.mark.function("real_robot", "simulated_robot", "get_robot_conf", "special_request")
-def test_what_a_simulator_without_a_window_and_a_real_robot_cannot_do():
+def test_functions_of_real_robot_and_window_fail():
     done = drive(
         "long conf[4]; unsigned char out[1024] = {7, 0, 1, 200}, in[1024];"
         'connect_robot(1); printf("%d %d %d %d %d", real_robot(), simulated_robot(),'
@@ -95,7 +95,7 @@ def test_what_a_simulator_without_a_window_and_a_real_robot_cannot_do():
 
 
 @pytest.mark.function("motion_check")
-def test_motion_check_tells_where_a_path_ends():
+def test_motion_check_returns_first_collision():
     done = drive(
         f"""{BLOCK} double at[3] = {{7, 7, 7}}; connect_robot(1);
         printf("%d ", motion_check(0, 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0, 0.0, at));
@@ -108,12 +108,12 @@ def test_motion_check_tells_where_a_path_ends():
         printf("%d ", motion_check(1, 400.0, -250.0, -1.570796, 1.570796, 250.0, 400.0, 0.0, at));
         printf("%ld", State[STATE_ERROR]);"""
     )
-    # The block's corners are sqrt(100^2 + 200^2) = 223.6 away from its middle, the radius is 80.
+    # The block's corners are sqrt(100^2 + 200^2) = 223.6 away from its centre, the radius is 80.
     assert done.numbers == [0, 1, 220, 0, 0, 0, 1, 1, 0]
 
 
 @pytest.mark.function("predict_sensors")
-def test_predicted_sensors_are_those_that_are_measured_there():
+def test_predicted_sensors_equal_measurement_at_that_pose():
     wall = '<wall x1="5ft" y1="-9ft" x2="5ft" y2="9ft"/>'
     done = drive(
         """long state[45]; int laser[965], i, off = 0; connect_robot(1);
@@ -128,6 +128,6 @@ def test_predicted_sensors_are_those_that_are_measured_there():
         printf("%ld %ld", state[17], state[33]);""",
         things=f'<robot x="0" y="0" definition="nomad200"/>{wall}',
     )
-    # The middle of the wall is 60 in from where the robot was, and 30 in from where it is.
+    # The centre of the wall is 60 in from the robot's old position, and 30 in from the new one.
     radius_in = done.session.environment.world.robots[0].model.radius_m / 0.0254
     assert done.numbers == [1, 0, 1, 1, round(30 - 0.05 / 0.0254 - radius_in), 0]

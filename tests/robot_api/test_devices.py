@@ -27,7 +27,7 @@ def test_header_and_table_declare_the_same_functions() -> None:
     assert [" ".join(each.split()) for each in declared] == [each.prototype for each in FUNCTIONS]
 
 
-def test_the_library_defines_them_and_posts_what_the_table_says() -> None:
+def test_library_defines_functions_and_posts_requests_of_table() -> None:
     for function in FUNCTIONS:
         assert library().find(function.name) is not None, function.name
     text = "".join(path.read_text() for path in (SOURCES / "device").glob("*.c"))

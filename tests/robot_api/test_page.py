@@ -8,7 +8,7 @@ from crs_cc.robot_api.report import COMMANDS, REPORT_STATE
 from docs.generate.robot_api import dialect_functions, dialect_state, parameter
 
 
-def test_tables_of_the_dialect_show_every_command() -> None:
+def test_dialect_tables_show_every_command() -> None:
     lines = dialect_functions().splitlines()
     for command in COMMANDS:
         assert any(line.startswith(f"| `{command.prototype}` |") for line in lines)
@@ -17,6 +17,6 @@ def test_tables_of_the_dialect_show_every_command() -> None:
     assert len(dialect_state().splitlines()) == len(REPORT_STATE) + 2
 
 
-def test_a_parameter_that_no_definition_has_is_an_error() -> None:
+def test_unknown_parameter_is_an_error() -> None:
     with pytest.raises(KeyError):
         parameter("scout", "drive", "colour")

@@ -13,14 +13,14 @@ from crs_cc.session.library import SOURCES as LIBRARY
 FUNCTIONS = [function for group in GROUPS for function in group.functions]
 HEADER = re.sub(r"/\*.*?\*/", "", (HEADERS / "Nclient.h").read_text(), flags=re.DOTALL)
 NOT_THE_VENDORS = {"scout_pr", "scout_ws", "sonarSensorCheck"}
-"""What Scout programs defined for themselves, and we declare."""
+"""Names that Scout programs defined themselves, and we declare."""
 
 TESTS = Path(__file__).parents[1] / "nclient"
 OTHERS = {"report", "runcode"}
 CLIENT = [path for path in (LIBRARY / "robot").glob("*.c") if path.stem not in OTHERS]
 
 
-def test_the_vendors_header_declares_103_functions() -> None:
+def test_vendor_header_declares_103_functions() -> None:
     assert len([function for function in FUNCTIONS if function.declared]) == 103
     assert len({function.name for function in FUNCTIONS}) == len(FUNCTIONS)
 
@@ -35,7 +35,7 @@ def test_header_and_table_declare_the_same_functions() -> None:
 
 
 def names_and_values(rows: tuple) -> dict[str, int | float]:
-    """Gives the value of each name, of those that count up too."""
+    """Return the value of each name, including implicitly numbered ones."""
     values = {}
     for row in rows:
         first, _, last = row.name.partition(" .. ")
@@ -72,19 +72,19 @@ def test_header_and_table_have_the_same_variables_and_types() -> None:
     assert kinds == {row.name: row.value for row in TYPES}
 
 
-def test_the_library_defines_all_of_it() -> None:
+def test_library_defines_all_functions() -> None:
     for name in [*(function.name for function in FUNCTIONS), *(row.name for row in VARIABLES)]:
         assert library().find(name) is not None, name
 
 
-def test_the_library_posts_what_the_table_says() -> None:
+def test_library_posts_requests_of_table() -> None:
     text = "".join(path.read_text() for path in CLIENT)
     posted = set(re.findall(r"\bCRS_(\w+)", text)) & CODES.keys()
     told = {name for function in FUNCTIONS for name in function.posts}
     assert posted - {"CLIENT", "UNCONNECTED"} == told
 
 
-def test_every_source_is_named() -> None:
+def test_every_entry_names_its_source() -> None:
     for function in FUNCTIONS:
         assert set(function.source) <= SOURCES.keys(), function.name
 

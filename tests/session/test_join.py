@@ -238,14 +238,14 @@ def test_a_robot_of_another_model_joins(roam: Executable, tmp_path: Path):
 @pytest.mark.parametrize(
     ("changes", "reason"),
     [
-        ({"id": "home"}, "there is a thing with this id"),
+        ({"id": "home"}, "its id is in use"),
         ({"id": "edge-east"}, "the prefix edge- is reserved"),
         ({"id": "obstacle-1"}, "the prefix obstacle- is reserved"),
         ({"id": ""}, "letters, digits"),
         ({"id": "a b"}, "letters, digits"),
-        ({"start": Pose(1.2, 2.0)}, "'home' is in its place"),
-        ({"start": Pose(0.1, 2.0)}, "the edge of the world is in its place"),
-        ({"start": Pose(99.0, 2.0)}, "the edge of the world is in its place"),
+        ({"start": Pose(1.2, 2.0)}, "it would overlap 'home'"),
+        ({"start": Pose(0.1, 2.0)}, "it would overlap the edge of the world"),
+        ({"start": Pose(99.0, 2.0)}, "it would overlap the edge of the world"),
         ({"start": Pose(float("nan"), 2.0)}, "not finite"),
         ({"start": Pose(9.0, 2.0, float("inf"))}, "not finite"),
         ({"start": Pose(9.0, 2.0, 1e300)}, "too large"),
@@ -276,7 +276,7 @@ def test_only_a_present_robot_can_leave(roam: Executable):
         with pytest.raises(ValueError, match=r"unknown robot|no robot number"):
             session.remove_robot(robot)
     session.remove_robot("guest")
-    with pytest.raises(ValueError, match="has left before"):
+    with pytest.raises(ValueError, match="has already left"):
         session.remove_robot(1)
     run_to(session, 6.0)
     assert session.result().robots[1].outcome == "absent"

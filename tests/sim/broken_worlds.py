@@ -1,7 +1,7 @@
-"""Worlds that are broken in one place each, made from good ones by chance.
+"""Worlds with one random error each, made from good ones.
 
-A `Breakage` takes a good world apart and gives what stands in its file then. Whatever else the
-folder holds is made by `hostile_files`.
+A `Breakage` changes a good world and returns the content of its file. The other files in the folder
+are made by `hostile_files`.
 """
 
 from __future__ import annotations
@@ -56,12 +56,12 @@ NAMES = ("1st", "a b", "a/b", "\u00e4", "a" * 65, "edge-x", "obstacle-1", "", "a
 
 
 def text(root: etree._Element) -> bytes:
-    """Gives the file of a world."""
+    """Return the file of a world."""
     return bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8"))
 
 
 def pick(dice: random.Random, root: etree._Element, names: frozenset[str]) -> tuple[object, str]:
-    """Gives an element by chance, and which of its attributes is one of these."""
+    """Return a random element, and which of its attributes is one of these."""
     found = [
         (node, name)
         for node in root.iter(etree.Element)
@@ -307,11 +307,11 @@ BREAKAGES: tuple[Breakage, ...] = (
 )  # fmt: skip
 
 
-# -- what else is in the folder --------------------------------------------------------------------
+# -- other files in the folder ---------------------------------------------------------------------
 
 
 def hostile_files(folder: Path) -> None:
-    """Puts files that worlds name into a folder: cut, endless, foreign, or elsewhere."""
+    """Put files that worlds refer to into a folder: truncated, endless, foreign, or elsewhere."""
     bomb = b'<!DOCTYPE x [<!ENTITY a "aaaa">]><definitions version="1">&a;</definitions>'
     (folder / "bomb.xml").write_bytes(bomb)
     (folder / "cut.xml").write_bytes(b'<definitions version="1"><material')

@@ -1,4 +1,4 @@
-"""Drives an environment as a session would, in few words."""
+"""A driver of an environment, in place of a session."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ SCOUT_RADIUS_M = 8 * INCH
 
 
 def world_of(things: str, size: str = 'length="10m" width="10m"', timestep: str = "50ms"):
-    """Gives a world of things, written in XML."""
+    """Return a world of objects, written in XML."""
     text = f'<world version="1" timestep="{timestep}"><area {size}/>{things}</world>'
     return parse_world(text.encode(), "test")
 
 
 def open_world(things: str = '<robot x="0" y="0"/>', timestep: str = "50ms"):
-    """Gives a wide world without edges, its origin in the middle."""
+    """Return a wide world without edges, its origin at the centre."""
     return world_of(things, 'length="2000m" width="2000m" origin="centre" edge="0"', timestep)
 
 
 @dataclass
 class Driver:
-    """One environment and what its robots were told last."""
+    """One environment and its robots' last replies."""
 
     environment: Environment
     steps: list[Step] = field(default_factory=list)
 
     @classmethod
     def of(cls, world, seed: int = 1) -> Driver:
-        """Makes an environment whose robots are all connected."""
+        """Return a driver whose robots are all connected."""
         driver = cls(Environment(world, seed))
         for robot in range(len(world.robots)):
             driver.ask("CONNECT", robot=robot)
@@ -48,7 +48,7 @@ class Driver:
         return self.environment.state
 
     def post(self, name: str, *arguments: int, robot: int = 0, at_s: float = 0.0, data=b""):
-        """Posts a request and gives the message that came back and when the program goes on."""
+        """Post a request; return the reply and the time at which the program continues."""
         messages = np.zeros(1, MESSAGE)
         messages["i"][0, : len(arguments)] = arguments
         messages["data"][0, : len(data)] = list(data)
@@ -58,23 +58,23 @@ class Driver:
         return messages[0], float(goes_on_s[0])
 
     def ask(self, name: str, *arguments: int, robot: int = 0, at_s: float = 0.0, data=b""):
-        """Posts a request and gives the `State` that was told."""
+        """Post a request; return the `State` of its reply."""
         message, _ = self.post(name, *arguments, robot=robot, at_s=at_s, data=data)
         return told(message)
 
     def run(self, cycles: int) -> list[Step]:
-        """Runs cycles and gives what happened in them."""
+        """Run cycles; return their records."""
         steps = [self.environment.step() for _ in range(cycles)]
         self.steps += steps
         return steps
 
     def run_s(self, time_s: float) -> list[Step]:
-        """Runs for a time, rounded to cycles."""
+        """Run for a time, rounded to cycles."""
         return self.run(round(time_s / self.environment.timestep_s))
 
 
 def told(message) -> np.ndarray:
-    """Gives the `State` that a reply carries."""
+    """Return the `State` of a reply."""
     return message["data"][:180].view("<i4").copy()
 
 
@@ -85,7 +85,7 @@ def own_world(
     timestep: str = "50ms",
     robot: str = "scout",
 ):
-    """Gives a wide world of robots whose definition is a known one's with changes.
+    """Return a wide world of robots with a changed known definition.
 
     In `things`, `<robot` stands for such a robot; without `things` there is one at the origin.
     """

@@ -1,6 +1,6 @@
-"""Worlds with robots that have grippers, and what there is to say of what they hold.
+"""Worlds with robots that have grippers, and queries of what they hold.
 
-The palm is at the shell, 8 inches (20.32 cm) from the robot's middle; the fingers are 10 cm long,
+The palm is at the shell, 8 inches (20.32 cm) from the robot's centre; the fingers are 10 cm long,
 20 cm apart when they are open, and close in 1 s.
 """
 
@@ -17,7 +17,7 @@ OPEN, CLOSE = 0, 1
 
 
 def gripping(folder: Path, things: str, area: str, *devices: str) -> Driver:
-    """Gives a world whose Scouts have grippers, or other devices."""
+    """Return a world whose Scouts have grippers, or other devices."""
     scout_with(folder, *(devices or (GRIPPER,)))
     things = things.replace("<robot ", '<robot definition="scout-with.xml" ')
     path = folder / "world.xml"
@@ -26,17 +26,17 @@ def gripping(folder: Path, things: str, area: str, *devices: str) -> Driver:
 
 
 def tell(driver: Driver, robot: int = 0) -> list[int]:
-    """Gives the distance of the fingers [0.1 in], the beam, and the weight [g]."""
+    """Return the distance of the fingers [0.1 in], the beam, and the weight [g]."""
     message, _ = driver.post("GET_GRIPPER", robot=robot)
     return message["i"][:3].tolist()
 
 
 def kinds(steps) -> list[str]:
-    """Gives the kinds of the events in steps."""
+    """Return the kinds of the events in steps."""
     return [event.kind for step in steps for event in step.events]
 
 
 def place(driver: Driver, thing: int = 0):
-    """Gives x and y [m] of a thing that can be pushed."""
+    """Return x and y [m] of a pushable object."""
     bodies = driver.state.bodies
     return bodies.position_m[len(driver.state.heading_rad) + thing]

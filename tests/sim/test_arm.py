@@ -1,4 +1,4 @@
-"""The arm's joints, where its tip is, and what the hand takes and lets go."""
+"""The arm's joints, the position of its tip, and what the hand grasps and releases."""
 
 import math
 
@@ -15,7 +15,7 @@ ARM = (
     ' hand="5cm" max-mass="2kg"/>'
 )
 CAN = '<cylinder x="60cm" y="2cm" radius="4cm" mass="1kg"/>'
-"""Where the arm's tip is when it is stretched out."""
+"""Position of the tip of the extended arm."""
 
 
 def arm_of(tmp_path, things="", robot=ROBOT):
@@ -23,13 +23,13 @@ def arm_of(tmp_path, things="", robot=ROBOT):
 
 
 def tell(driver, robot=0):
-    """Gives shoulder and elbow [0.1 deg], the tip [0.1 in], and the weight in the hand [g]."""
+    """Return shoulder and elbow [0.1 deg], the tip [0.1 in], and the held weight [g]."""
     message, _ = driver.post("GET_ARM", robot=robot)
     return message["i"][:5].tolist()
 
 
 def tip(shoulder_deg, elbow_deg):
-    """Gives the tip by hand [0.1 in]."""
+    """Return the hand-computed tip [0.1 in]."""
     one, two = math.radians(shoulder_deg), math.radians(shoulder_deg + elbow_deg)
     x_m = 0.10 + 0.30 * math.cos(one) + 0.20 * math.cos(two)
     y_m = 0.02 + 0.30 * math.sin(one) + 0.20 * math.sin(two)
@@ -37,7 +37,7 @@ def tip(shoulder_deg, elbow_deg):
 
 
 @pytest.mark.parametrize(("shoulder", "elbow"), [(0, 0), (45, 0), (90, -90), (-30, 120)])
-def test_the_tip_is_where_the_joints_put_it(tmp_path, shoulder, elbow):
+def test_tip_position_follows_from_joint_angles(tmp_path, shoulder, elbow):
     """Upper link 30 cm, fore link 20 cm, shoulder 10 cm ahead and 2 cm to the left."""
     driver = arm_of(tmp_path)
     driver.post("ARM", 0, 10 * shoulder, 10 * elbow)
@@ -45,7 +45,7 @@ def test_the_tip_is_where_the_joints_put_it(tmp_path, shoulder, elbow):
     assert tell(driver) == [10 * shoulder, 10 * elbow, *tip(shoulder, elbow), 0]
 
 
-def test_each_joint_turns_with_its_own_speed_until_it_is_there(tmp_path):
+def test_each_joint_turns_at_its_own_speed_to_its_target(tmp_path):
     driver = arm_of(tmp_path)
     driver.post("ARM", 0, 600, -600)
     driver.run_s(0.5)
@@ -57,7 +57,7 @@ def test_each_joint_turns_with_its_own_speed_until_it_is_there(tmp_path):
     assert tell(driver)[:2] == [350, -550]
 
 
-def test_what_is_beyond_the_limits_is_brought_within(tmp_path):
+def test_angles_are_clipped_to_joint_limits(tmp_path):
     driver = arm_of(tmp_path)
     driver.post("ARM", 0, 2**31 - 1, -(2**31))
     driver.run_s(5)
@@ -67,7 +67,7 @@ def test_what_is_beyond_the_limits_is_brought_within(tmp_path):
     assert tell(driver)[:2] == [900, 1200]
 
 
-def test_what_is_in_the_hand_moves_and_turns_with_the_tip(tmp_path):
+def test_held_object_moves_and_turns_with_tip(tmp_path):
     """The can is moved by 90 degrees about the shoulder, while its robot turns by 30."""
     driver = arm_of(tmp_path, CAN)
     driver.post("HAND", CLOSE)
@@ -92,7 +92,7 @@ def test_what_is_in_the_hand_moves_and_turns_with_the_tip(tmp_path):
     assert place(driver) == pytest.approx(there, abs=1e-9)
 
 
-def test_it_passes_over_everything_and_is_put_down_only_where_there_is_room(tmp_path):
+def test_arm_passes_over_objects_and_releases_only_into_free_space(tmp_path):
     """A box stands 45 degrees to the left, just where the can would be put down."""
     box = '<box x="45.36cm" y="37.36cm" length="10cm" width="10cm"/>'
     driver = arm_of(tmp_path, CAN + box)
@@ -110,7 +110,7 @@ def test_it_passes_over_everything_and_is_put_down_only_where_there_is_room(tmp_
     assert 0.04 + 0.05 < away_m < 0.04 + 0.05 * math.sqrt(2) + 0.02
 
 
-def test_the_hand_takes_nothing_too_far_or_too_heavy_and_nothing_that_is_held(tmp_path):
+def test_hand_does_not_grasp_far_heavy_or_held_objects(tmp_path):
     """The can's side is 6 cm from the tip, 4 cm, 4 cm; the last stands in another robot's hand."""
     for thing, grips in (
         ('<cylinder x="70cm" y="2cm" radius="4cm" mass="1kg"/>', []),
@@ -128,7 +128,7 @@ def test_the_hand_takes_nothing_too_far_or_too_heavy_and_nothing_that_is_held(tm
     assert [tell(driver, robot)[4] for robot in (0, 1)] == [1000, 0]
 
 
-def test_a_robot_without_an_arm_and_words_without_meaning_are_refused(tmp_path):
+def test_missing_arm_and_invalid_values_are_refused(tmp_path):
     driver = arm_of(tmp_path)
     assert driver.post("HAND", 2)[0]["result"] == 0
     assert driver.post("HAND", -1)[0]["result"] == 0
@@ -136,7 +136,7 @@ def test_a_robot_without_an_arm_and_words_without_meaning_are_refused(tmp_path):
     assert [other.post(name)[0]["result"] for name in ("ARM", "GET_ARM", "HAND")] == [0, 0, 0]
 
 
-def test_from_a_snapshot_with_something_in_the_hand_all_happens_again_to_the_bit(tmp_path):
+def test_run_from_snapshot_with_held_object_is_bitwise_equal(tmp_path):
     driver = arm_of(tmp_path, CAN)
     driver.post("HAND", CLOSE)
     driver.run(1)
@@ -159,14 +159,14 @@ def test_from_a_snapshot_with_something_in_the_hand_all_happens_again_to_the_bit
     ('element="shoulder" gain="0.5"', [150, 300]),
     ('element="0" dead="yes"', [0, 300]),
 ])  # fmt: skip
-def test_a_joint_that_is_degraded_goes_elsewhere(tmp_path, fault, joints):
+def test_degraded_joint_reaches_other_angle(tmp_path, fault, joints):
     driver = arm_of(tmp_path, f'<degradation robot="robot0" device="arm" {fault}/>')
     driver.post("ARM", 0, 300, 300)
     driver.run_s(3)
     assert tell(driver)[:2] == joints
 
 
-def test_what_is_near_without_touching_leaves_room(tmp_path):
+def test_near_object_without_overlap_leaves_space_free(tmp_path):
     """Beside a box's corner: the discs around both overlap, they themselves do not."""
     box = '<box x="67cm" y="9cm" length="6cm" width="6cm" mass="9kg"/>'
     driver = arm_of(tmp_path, CAN + box)

@@ -16,13 +16,13 @@ MOTOR = (
 
 
 def volts(driver: Driver, name: str = "GS", robot: int = 0, at_s: float = 0.0) -> tuple:
-    """Gives the voltages of the computers' and of the motors' battery, as the client does."""
+    """Return the voltages of the computers' and of the motors' battery, as the client does."""
     message, _ = driver.post(name, robot=robot, at_s=at_s)
     cpu, motor = message["i"][1:3].tolist()
     return (2 + cpu * 3 / 255) * COMPUTERS, (2 + motor * 3 / 255) * MOTORS
 
 
-def test_the_computers_battery_drains_with_time(tmp_path):
+def test_computer_battery_drains_with_time(tmp_path):
     # 1 Wh at 360 W lasts 10 s; halfway the voltage is in the middle of the line from 10 to 12 V.
     own = own_world(tmp_path, (CPU, 'capacity="1Wh" power="360W" curve="10 12"'), timestep="100ms")
     driver = Driver.of(own)
@@ -34,7 +34,7 @@ def test_the_computers_battery_drains_with_time(tmp_path):
     assert volts(driver)[0] == pytest.approx(10.0, abs=byte_v)
 
 
-def test_every_answer_with_a_state_tells_the_voltages():
+def test_every_state_reply_contains_voltages():
     driver = Driver.of(open_world())
     for name in ("GS", "VM", "GET_SN", "GET_BP", "ZR", "CONF_TM"):
         cpu, motor = volts(driver, name)
@@ -42,7 +42,7 @@ def test_every_answer_with_a_state_tells_the_voltages():
         assert motor == pytest.approx(12.7, abs=0.02)
 
 
-def test_motors_use_what_friction_and_acceleration_take(tmp_path):
+def test_motors_use_energy_of_friction_and_acceleration(tmp_path):
     own = own_world(
         tmp_path,
         (MOTOR, 'capacity="1Wh" power="0W" curve="10 12" friction="20N" efficiency="0.5"'),
@@ -58,7 +58,7 @@ def test_motors_use_what_friction_and_acceleration_take(tmp_path):
     assert volts(driver)[1] == pytest.approx(10 + 2 * left, abs=3 / 255 * MOTORS)
 
 
-def test_a_robot_that_is_held_back_uses_more():
+def test_stalled_robot_uses_more_energy():
     free = Driver.of(world_of('<robot x="2m" y="5m"/><robot x="9.7m" y="2m"/>'))
     for robot in range(2):
         free.ask("VM", 100, 100, robot=robot)
@@ -70,7 +70,7 @@ def test_a_robot_that_is_held_back_uses_more():
     assert used[1] > 2 * used[0]
 
 
-def test_an_axis_that_turns_works_on_the_shell(tmp_path):
+def test_energy_of_turning_axis_is_that_at_shell(tmp_path):
     cells = 'friction="50N" efficiency="0.5" stall="120W"'
     plain = 'friction="50N" efficiency="1" stall="0W"'
     driver = Driver.of(own_world(tmp_path, (cells, plain), robot="nomad200"))
@@ -81,7 +81,7 @@ def test_an_axis_that_turns_works_on_the_shell(tmp_path):
     assert driver.state.battery.moved_j[0] == pytest.approx(expected_j, rel=0.01)
 
 
-def test_empty_motors_have_no_force(tmp_path):
+def test_empty_motor_battery_makes_axes_limp(tmp_path):
     # The cut-off of 11 V is half of the charge: 1800 J at 360 W are gone after 5 s.
     cells = 'capacity="1Wh" power="360W" curve="10 12" cutoff="11V"'
     driver = Driver.of(own_world(tmp_path, (MOTOR, cells)))
@@ -101,7 +101,7 @@ def test_empty_motors_have_no_force(tmp_path):
     assert driver.post("WS", 1, 1, 0, 9)[1] == driver.environment.time_s
 
 
-def test_the_charge_is_in_the_motors_status_for_those_who_ask(tmp_path):
+def test_motor_status_contains_charge_if_configured(tmp_path):
     cells = 'capacity="1Wh" power="360W" curve="10 12" in-status="yes"'
     driver = Driver.of(own_world(tmp_path, (MOTOR, cells), timestep="100ms"))
     levels = []
@@ -112,7 +112,7 @@ def test_the_charge_is_in_the_motors_status_for_those_who_ask(tmp_path):
     assert Driver.of(open_world()).ask("GS")[MOTOR_STATUS] == 0
 
 
-def test_batteries_that_are_not_there_last_for_ever(tmp_path):
+def test_unspecified_batteries_are_unlimited(tmp_path):
     text = [(f"<computer-battery {CPU}/>", ""), (f"<motor-battery {MOTOR}/>", "")]
     driver = Driver.of(own_world(tmp_path, *text, timestep="100ms"))
     driver.ask("VM", 100, 100)
@@ -133,7 +133,7 @@ def test_batteries_that_are_not_there_last_for_ever(tmp_path):
         ('capacity="1Wh" curve="12" charge="1.5"', "charge"),
     ],
 )
-def test_batteries_that_cannot_be_are_refused(tmp_path, cells, message):
+def test_invalid_batteries_are_refused(tmp_path, cells, message):
     with pytest.raises(WorldError) as caught:
         own_world(tmp_path, (MOTOR, cells))
     assert any(message in each.render() for each in caught.value.diagnostics)
@@ -146,7 +146,7 @@ def board_ms(driver: Driver, at_s: float = 0.0) -> float:
     return float(driver.post("GS", at_s=at_s)[0]["f"][0])
 
 
-def test_the_clock_counts_milliseconds_in_steps_of_16_4():
+def test_clock_counts_ms_in_steps_of_16_4():
     driver = Driver.of(open_world())
     assert board_ms(driver) == 0
     assert board_ms(driver, 0.0163) == 0
@@ -156,7 +156,7 @@ def test_the_clock_counts_milliseconds_in_steps_of_16_4():
     assert board_ms(driver) == 9987  # 609 ticks
 
 
-def test_the_clock_flows_over_at_2_to_the_32(tmp_path):
+def test_clock_overflows_at_2_to_the_32(tmp_path):
     start_s = 2**32 / 1000 - 1
     changes = ('clock="0s"', f'clock="{start_s}s"')
     driver = Driver.of(own_world(tmp_path, changes, timestep="100ms"))

@@ -1,4 +1,4 @@
-"""Light and sound: what sensors read of sources in the world and on robots, by hand."""
+"""Light and sound: hand-computed readings of sources in the world and on robots."""
 
 import numpy as np
 import pytest
@@ -15,25 +15,25 @@ SCREEN = '<box x="1m" y="0" length="10cm" width="50cm"/>'
 
 
 def eyes(driver, robot=0, count=8):
-    """Gives what the light sensors read."""
+    """Return the readings of the light sensors."""
     message, _ = driver.post("GET_LIGHT", robot=robot)
     assert message["i"][0] == count
     return message["data"].view("<i4")[:count].tolist()
 
 
 def ears(driver, robot=0):
-    """Gives the levels of the eight tones, and the direction of the loudest [0.1 deg]."""
+    """Return the levels of the eight tones, and the direction of the loudest [0.1 deg]."""
     message, _ = driver.post("GET_SOUND", robot=robot)
     return message["data"].view("<i4")[:8].tolist(), int(message["i"][0])
 
 
-def test_light_falls_with_the_square_of_the_distance_and_the_cosine(tmp_path):
+def test_light_follows_inverse_square_and_cosine_law(tmp_path):
     """A light of 800 at 2 m ahead: 200 straight on, 141 at 45 degrees, none at 90 and behind."""
     driver = gripping(tmp_path, ROBOT + '<light x="2m" y="0" brightness="800"/>', WIDE, EYES)
     assert eyes(driver) == [200, 141, 0, 0, 0, 0, 0, 141]
 
 
-def test_sensors_turn_with_the_robot_and_count_from_the_first(tmp_path):
+def test_sensors_turn_with_robot_and_are_numbered_from_first(tmp_path):
     """Four sensors, the first at 45 degrees, of a robot that looks up; the light is to the left."""
     light = '<light x="-1m" y="0" brightness="100"/>'
     ring = '<light-sensors number="4" first="45deg"/>'
@@ -41,27 +41,27 @@ def test_sensors_turn_with_the_robot_and_count_from_the_first(tmp_path):
     assert eyes(driver, count=4) == [71, 71, 0, 0]
 
 
-def test_lights_add(tmp_path):
+def test_lights_are_added(tmp_path):
     lights = '<light x="1m" y="0" brightness="100"/><light x="0" y="2m" brightness="400"/>'
     driver = gripping(tmp_path, ROBOT + lights, WIDE, EYES)
     assert eyes(driver) == [100, 141, 100, 71, 0, 0, 0, 71]
 
 
-def test_what_stands_in_the_way_casts_a_shadow(tmp_path):
-    """The screen hides the light ahead; the one aside is in sight."""
+def test_obstacle_casts_shadow(tmp_path):
+    """The screen hides the light ahead; the one to the side is in sight."""
     lights = '<light x="2m" y="0" brightness="800"/><light x="0" y="2m" brightness="400"/>'
     driver = gripping(tmp_path, ROBOT + SCREEN + lights, WIDE, EYES)
     assert eyes(driver) == [0, 71, 100, 71, 0, 0, 0, 0]
 
 
-def test_beyond_its_range_a_sensor_sees_no_light(tmp_path):
+def test_light_out_of_range_is_not_sensed(tmp_path):
     light = '<light x="2m" y="0" brightness="800"/>'
     for range_m, reads in (("1.9m", 0), ("2.1m", 200)):
         driver = gripping(tmp_path, ROBOT + light, WIDE, f'<light-sensors range="{range_m}"/>')
         assert eyes(driver)[0] == reads
 
 
-def test_robots_see_the_lamps_of_others_and_not_their_own(tmp_path):
+def test_robots_see_lamps_of_others_only(tmp_path):
     """Robot 1 looks at robot 0 from 2 m ahead, and shines with 400; robot 0 with 800."""
     robots = ROBOT + '<robot x="2m" y="0" heading="180"/>'
     driver = gripping(tmp_path, robots, WIDE, EYES, LAMP)
@@ -73,7 +73,7 @@ def test_robots_see_the_lamps_of_others_and_not_their_own(tmp_path):
     assert [eyes(driver, robot)[0] for robot in (0, 1)] == [0, 250]
 
 
-def test_a_robot_in_between_casts_a_shadow(tmp_path):
+def test_robot_in_between_casts_shadow(tmp_path):
     robots = ROBOT + '<robot x="1m" y="0"/><robot x="2m" y="0"/>'
     driver = gripping(tmp_path, robots, WIDE, EYES, LAMP)
     driver.post("LIGHT", 800, robot=2)
@@ -81,7 +81,7 @@ def test_a_robot_in_between_casts_a_shadow(tmp_path):
     assert eyes(driver, 1)[0] == 800
 
 
-def test_sound_falls_with_the_distance_and_its_power_adds(tmp_path):
+def test_sound_level_falls_with_distance_and_powers_add(tmp_path):
     """100 at 1 m of tone 3 from two sides: 100 * sqrt 2; tone 5 at 4 m: 25."""
     places = ("0", "1m", 3), ("1m", "0", 3), ("-4m", "0", 5)
     sounds = "".join(f'<sound x="{x}" y="{y}" tone="{tone}"/>' for x, y, tone in places)
@@ -89,7 +89,7 @@ def test_sound_falls_with_the_distance_and_its_power_adds(tmp_path):
     assert ears(driver) == ([0, 0, 0, 141, 0, 25, 0, 0], 450)
 
 
-def test_sound_goes_around_things_with_a_quarter_of_its_pressure(tmp_path):
+def test_obstructed_sound_has_quarter_of_pressure(tmp_path):
     sound = '<sound x="2m" y="0" level="400" tone="1"/>'
     open_air = gripping(tmp_path, ROBOT + sound, WIDE, EARS)
     assert ears(open_air) == ([0, 200, 0, 0, 0, 0, 0, 0], 0)
@@ -97,7 +97,7 @@ def test_sound_goes_around_things_with_a_quarter_of_its_pressure(tmp_path):
     assert ears(behind) == ([0, 50, 0, 0, 0, 0, 0, 0], 0)
 
 
-def test_robots_hear_others_from_where_they_are(tmp_path):
+def test_robots_hear_others_from_their_direction(tmp_path):
     """Robot 1 is 2 m to the left of robot 0, which looks along x."""
     driver = gripping(tmp_path, ROBOT + '<robot x="0" y="2m"/>', WIDE, EARS, SPEAKER)
     driver.post("SOUND", 300, 7, robot=1)
@@ -109,8 +109,8 @@ def test_robots_hear_others_from_where_they_are(tmp_path):
     assert driver.post("SOUND", 100, -1, robot=1)[0]["result"] == 0
 
 
-def test_noise_has_the_share_of_the_definition(tmp_path):
-    """500 readings of 1000: the deviation is 50, and 3.2 % of it the error of that."""
+def test_noise_is_proportional_as_defined(tmp_path):
+    """500 readings of 1000: the deviation is 50, its standard error 3.2 % of that."""
     things = ROBOT + '<light x="1m" y="0" brightness="1000"/><sound x="1m" y="0" level="1000"/>'
     devices = EYES.replace("/>", ' noise="0.05"/>'), '<microphones noise="0.05"/>'
     driver = gripping(tmp_path, things, WIDE, *devices)
@@ -122,7 +122,7 @@ def test_noise_has_the_share_of_the_definition(tmp_path):
     assert abs(np.corrcoef(lights, sounds)[0, 1]) < 0.16
 
 
-def test_many_robots_that_ask_together_get_what_each_gets_alone(tmp_path):
+def test_batched_readings_equal_single_readings(tmp_path):
     robots = "".join(
         f'<robot x="{n % 6 * 2}m" y="{n // 6 * 2}m" heading="{n * 37}"/>' for n in range(30)
     )
@@ -137,7 +137,7 @@ def test_many_robots_that_ask_together_get_what_each_gets_alone(tmp_path):
     assert max(map(max, together)) > 100
 
 
-def test_from_a_snapshot_all_shines_and_sounds_again(tmp_path):
+def test_beacons_are_reproduced_from_snapshot(tmp_path):
     devices = EYES.replace("/>", ' noise="0.1"/>'), EARS, LAMP, SPEAKER
     driver = gripping(tmp_path, ROBOT + '<robot x="2m" y="0"/>', WIDE, *devices)
     driver.post("LIGHT", 500, robot=1)
@@ -178,12 +178,12 @@ def test_lamps_speakers_and_microphones_can_be_degraded(tmp_path):
     assert ears(driver)[0][2] == 100
 
 
-def test_a_robot_without_such_devices_is_refused(tmp_path):
+def test_robot_without_beacons_is_refused(tmp_path):
     driver = gripping(tmp_path, ROBOT, WIDE)
     names = ("LIGHT", "SOUND", "GET_LIGHT", "GET_SOUND")
     assert [int(driver.post(name)[0]["result"]) for name in names] == [0, 0, 0, 0]
 
 
-def test_a_light_at_the_robots_middle_shines_as_from_10_cm(tmp_path):
+def test_light_at_centre_counts_as_10_cm_away(tmp_path):
     driver = gripping(tmp_path, ROBOT + '<light x="1cm" y="0" brightness="10"/>', WIDE, EYES)
     assert eyes(driver)[0] == 1000

@@ -1,4 +1,4 @@
-"""300 broken worlds: each gives one error with its place, and nobody sees a traceback."""
+"""300 broken worlds: each gives one error with its line, and never a traceback."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def broken(seed: int) -> tuple[str, bytes]:
-    """Gives the name of a breakage, and what stands in the file."""
+    """Return the name of a breakage, and the content of the file."""
     dice = random.Random(seed)
     root = etree.parse(dice.choice(GOOD)).getroot()
     breakage = BREAKAGES[seed % len(BREAKAGES)]
@@ -40,7 +40,7 @@ def broken(seed: int) -> tuple[str, bytes]:
 
 
 @pytest.mark.parametrize("part", range(10))
-def test_every_broken_world_gives_a_clear_error(folder: Path, part: int) -> None:
+def test_every_broken_world_is_reported_clearly(folder: Path, part: int) -> None:
     path = folder / "broken.xml"
     for seed in range(part, COUNT, 10):
         name, text = broken(seed)
@@ -63,7 +63,7 @@ def test_every_broken_world_gives_a_clear_error(folder: Path, part: int) -> None
 
 
 @pytest.mark.parametrize("seed", range(0, COUNT, 23))
-def test_the_command_says_so_and_ends_with_122(
+def test_command_reports_error_and_exits_with_122(
     folder: Path, seed: int, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(folder)
@@ -78,7 +78,7 @@ def test_the_command_says_so_and_ends_with_122(
         assert "internal error" not in shown.err
 
 
-def test_the_good_worlds_are_taken(folder: Path) -> None:
+def test_intact_worlds_are_accepted(folder: Path) -> None:
     for path in GOOD:
         (folder / "broken.xml").write_bytes(path.read_bytes())
         load_world(folder / "broken.xml")

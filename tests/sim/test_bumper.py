@@ -1,4 +1,4 @@
-"""Bumpers: which switch a contact presses, and for how long."""
+"""Bumpers: the switches that contacts press, and for how long."""
 
 import math
 
@@ -18,13 +18,13 @@ NOMAD_200 = (
 
 
 def bits_at(folder, rings: str, *bearings_deg: float) -> list[int]:
-    """Gives the bumper's state for a contact at each bearing."""
+    """Return the bumper's state for a contact at each bearing."""
     bumpers = Bumpers(own_world(folder, (EIGHT, rings)))
     bearing_rad = np.radians(np.array(bearings_deg))
     return bumpers.pressed(np.zeros(len(bearings_deg), np.intp), bearing_rad).tolist()
 
 
-def test_switches_of_equal_rings_meet_without_gap_or_overlap(tmp_path):
+def test_switches_of_ring_are_adjacent_without_overlap(tmp_path):
     assert bits_at(tmp_path, EIGHT, 0, 22.4, 22.6, 45, -22.4, -22.6, 180, 337.6) == [
         1, 1, 2, 2, 1, 128, 16, 1,
     ]  # fmt: skip
@@ -33,28 +33,28 @@ def test_switches_of_equal_rings_meet_without_gap_or_overlap(tmp_path):
         assert pressed[0].bit_count() == 1, edge
 
 
-def test_a_nomad_200_has_20_switches_in_two_rings_18_degrees_apart(tmp_path):
+def test_nomad_200_has_20_switches_in_two_rings_18_degrees_apart(tmp_path):
     bearings = [18.0 * number for number in range(20)]
     assert bits_at(tmp_path, NOMAD_200, *bearings) == [1 << number for number in range(20)]
     assert bits_at(tmp_path, NOMAD_200, 8.9, 9.1) == [1, 2]
 
 
-def test_a_contact_between_two_switches_presses_both_if_they_overlap(tmp_path):
+def test_contact_in_overlap_presses_both_switches(tmp_path):
     rings = '<ring switches="4" span="100deg"/>'
     assert bits_at(tmp_path, rings, 0, 41, 45, 49, 51) == [1, 3, 3, 3, 2]
 
 
-def test_a_contact_in_a_gap_presses_nothing(tmp_path):
+def test_contact_in_gap_presses_nothing(tmp_path):
     rings = '<ring switches="3" first="0deg" spacing="60deg" span="40deg"/>'
     assert bits_at(tmp_path, rings, 0, 19, 21, 39, 41, 120, 180, 270) == [1, 1, 0, 0, 2, 4, 0, 0]
 
 
-def test_switches_may_count_clockwise_and_set_any_bit(tmp_path):
+def test_switches_may_be_clockwise_and_set_any_bit(tmp_path):
     rings = '<ring switches="4" first="45deg" direction="clockwise" bits="23 7 0 7"/>'
     assert bits_at(tmp_path, rings, 45, -45, -135, 135) == [1 << 23, 1 << 7, 1, 1 << 7]
 
 
-def test_two_robots_that_bump_press_the_switches_that_face_each_other():
+def test_collision_of_robots_presses_facing_switches():
     driver = Driver.of(
         world_of('<robot x="3m" y="5m" heading="0"/><robot x="5m" y="5m" heading="90"/>')
     )
@@ -73,7 +73,7 @@ def test_two_robots_that_bump_press_the_switches_that_face_each_other():
         assert driver.ask("GET_BP", robot=robot)[BUMPER] == 0
 
 
-def test_the_bearing_of_a_slanting_contact_decides_by_hand_computed_geometry():
+def test_bearing_of_oblique_contact_selects_switch():
     # Robot 1 stands 10 in to the left of the way of robot 0: they meet when their middles are
     # 16 in apart, at asin(10 / 16) = 38.7 degrees to the left: switch 1 of robot 0 (22.5 to 67.5);
     # robot 1 heads the same way and is hit from behind at 180 + 38.7 degrees: switch 5.
@@ -87,7 +87,7 @@ def test_the_bearing_of_a_slanting_contact_decides_by_hand_computed_geometry():
     assert driver.ask("GET_BP", robot=1)[BUMPER] == 1 << 5
 
 
-def test_in_a_corner_both_sides_are_pressed():
+def test_corner_presses_both_sides():
     near_m = SCOUT_RADIUS_M + 0.02
     driver = Driver.of(world_of(f'<robot x="{10 - near_m}m" y="{10 - near_m}m" heading="45"/>'))
     driver.ask("VM", 100, 100)
@@ -95,7 +95,7 @@ def test_in_a_corner_both_sides_are_pressed():
     assert driver.ask("GET_BP")[BUMPER] == 1 << 1 | 1 << 7
 
 
-def test_a_hit_is_noted_when_a_switch_goes_down_and_not_while_it_stays():
+def test_hit_is_recorded_once_per_press():
     driver = Driver.of(world_of('<robot x="9m" y="5m"/>'))
     assert driver.state.bumpers.hit.at_s[0] < 0
     driver.ask("VM", 200, 200)
@@ -119,7 +119,7 @@ def test_a_hit_is_noted_when_a_switch_goes_down_and_not_while_it_stays():
         ('<ring switches="2" span="-1deg"/>', "span: '-1deg' must be greater than 0"),
     ],
 )
-def test_rings_that_cannot_be_are_refused(tmp_path, ring, message):
+def test_invalid_rings_are_refused(tmp_path, ring, message):
     with pytest.raises(WorldError) as caught:
         own_world(tmp_path, (EIGHT, ring))
     assert any(message in each.render() for each in caught.value.diagnostics)

@@ -1,4 +1,4 @@
-"""The compass: where it points, when it measures, how it is calibrated."""
+"""The compass: its direction, its rate, and its calibration."""
 
 import math
 
@@ -16,11 +16,11 @@ def nomad(folder, compass: str = PLAIN, heading: float = 30.0) -> Driver:
     return Driver.of(own_world(folder, (PLAIN, compass), things=things, robot="nomad200"))
 
 
-def test_it_reads_the_turrets_direction_in_the_world_in_tenths_of_a_degree(tmp_path):
+def test_reads_world_direction_of_turret_in_tenths_of_degree(tmp_path):
     driver = nomad(tmp_path)
     assert driver.post("CONF_CP", 1)[0]["result"] == 1
     assert driver.ask("GET_CP")[COMPASS] == 300
-    driver.ask("DA", 0, 0)  # the odometry means nothing to it
+    driver.ask("DA", 0, 0)  # it is independent of the odometry
     driver.ask("PR", 0, 0, 505)
     driver.run_s(10)
     assert driver.ask("GET_CP")[COMPASS] == 805
@@ -29,13 +29,13 @@ def test_it_reads_the_turrets_direction_in_the_world_in_tenths_of_a_degree(tmp_p
     assert driver.ask("GS")[COMPASS] == 3600 + 805 - 1000
 
 
-def test_an_offset_says_where_north_is(tmp_path):
+def test_offset_sets_north(tmp_path):
     driver = nomad(tmp_path, PLAIN.replace('offset="0deg"', 'offset="-90deg"'))
     driver.ask("CONF_CP", 1)
     assert driver.ask("GET_CP")[COMPASS] == 3000
 
 
-def test_while_it_is_off_the_reading_stays(tmp_path):
+def test_reading_is_constant_while_off(tmp_path):
     driver = nomad(tmp_path)
     assert driver.ask("GET_CP")[COMPASS] == 0
     driver.ask("CONF_CP", 1)
@@ -46,7 +46,7 @@ def test_while_it_is_off_the_reading_stays(tmp_path):
     assert driver.ask("GET_CP")[COMPASS] == 300
 
 
-def test_it_measures_ten_times_a_second_at_most(tmp_path):
+def test_rate_is_limited_to_10_hz(tmp_path):
     driver = nomad(tmp_path)
     driver.ask("CONF_CP", 1)
     driver.ask("SP", 100, 100, 450)
@@ -59,7 +59,7 @@ def test_it_measures_ten_times_a_second_at_most(tmp_path):
     assert len(set(seen)) == 10
 
 
-def test_calibration_turns_the_turret_once_around_and_takes_the_deviation_out(tmp_path):
+def test_calibration_turns_turret_once_and_removes_deviation(tmp_path):
     text = PLAIN.replace('deviation="0deg"', 'deviation="10deg"').replace("180s", "20s")
     driver = nomad(tmp_path, text, heading=90)
     driver.ask("CONF_CP", 1)
@@ -75,18 +75,18 @@ def test_calibration_turns_the_turret_once_around_and_takes_the_deviation_out(tm
 
 
 @pytest.mark.parametrize("mode", [-1, 3, 2**31 - 1])
-def test_other_modes_are_refused(tmp_path, mode):
+def test_unknown_modes_are_refused(tmp_path, mode):
     assert nomad(tmp_path).post("CONF_CP", mode)[0]["result"] == 0
 
 
-def test_a_scout_has_none():
+def test_scout_has_no_compass():
     driver = Driver.of(open_world())
     for name in ("GET_CP", "CONF_CP"):
         assert driver.post(name, 1)[0]["result"] == 0
     assert driver.ask("GS")[COMPASS] == 0
 
 
-def test_noise_has_the_spread_of_the_definition(tmp_path):
+def test_noise_has_standard_deviation_of_definition(tmp_path):
     driver = nomad(tmp_path, PLAIN.replace('noise="0deg"', 'noise="2deg"'))
     driver.ask("CONF_CP", 1)
     seen = []

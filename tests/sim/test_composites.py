@@ -34,8 +34,8 @@ def messages(*rows: str) -> list[str]:
     return [message.render().splitlines()[0] for message in caught.value.diagnostics]
 
 
-def test_an_object_stands_where_it_is_put_and_its_parts_with_it():
-    """A table turned by 90 degrees: what lay 40 cm behind its middle lies below it."""
+def test_object_is_placed_with_its_parts():
+    """A table turned by 90 degrees: what was 40 cm behind its centre is below it."""
     room = world(TABLE, LEG, '<object ref="table" id="t1" x="5m" y="4m" heading="90deg"/>')
     assert [solid.id for solid in room.solids()[4:]] == [
         "t1.wall0", "t1.top", "t1.leg0.post", "t1.polygon0",
@@ -47,7 +47,7 @@ def test_an_object_stands_where_it_is_put_and_its_parts_with_it():
     assert (wall.x2_m, wall.y2_m) == pytest.approx((5.0, 5.0))
 
 
-def test_a_definition_can_be_used_again_and_again():
+def test_definition_can_be_used_repeatedly():
     rows = [f'<object ref="leg" x="{n}" y="5"/>' for n in range(2, 5)]
     room = world(LEG, *rows)
     assert [leg.id for leg in room.cylinders] == [f"object{n}.post" for n in range(3)]
@@ -105,18 +105,18 @@ def test_a_definition_can_be_used_again_and_again():
         ),
     ],
 )
-def test_mistakes_are_told_where_they_stand(rows: list[str], expected: str):
+def test_errors_are_reported_at_their_line(rows: list[str], expected: str):
     assert messages(*rows) == [f"w.xml:{expected}"]
 
 
 @pytest.mark.parametrize("order", [1, -1])
-def test_definitions_cannot_nest_without_end(order: int):
+def test_nesting_of_definitions_is_limited(order: int):
     deep = [f'<define name="d{n}"><object ref="d{n + 1}" x="0" y="0"/></define>' for n in range(30)]
     deep.append('<define name="d30"><wall x1="0" y1="0" x2="1" y2="0"/></define>')
     assert any("more than 8 deep" in message for message in messages(*deep[::order]))
 
 
-def test_definitions_cannot_multiply_without_end():
+def test_expansion_of_definitions_is_limited():
     """Ten of ten of ten of ten: 10,000 walls from 40 lines."""
     rows = ['<define name="d0"><wall x1="0" y1="0" x2="1" y2="0"/></define>']
     for n in range(1, 8):
@@ -162,7 +162,7 @@ def test_definitions_and_materials_come_from_other_files(tmp_path: Path):
     assert wall.material.colour == (165, 42, 42)
 
 
-def test_mistakes_in_included_files_name_these(tmp_path: Path):
+def test_errors_in_included_files_name_the_file(tmp_path: Path):
     put(
         tmp_path / "f.xml",
         '<define name="a"><cylinder x="0" y="0" radius="-1"/></define>',
@@ -179,7 +179,7 @@ def test_mistakes_in_included_files_name_these(tmp_path: Path):
     assert second.startswith("f.xml:2: error: unexpected element <wal>")
 
 
-def test_files_that_include_each_other_are_refused(tmp_path: Path):
+def test_mutual_includes_are_refused(tmp_path: Path):
     put(tmp_path / "a.xml", '<include file="b.xml"/>')
     put(tmp_path / "b.xml", '<include file="./a.xml"/>')
     assert told(tmp_path, '<include file="a.xml"/>') == [
@@ -209,7 +209,7 @@ def test_files_that_include_each_other_are_refused(tmp_path: Path):
         ("w.xml", "the root element must be <definitions>, not <world>"),
     ],
 )
-def test_only_files_of_the_worlds_folder_are_included(tmp_path: Path, name: str, reason: str):
+def test_includes_are_restricted_to_folder_of_world(tmp_path: Path, name: str, reason: str):
     put(tmp_path / "outside" / "f.xml", LEG)
     folder = tmp_path / "world"
     folder.mkdir()
@@ -220,7 +220,7 @@ def test_only_files_of_the_worlds_folder_are_included(tmp_path: Path, name: str,
     assert reason in (more or [first])[0]
 
 
-def test_a_world_that_is_no_file_includes_nothing():
+def test_world_without_file_cannot_include():
     assert messages('<include file="f.xml"/>') == [
         "w.xml:3: error: include: only allowed in a world that is read from a file"
     ]

@@ -1,4 +1,4 @@
-"""The environment as the session uses it: commands in time, waits, traces, snapshots, nonsense."""
+"""The environment as the session uses it: timing, waits, traces, snapshots, invalid requests."""
 
 import math
 import pickle
@@ -25,11 +25,11 @@ ROBOT_CODES = sorted(code for code, row in REQUESTS.items() if row.server != "ho
 DT = 0.05
 
 
-def test_every_request_of_a_robot_has_a_handler_and_nothing_else_has():
+def test_exactly_requests_of_robots_have_handlers():
     assert sorted(Environment(empty_world(), 0)._data.handlers) == ROBOT_CODES
 
 
-def test_a_seed_below_0_is_refused():
+def test_negative_seed_is_refused():
     with pytest.raises(ValueError, match="seed"):
         Environment(open_world(), -1)
 
@@ -41,7 +41,7 @@ def test_time_is_counted_in_cycles_not_summed():
         environment.step()
 
 
-def test_commands_take_the_time_of_their_bytes_on_the_line():
+def test_commands_take_transmission_time_of_their_bytes():
     environment = Environment(empty_world(), 0)
     bits = 10 / 38400
     assert environment.link_s(CODES["VM"]) == pytest.approx((12 + 48) * bits)
@@ -53,7 +53,7 @@ def test_commands_take_the_time_of_their_bytes_on_the_line():
 # -- commands in time --------------------------------------------------------------------------
 
 
-def test_a_command_takes_effect_at_its_own_instant_in_the_cycle():
+def test_command_takes_effect_at_its_own_time_in_cycle():
     driver = Driver.of(open_world())
     driver.ask("AC", 200, 200)
     driver.ask("VM", 100, 100, at_s=0.02)
@@ -63,7 +63,7 @@ def test_a_command_takes_effect_at_its_own_instant_in_the_cycle():
     assert told_later[VEL_RIGHT] == round(200 * 0.05)
 
 
-def test_several_commands_in_one_cycle_follow_each_other():
+def test_commands_in_one_cycle_are_sequential():
     driver = Driver.of(open_world())
     driver.ask("AC", 400, 400)
     driver.ask("VM", 390, 390, at_s=0.01)
@@ -74,7 +74,7 @@ def test_several_commands_in_one_cycle_follow_each_other():
     assert driver.ask("GS")[MOTOR_STATUS] == 0
 
 
-def test_the_clock_of_a_robot_never_goes_back():
+def test_clock_of_robot_is_monotonic():
     driver = Driver.of(open_world())
     driver.ask("VM", 300, 300, at_s=0.04)
     for bad_s in (0.01, -5.0, math.nan):
@@ -85,7 +85,7 @@ def test_the_clock_of_a_robot_never_goes_back():
     assert goes_on_s == 0.05
 
 
-def test_speeds_and_accelerations_are_held_to_the_limits_of_the_robot():
+def test_speeds_and_accelerations_are_clipped_to_limits():
     driver = Driver.of(open_world())
     driver.ask("AC", 10_000, -200)
     driver.ask("SP", 10_000, -50)
@@ -118,7 +118,7 @@ def test_mv_commands_each_wheel_in_its_own_mode():
     ("modes", "remembered"),
     [((1, 0, 0), "MV"), ((0, 2, 0), "MV"), ((2, 2, 0), "MV"), ((0, 3, 0), "MV"), ((4, 5, 0), "PR")],
 )
-def test_mv_is_the_last_command_when_it_moves_an_axis(modes, remembered):
+def test_mv_becomes_current_command_if_it_moves_an_axis(modes, remembered):
     driver = Driver.of(open_world())
     driver.ask("PR", 10, 10)
     driver.run_s(3)
@@ -127,7 +127,7 @@ def test_mv_is_the_last_command_when_it_moves_an_axis(modes, remembered):
 
 
 @pytest.mark.parametrize("modes", [(6, 0, 0), (0, -1, 0), (0, 0, 8), (1, 2**31 - 1, 0)])
-def test_mv_refuses_unknown_modes_and_changes_nothing(modes):
+def test_mv_with_unknown_mode_is_refused_without_effect(modes):
     driver = Driver.of(open_world())
     message, _ = driver.post("MV", modes[0], 100, modes[1], 100, modes[2], 0)
     assert message["result"] == 0
@@ -135,7 +135,7 @@ def test_mv_refuses_unknown_modes_and_changes_nothing(modes):
     assert driver.state.distance_m[0] == 0
 
 
-def test_a_robot_that_is_not_connected_refuses_everything_but_connect():
+def test_unconnected_robot_refuses_all_but_connect():
     driver = Driver(Environment(open_world(), 0))
     assert driver.post("VM", 100, 100)[0]["result"] == 0
     assert driver.post("WS", 1, 1, 0, 9)[1] == 0.0
@@ -150,7 +150,7 @@ def test_a_robot_that_is_not_connected_refuses_everything_but_connect():
 
 
 @pytest.mark.parametrize("name", ["SONAR", "PREDICT"])
-def test_nothing_is_measured_for_a_robot_that_is_refused(name):
+def test_refused_request_measures_nothing(name):
     environment = Environment(world_of('<robot x="2m" y="5m"/><robot x="2m" y="7m"/>'), 0)
     driver = Driver(environment)
     driver.ask("CONNECT", robot=1)
@@ -169,7 +169,7 @@ def test_nothing_is_measured_for_a_robot_that_is_refused(name):
 # -- conf_tm -----------------------------------------------------------------------------------
 
 
-def test_wheels_stop_when_no_command_came_for_the_timeout():
+def test_wheels_stop_after_command_timeout():
     driver = Driver.of(open_world())
     driver.ask("AC", 100, 100)
     driver.ask("CONF_TM", 1)
@@ -181,7 +181,7 @@ def test_wheels_stop_when_no_command_came_for_the_timeout():
     assert describe_slice(steps[25], 0).command == "CONF_TM"
 
 
-def test_any_command_keeps_the_wheels_going():
+def test_any_command_restarts_command_timeout():
     driver = Driver.of(open_world())
     driver.ask("CONF_TM", 1)
     driver.ask("VM", 100, 100)
@@ -193,7 +193,7 @@ def test_any_command_keeps_the_wheels_going():
     assert driver.ask("GET_RV")[VEL_RIGHT] == 100
 
 
-def test_the_time_can_be_up_in_the_cycle_in_which_the_next_command_comes():
+def test_command_timeout_can_expire_in_cycle_of_next_command():
     driver = Driver.of(open_world())
     driver.ask("AC", 390, 390)
     driver.ask("CONF_TM", 1)
@@ -203,7 +203,7 @@ def test_the_time_can_be_up_in_the_cycle_in_which_the_next_command_comes():
     assert told_s[VEL_RIGHT] == round(100 - 390 * 0.02)
 
 
-def test_conf_tm_counts_from_its_own_instant_with_its_own_time():
+def test_conf_tm_takes_effect_at_its_own_time():
     driver = Driver.of(open_world())
     driver.ask("VM", 100, 100)
     driver.run_s(2)
@@ -219,7 +219,7 @@ MOVE_S = 1.5
 
 
 def wait_for(driver: Driver, steps: int = 2000):
-    """Runs until the wait of robot 0 ends; gives when, and what it was told."""
+    """Run until the wait of robot 0 ends; return the time and the reply."""
     for _ in range(steps):
         (step,) = driver.run(1)
         if len(step.robots):
@@ -232,7 +232,7 @@ def wait_for(driver: Driver, steps: int = 2000):
 
 @pytest.mark.parametrize("timestep", ["1ms", "30ms", "50ms", "100ms"])
 @pytest.mark.parametrize("at_s", [0.0, 0.0007])
-def test_ws_ends_at_the_very_instant_at_which_the_wheels_stand(timestep, at_s):
+def test_ws_ends_exactly_when_wheels_are_at_rest(timestep, at_s):
     driver = Driver.of(open_world(timestep=timestep))
     driver.ask("PR", 100, 100, at_s=at_s)
     _, goes_on_s = driver.post("WS", 1, 1, 0, 255, at_s=at_s)
@@ -243,7 +243,7 @@ def test_ws_ends_at_the_very_instant_at_which_the_wheels_stand(timestep, at_s):
     assert told(message)[[CONF_X, MOTOR_STATUS]].tolist() == [100, 0]
 
 
-def test_ws_that_ends_in_the_same_cycle_is_answered_at_once():
+def test_ws_ending_in_same_cycle_is_answered_at_once():
     driver = Driver.of(open_world())
     driver.ask("PR", 100, 100, at_s=0.04)
     driver.run(30)
@@ -252,7 +252,7 @@ def test_ws_that_ends_in_the_same_cycle_is_answered_at_once():
     assert told(message)[CONF_X] == 100
 
 
-def test_ws_without_anything_to_wait_for_goes_on_at_once():
+def test_ws_without_motion_returns_at_once():
     driver = Driver.of(open_world())
     assert driver.post("WS", 1, 1, 0, 255, at_s=0.01)[1] == 0.01
     driver.ask("VM", 100, 100)
@@ -260,7 +260,7 @@ def test_ws_without_anything_to_wait_for_goes_on_at_once():
     assert driver.post("WS", 1, 1, 0, 0, at_s=0.03)[1] == 0.03
 
 
-def test_ws_gives_up_after_its_timeout_and_leaves_the_wheels_alone():
+def test_ws_times_out_without_stopping_wheels():
     driver = Driver.of(open_world())
     driver.ask("VM", 100, 100)
     driver.post("WS", 1, 1, 0, 3, at_s=0.013)
@@ -269,7 +269,7 @@ def test_ws_gives_up_after_its_timeout_and_leaves_the_wheels_alone():
     assert told(message)[VEL_RIGHT] == 100
 
 
-def test_ws_waits_for_the_chosen_wheel_only():
+def test_ws_waits_for_selected_wheel_only():
     driver = Driver.of(open_world())
     driver.ask("PR", 100, 300)
     driver.post("WS", 1, 0, 0, 255)
@@ -278,7 +278,7 @@ def test_ws_waits_for_the_chosen_wheel_only():
     assert wait_for(driver)[0] == pytest.approx(MOVE_S + 2)
 
 
-def test_ws_ends_when_the_timeout_of_commands_stops_the_wheels():
+def test_ws_ends_when_command_timeout_stops_wheels():
     driver = Driver.of(open_world())
     driver.ask("CONF_TM", 2)
     driver.ask("VM", 100, 100)
@@ -287,14 +287,14 @@ def test_ws_ends_when_the_timeout_of_commands_stops_the_wheels():
 
 
 @pytest.mark.parametrize("timeout", [-1, 256, 2**31 - 1, -(2**31)])
-def test_ws_holds_its_timeout_to_a_byte(timeout):
+def test_ws_clips_timeout_to_byte(timeout):
     driver = Driver.of(open_world(timestep="100ms"))
     driver.ask("VM", 100, 100)
     driver.post("WS", 1, 1, 0, timeout)
     assert driver.state.waits.until_s[0] in {0.0, 255.0}
 
 
-def test_ws_with_a_timeout_of_0_waits_forever_where_the_definition_says_so(tmp_path):
+def test_ws_with_timeout_0_waits_forever_if_defined(tmp_path):
     change = 'ws-timeout-zero="return"', 'ws-timeout-zero="forever"'
     driver = Driver.of(scout_file(tmp_path, change))  # robot 1
     ends_s = []
@@ -307,7 +307,7 @@ def test_ws_with_a_timeout_of_0_waits_forever_where_the_definition_says_so(tmp_p
 
 
 @pytest.mark.parametrize("restored", [False, True])
-def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
+def test_reply_to_wait_overwrites_request(restored):
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))
     driver.ask("PR", 100, 100)
     messages = np.zeros(2, MESSAGE)
@@ -327,7 +327,7 @@ def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
     assert messages["result"].tolist() == [1, 1]
 
 
-def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkeypatch):
+def test_immediate_wait_gives_same_answer_as_later_one(monkeypatch):
     def fail(context) -> np.ndarray:
         return np.zeros(len(context), dtype=np.bool_)
 
@@ -343,7 +343,7 @@ def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkey
     assert wait_for(driver)[1]["result"] == 0
 
 
-def test_a_wait_ends_for_each_robot_on_its_own():
+def test_waits_of_robots_end_independently():
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))
     messages = np.zeros(2, MESSAGE)
     messages["i"][:, 0] = messages["i"][:, 1] = 100, 300
@@ -359,10 +359,10 @@ def test_a_wait_ends_for_each_robot_on_its_own():
     assert ends == {0: pytest.approx(1.5), 1: pytest.approx(3.5)}
 
 
-# -- what a step tells -------------------------------------------------------------------------
+# -- the contents of a step --------------------------------------------------------------------
 
 
-def test_slices_number_the_parts_of_a_command_and_add_up_to_it():
+def test_slices_are_numbered_and_add_up_to_command():
     driver = Driver.of(open_world())
     driver.ask("PR", 100, -50, at_s=0.02)
     parts = [describe_slice(step, 0) for step in driver.run_s(2)]
@@ -376,7 +376,7 @@ def test_slices_number_the_parts_of_a_command_and_add_up_to_it():
         assert all(part.axes[axis].way == 0 for part in parts[31:])
 
 
-def test_a_command_without_an_end_has_slices_without_a_count():
+def test_endless_command_has_slices_without_count():
     driver = Driver.of(open_world())
     driver.ask("VM", 100, 100)
     part = describe_slice(driver.run(7)[-1], 0)
@@ -384,7 +384,7 @@ def test_a_command_without_an_end_has_slices_without_a_count():
     assert [(axis.name, axis.total) for axis in part.axes] == [("right", None), ("left", None)]
 
 
-def test_a_step_tells_which_requests_were_answered_and_with_what():
+def test_step_contains_answered_requests_with_replies():
     driver = Driver.of(world_of('<robot x="2m" y="5m"/><robot x="2m" y="7m"/>'))
     driver.run(1)
     driver.ask("GET_RC", robot=1, at_s=0.06)
@@ -401,7 +401,7 @@ def test_a_step_tells_which_requests_were_answered_and_with_what():
     assert describe_slice(driver.run(1)[0], 1).answers == ()
 
 
-def test_a_step_tells_the_contacts_that_began():
+def test_step_contains_new_contacts():
     driver = Driver.of(world_of('<robot id="r" x="9m" y="5m"/>'))
     driver.ask("VM", 200, 200)
     began = [
@@ -443,7 +443,7 @@ def busy_world():
 
 
 def play(environment: Environment, cycles: range) -> list:
-    """Posts requests of all kinds; gives all that programs would see."""
+    """Post requests of all kinds; return all that programs would see."""
     seen = []
     for cycle in cycles:
         rng = np.random.default_rng(cycle)  # the same requests in the same cycle, always
@@ -453,7 +453,7 @@ def play(environment: Environment, cycles: range) -> list:
             robots = robots[environment.state.waits.code[robots] == 0]
             messages = np.zeros(len(robots), MESSAGE)
             messages["i"][:, :6] = rng.integers(-200, 390, (len(robots), 6))
-            if code == CODES["VM"]:  # rather straight on than on the spot
+            if code == CODES["VM"]:  # mostly straight on
                 messages["i"][:, 1] = messages["i"][:, 0] + rng.integers(-40, 40, len(robots))
             if code == CODES["MV"]:
                 messages["i"][:, [0, 2, 4]] = rng.integers(0, 4, (len(robots), 3))
@@ -463,7 +463,7 @@ def play(environment: Environment, cycles: range) -> list:
                 messages["i"][:, 0] = 100
             if REQUESTS[code].name in {"AC", "DISCONNECT", "CONF_SN", "QUIT_SERVER", "NEW_WORLD"}:
                 code = CODES["VM"]
-            if code == CODES["VM"]:  # on the whole ahead, into the things
+            if code == CODES["VM"]:  # mostly ahead, into the objects
                 messages["i"][:, 1] = messages["i"][:, 0] - 30
             clock_s = environment.time_s + rng.random(len(robots)) * DT
             goes_on_s = environment.serve(code, robots, messages, clock_s)
@@ -482,7 +482,7 @@ def connected() -> Environment:
 
 
 @pytest.mark.parametrize("at", [1, 63])
-def test_from_a_snapshot_everything_happens_again_to_the_bit(at):
+def test_run_from_snapshot_is_bitwise_equal(at):
     environment = connected()
     play(environment, range(at))
     snapshot = environment.snapshot()
@@ -499,7 +499,7 @@ def test_from_a_snapshot_everything_happens_again_to_the_bit(at):
     assert play(other, range(at, at + 120)) == expected
 
 
-def test_a_snapshot_in_the_middle_of_a_cycle_keeps_what_was_answered_in_it():
+def test_snapshot_within_cycle_keeps_its_answers():
     driver = Driver.of(open_world())
     driver.ask("PR", 100, 100, at_s=0.02)
     snapshot = driver.environment.snapshot()
@@ -518,7 +518,7 @@ print(environment.hash())
 """
 
 
-def test_two_processes_get_the_same_state():
+def test_two_processes_reach_same_state():
     hashes = {
         subprocess.run(
             [sys.executable, "-c", PROGRAM], capture_output=True, text=True, check=True
@@ -530,14 +530,14 @@ def test_two_processes_get_the_same_state():
     assert hashes == {environment.hash() + "\n"}
 
 
-def test_the_hash_tells_small_differences():
+def test_hash_detects_small_differences():
     one, other = Environment(open_world(), 1), Environment(open_world(), 1)
     assert one.hash() == other.hash()
     other.state.bodies.position_m[0, 0] = 1e-300
     assert one.hash() != other.hash()
 
 
-# -- nonsense ----------------------------------------------------------------------------------
+# -- invalid requests --------------------------------------------------------------------------
 
 MESSAGES = st.tuples(
     st.lists(st.integers(-(2**31), 2**31 - 1), min_size=8, max_size=8),
@@ -575,7 +575,7 @@ _NONSENSE: dict[str, Driver] = {}
 
 
 def nonsense(robot: str) -> Driver:
-    """Gives one environment for all examples: nonsense must not add up either."""
+    """Return one environment for all examples: invalid requests must not accumulate either."""
     if robot not in _NONSENSE:
         things = f'<robot definition="{robot}" x="5m" y="5m"/>'
         _NONSENSE[robot] = Driver.of(world_of(things))
@@ -584,7 +584,7 @@ def nonsense(robot: str) -> Driver:
     return driver
 
 
-def test_a_request_of_nobody_is_let_be():
+def test_request_without_robots_does_nothing():
     environment = Environment(open_world(), 1)
     nobody = np.zeros(0, np.intp)
     for code in [*ROBOT_CODES, 7]:
@@ -592,7 +592,7 @@ def test_a_request_of_nobody_is_let_be():
 
 
 def scout_file(folder, *changes: tuple[str, str]):
-    """Writes a robot definition like the Scout's with changes, and gives a world file beside it."""
+    """Write a changed Scout definition; return a world file next to it."""
     text = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     for old, new in changes:
         assert old in text
@@ -606,7 +606,7 @@ def scout_file(folder, *changes: tuple[str, str]):
     return load_world(path)
 
 
-def test_robots_of_different_kinds_share_a_world(tmp_path):
+def test_robots_of_different_models_share_world(tmp_path):
     small = ('radius="8in"', 'radius="9in"'), ("<range>255in", "<range>50in")
     driver = Driver.of(scout_file(tmp_path, ('switches="8"', 'switches="4"'), *small))
     readings = [driver.ask("GET_SN", robot=robot)[17:33] for robot in range(3)]
@@ -620,7 +620,7 @@ def test_robots_of_different_kinds_share_a_world(tmp_path):
     ]
 
 
-def test_a_noisy_sonar_errs_anew_in_each_cycle_and_the_same_for_the_same_seed(tmp_path):
+def test_sonar_noise_varies_by_cycle_and_depends_only_on_seed(tmp_path):
     world = scout_file(tmp_path, ('noise="0in"', 'noise="5in"'))
 
     def errors(seed):
@@ -640,13 +640,13 @@ def test_a_noisy_sonar_errs_anew_in_each_cycle_and_the_same_for_the_same_seed(tm
     assert 2 < (found - np.median(found, axis=0))[found < 255].std() < 7
 
 
-def test_a_world_without_robots_lets_time_pass():
+def test_time_advances_in_world_without_robots():
     environment = Environment(WorldModel("nobody", Area(0, 0, 5, 5)), 0)
     step = environment.step()
     assert (environment.time_s, len(step.robots)) == (DT, 0)
 
 
-def test_a_motion_of_longer_than_can_be_counted_has_no_end(tmp_path):
+def test_uncountably_long_motion_is_endless(tmp_path):
     driver = Driver.of(scout_file(tmp_path, ('speed="10in/s"', 'speed="1e-300m/s"')))
     driver.post("PR", 100, 100, robot=1)
     with np.errstate(invalid="raise"):

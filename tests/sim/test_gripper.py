@@ -1,4 +1,4 @@
-"""What a gripper closes on: the nearest thing between its fingers that fits, and nothing else."""
+"""Grasps of a gripper: the nearest object between its fingers that fits, and nothing else."""
 
 import math
 
@@ -15,7 +15,7 @@ ROBOT = '<robot x="0" y="0"/>'
 
 
 def found(things, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
-    """Gives what lies between fingers at a place: right, left and nearest point [m]."""
+    """Return what is between fingers at a place: right, left and nearest point [m]."""
     scene = Scene(world_of('<robot x="9m" y="9m"/>' + things, WIDE))
     moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
     rows = between(moving, 1, np.array([mount]), np.array([strip]))
@@ -25,7 +25,7 @@ def found(things, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
     ]
 
 
-def test_of_a_box_that_lies_along_the_fingers_its_width_counts():
+def test_width_of_box_along_fingers_is_used():
     r"""Palm at 20 cm, tips at 30 cm; the box from 25 to 65 cm.
 
       ═════════
@@ -37,7 +37,7 @@ def test_of_a_box_that_lies_along_the_fingers_its_width_counts():
     assert found(box) == [("box0", 0.0, 0.04, 0.25)]
 
 
-def test_of_what_stands_askew_the_part_between_the_fingers_counts():
+def test_width_of_rotated_box_is_that_between_fingers():
     """A square on its tip: 4 cm behind its tip it is 8 cm wide."""
     box = '<box x="40cm" y="0" heading="45" length="20cm" width="20cm" mass="1kg"/>'
     tip_m = 0.4 - 0.1 * math.sqrt(2)
@@ -45,7 +45,7 @@ def test_of_what_stands_askew_the_part_between_the_fingers_counts():
     assert found(box) == [("box0", *np.round([-depth_m, depth_m, tip_m], 6).tolist())]
 
 
-def test_of_a_cylinder_its_chord_at_the_tips_counts_or_its_diameter():
+def test_width_of_cylinder_is_chord_at_tips_or_diameter():
     chord_m = round(math.sqrt(0.05**2 - 0.03**2), 6)
     assert found('<cylinder x="33cm" y="0" radius="5cm" mass="1kg"/>') == [
         ("cylinder0", -chord_m, chord_m, 0.28)
@@ -55,17 +55,17 @@ def test_of_a_cylinder_its_chord_at_the_tips_counts_or_its_diameter():
     ]
 
 
-def test_a_turned_mount_sees_the_same():
+def test_rotated_mount_gives_same_result():
     box = '<box x="2m" y="3.45m" heading="90" length="40cm" width="4cm" mass="1kg"/>'
     assert found(box, (2.0, 3.0, math.pi / 2)) == [("box0", -0.02, 0.02, 0.25)]
 
 
-def test_what_does_not_reach_between_the_fingers_is_not_found():
+def test_object_outside_fingers_is_not_found():
     assert found('<cylinder x="40cm" y="0" radius="5cm" mass="1kg"/>') == []
     assert found('<box x="-45cm" y="0" length="40cm" width="4cm" mass="1kg"/>') == []
 
 
-def test_fingers_stop_when_they_are_as_near_as_the_thing_is_wide(tmp_path):
+def test_fingers_stop_at_width_of_object(tmp_path):
     """20 cm apart, closing in 1 s: after 0.6 s they are 8 cm apart, as the can is wide."""
     can = '<cylinder x="26cm" y="0" radius="4cm" mass="1500g"/>'
     driver = gripping(tmp_path, ROBOT + can, WIDE)
@@ -92,7 +92,7 @@ def test_fingers_stop_when_they_are_as_near_as_the_thing_is_wide(tmp_path):
     ('<cylinder x="36cm" y="0" radius="4cm" mass="1kg"/>', 0),                   # too far ahead
     ('<robot x="45cm" y="0"/>', 1),
 ])  # fmt: skip
-def test_on_anything_else_they_close_altogether(tmp_path, thing, beam):
+def test_fingers_close_completely_on_ungraspable_objects(tmp_path, thing, beam):
     driver = gripping(tmp_path, ROBOT + thing, WIDE)
     assert tell(driver)[1] == beam
     driver.post("GRIPPER", CLOSE)
@@ -100,7 +100,7 @@ def test_on_anything_else_they_close_altogether(tmp_path, thing, beam):
     assert tell(driver) == [0, beam, 0]
 
 
-def test_of_two_things_the_nearer_is_taken_also_if_it_is_the_second(tmp_path):
+def test_nearer_of_two_objects_is_grasped(tmp_path):
     cans = (
         '<cylinder id="far" x="28cm" y="6cm" radius="3cm" mass="1kg"/>'
         '<cylinder id="near" x="25cm" y="-5cm" radius="3cm" mass="1kg"/>'
@@ -111,7 +111,7 @@ def test_of_two_things_the_nearer_is_taken_also_if_it_is_the_second(tmp_path):
     assert (event.kind, event.text, event.robot) == ("grip", "took near", 0)
 
 
-def test_what_comes_between_fingers_that_are_closed_is_not_taken(tmp_path):
+def test_closed_fingers_do_not_grasp(tmp_path):
     can = '<cylinder x="60cm" y="0" radius="4cm" mass="1kg"/>'
     driver = gripping(tmp_path, ROBOT + can, WIDE)
     driver.post("GRIPPER", CLOSE)
@@ -121,7 +121,7 @@ def test_what_comes_between_fingers_that_are_closed_is_not_taken(tmp_path):
     assert tell(driver) == [0, 1, 0]
 
 
-def test_a_word_that_is_neither_open_nor_close_is_refused(tmp_path):
+def test_invalid_command_is_refused(tmp_path):
     driver = gripping(tmp_path, ROBOT, WIDE)
     for what in (-1, 2, 2**31 - 1, -(2**31)):
         assert driver.post("GRIPPER", what)[0]["result"] == 0
@@ -131,7 +131,7 @@ def test_a_word_that_is_neither_open_nor_close_is_refused(tmp_path):
 @pytest.mark.parametrize(("fault", "apart"), [
     ('dead="yes"', 79), ('dead="yes" duration="1s"', 0), ('bias="-1"', 79), ('dropouts="1"', 79),
 ])  # fmt: skip
-def test_one_that_is_degraded_may_not_do_what_it_is_told(tmp_path, fault, apart):
+def test_degraded_gripper_may_ignore_command(tmp_path, fault, apart):
     fault = f'<degradation robot="robot0" device="gripper" {fault}/>'
     driver = gripping(tmp_path, ROBOT + fault, WIDE)
     driver.post("GRIPPER", CLOSE)

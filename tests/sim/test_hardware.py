@@ -1,4 +1,4 @@
-"""Axis profiles: worked examples, and what must hold for every profile and every slicing."""
+"""Axis profiles: worked examples, and properties of every profile and every slicing."""
 
 import math
 
@@ -13,7 +13,7 @@ ZERO = np.array([0.0])
 
 
 def axes_at(right_mps: float, left_mps: float = 0.0) -> Axes:
-    """Gives axes that have reached a speed at the instant 0."""
+    """Return axes that have reached a speed at time 0."""
     axes = Axes.standing(1)
     axes.speed[0, :2] = right_mps, left_mps
     axes.cruise_s[:] = math.inf
@@ -25,7 +25,7 @@ def way(axes: Axes, to_s: float) -> list[float]:
 
 
 MOVES = {
-    # way, first speed, limit, ramp: end and way at the middle of the time
+    # distance, first speed, limit, ramp: end and distance at half of the time
     "too short to reach the limit": ((0.16, 0.0, 1.0, 1.0), 0.8, 0.08),
     "ramp, cruise, brake": ((1.0, 0.0, 0.5, 1.0), 2.5, 0.5),
     "backwards": ((-1.0, 0.0, 0.5, 1.0), 2.5, -0.5),
@@ -39,7 +39,7 @@ MOVES = {
 
 
 @pytest.mark.parametrize("name", MOVES)
-def test_a_move_ends_on_time_and_on_its_goal(name):
+def test_move_ends_on_time_at_goal(name):
     (way_m, first_mps, limit_mps, ramp_mps2), end_s, middle_m = MOVES[name]
     axes = axes_at(first_mps)
     goal = np.array([[way_m, 0.0, 0.0]])
@@ -52,7 +52,7 @@ def test_a_move_ends_on_time_and_on_its_goal(name):
     assert axes.speed[0, 0] == 0.0
 
 
-def test_a_speed_command_ramps_and_then_keeps_the_speed():
+def test_speed_command_ramps_and_then_keeps_speed():
     axes = axes_at(0.2, -0.2)
     plan_speed(axes, ALL, ZERO, np.array([[0.5, -0.5, 0.0]]), ramp=0.5)
     assert way(axes, 0.6) == pytest.approx([0.21, -0.21, 0.0])
@@ -61,7 +61,7 @@ def test_a_speed_command_ramps_and_then_keeps_the_speed():
     assert math.isinf(axes.end_s()[0, 0])
 
 
-def test_a_new_command_starts_from_the_speed_reached():
+def test_new_command_starts_from_speed_reached():
     axes = Axes.standing(1)
     plan_speed(axes, ALL, ZERO, np.array([[1.0, 1.0, 0.0]]), ramp=1.0)
     way(axes, 0.5)
@@ -70,7 +70,7 @@ def test_a_new_command_starts_from_the_speed_reached():
     assert way(axes, 9.0) == pytest.approx([0.125, 0.125, 0.0])
 
 
-def test_an_axis_that_is_not_meant_keeps_its_profile():
+def test_unselected_axis_keeps_its_profile():
     axes = Axes.standing(1)
     plan_speed(axes, ALL, ZERO, np.array([[1.0, 1.0, 0.0]]), ramp=1.0)
     way(axes, 0.5)
@@ -88,7 +88,7 @@ RAMPS = st.floats(0.01, 2.0)
 
 @settings(max_examples=150, deadline=None)
 @given(SPEEDS, WAYS, LIMITS, RAMPS, st.lists(st.floats(0.0, 1.0), min_size=1, max_size=60))
-def test_slices_of_any_length_add_up_to_the_whole_move(first, way_m, limit, ramp, cuts):
+def test_slices_of_any_length_add_up_to_move(first, way_m, limit, ramp, cuts):
     axes = axes_at(first)
     plan_move(axes, ALL, ZERO, np.array([[way_m, 0.0, 0.0]]), limit=limit, ramp=ramp)
     end_s = float(axes.end_s()[0, 0])
@@ -98,7 +98,7 @@ def test_slices_of_any_length_add_up_to_the_whole_move(first, way_m, limit, ramp
 
 @settings(max_examples=60, deadline=None)
 @given(SPEEDS, WAYS, LIMITS, RAMPS)
-def test_speed_and_acceleration_keep_within_their_limits(first, way_m, limit, ramp):
+def test_speed_and_acceleration_stay_within_limits(first, way_m, limit, ramp):
     axes = axes_at(first)
     plan_move(axes, ALL, ZERO, np.array([[way_m, 0.0, 0.0]]), limit=limit, ramp=ramp)
     end_s = min(float(axes.end_s()[0, 0]), 200.0)
@@ -114,7 +114,7 @@ def test_speed_and_acceleration_keep_within_their_limits(first, way_m, limit, ra
         assert before == 0.0
 
 
-def test_many_robots_move_as_each_would_alone():
+def test_batched_robots_move_as_single_ones():
     rng = np.random.default_rng(5)
     count = 40
     ways, limits = rng.uniform(-3, 3, (count, 3)), rng.uniform(0.05, 1, (count, 3))

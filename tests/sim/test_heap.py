@@ -1,4 +1,4 @@
-"""Fifty robots push fifty boxes into a heap, partly on slopes: a snapshot goes on to the same bits.
+"""Fifty robots push fifty boxes into a heap, partly on slopes: snapshots continue bitwise equal.
 
 r b r b ...      every other place of a grid of 10 by 10 has a robot; all drive towards the
 b r b r ...      middle, where a plateau stands with a ramp on each of two sides; on the ramp
@@ -28,7 +28,7 @@ SURFACE = (
 
 
 def heap():
-    """Gives the world."""
+    """Return the world."""
     things = []
     for number in range(100):
         row, column = divmod(number, 10)
@@ -44,7 +44,7 @@ def heap():
 
 @pytest.fixture(scope="module")
 def driven():
-    """Gives the heap at the end, and snapshots on the way there."""
+    """Return the heap at the end, and snapshots before it."""
     driver, snapshots = Driver.of(heap()), []
     for cycle in range(LAST):
         if cycle in (61, 99, 100, 118):
@@ -54,7 +54,7 @@ def driven():
 
 
 def drive_on(driver: Driver) -> None:
-    """Runs a cycle; every so often each robot gets a new command."""
+    """Run a cycle; at intervals each robot gets a new command."""
     cycle = driver.state.cycle
     for robot in range(50 if cycle % 40 == 0 else 0):
         if (robot + cycle) % 7 == 0:
@@ -65,14 +65,14 @@ def drive_on(driver: Driver) -> None:
 
 
 def finish(environment: Environment) -> str:
-    """Goes on to the end as the first run did, and gives the hash."""
+    """Continue to the end as the first run did; return the hash."""
     driver = Driver(environment)
     while driver.state.cycle < LAST:
         drive_on(driver)
     return environment.hash()
 
 
-def test_it_is_a_heap(driven):
+def test_objects_form_a_heap(driven):
     driver, _ = driven
     assert len(driver.environment.world.robots) == 50
     touching = {int(key) for step in driver.steps for key in step.contacts.robot}
@@ -84,7 +84,7 @@ def test_it_is_a_heap(driven):
     assert (heights_m > 0.01).sum() > 5
 
 
-def test_from_every_snapshot_it_goes_on_to_the_same_bits(driven):
+def test_run_from_every_snapshot_is_bitwise_equal(driven):
     driver, snapshots = driven
     expected = driver.environment.hash()
     fresh = Environment(driver.environment.world, seed=1)
@@ -93,7 +93,7 @@ def test_from_every_snapshot_it_goes_on_to_the_same_bits(driven):
         assert finish(fresh) == expected
 
 
-def test_it_does_so_in_another_process(driven, tmp_path):
+def test_run_from_snapshot_in_another_process_is_bitwise_equal(driven, tmp_path):
     driver, snapshots = driven
     (tmp_path / "heap").write_bytes(pickle.dumps((driver.environment.world, snapshots[-1])))
     program = (

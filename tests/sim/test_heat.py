@@ -1,4 +1,4 @@
-"""Heat: what warms a robot's sensor, and what tagging leaves of it."""
+"""Heat: the readings of a robot's sensor, and the effect of tagging."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ def of(things: str, robot: str = '<robot x="0" y="0"/>') -> Driver:
     return Driver.of(open_world(robot + things))
 
 
-def test_where_nothing_is_hot_the_sensor_reads_0():
+def test_sensor_reads_0_without_heat():
     assert heat(of('<cylinder x="1m" y="0" radius="20cm"/>')) == 0
 
 
-def test_the_heat_of_all_things_in_range_is_added_whatever_their_distance():
+def test_heat_in_range_is_summed_independently_of_distance():
     stove = '<cylinder x="{}m" y="0" radius="20cm" heat="{}"/>'
     assert heat(of(stove.format(1, 1))) == 1
     assert heat(of(stove.format(-3, 1))) == 1
@@ -45,13 +45,13 @@ def test_the_heat_of_all_things_in_range_is_added_whatever_their_distance():
         ('<polygon points="{0},0 9,-1 9,1" heat="1" mass="2kg"/>', 0.0),
     ],
 )
-def test_the_nearest_point_decides(thing: str, edge_m: float):
+def test_distance_is_that_of_nearest_point(thing: str, edge_m: float):
     assert heat(of(thing.format(3 + edge_m - 0.01))) == 1
     assert heat(of(thing.format(3 + edge_m + 0.01))) == 0
 
 
-def test_whoever_is_in_the_dent_of_a_polygon_is_outside_of_it():
-    """A U of hot walls 20 m wide around the robot, 4 m from it: as far as the nearest of them."""
+def test_robot_in_concavity_is_outside_polygon():
+    """A U of hot walls around the robot, 4 m from it: the distance is that of the nearest."""
     around = "-5,-5 5,-5 5,5 4,5 4,-4 -4,-4 -4,5 -5,5"
     assert heat(of(f'<polygon points="{around}" heat="1"/>')) == 0
     nearer = around.replace("-4,-4", "-4,-2.9").replace("4,-4", "4,-2.9")
@@ -63,12 +63,12 @@ def test_walls_do_not_stop_heat():
     assert heat(of(wall + '<cylinder x="1m" y="0" radius="20cm" heat="1"/>')) == 1
 
 
-def test_robots_warm_each_other_but_not_themselves():
+def test_robots_sense_heat_of_others_only():
     driver = of("", '<robot x="0" y="0" heat="3"/><robot x="1m" y="0" heat="4"/>')
     assert (heat(driver, 0), heat(driver, 1)) == (4, 3)
 
 
-def test_tagging_takes_the_heat_from_all_things_in_range_for_all_robots():
+def test_tagging_removes_heat_in_range_for_all_robots():
     things = '<cylinder x="2m" y="0" radius="20cm" heat="1"/><robot x="1m" y="0" heat="1"/>'
     far = '<cylinder x="5m" y="0" radius="20cm" heat="7"/>'
     driver = of(things + far, '<robot x="0" y="0" heat="2"/>')
@@ -82,7 +82,7 @@ def test_tagging_takes_the_heat_from_all_things_in_range_for_all_robots():
     assert message["i"][0] == 0
 
 
-def test_heat_moves_with_what_is_pushed():
+def test_heat_moves_with_pushed_object():
     box = '<box x="5m" y="5m" length="40cm" width="40cm" mass="1kg" heat="1"/>'
     driver = Driver.of(world_of(box + '<robot x="3m" y="5m"/><robot x="9m" y="5m"/>'))
     assert heat(driver, 1) == 0
@@ -92,7 +92,7 @@ def test_heat_moves_with_what_is_pushed():
     assert heat(driver, 1) == 1
 
 
-def test_many_robots_feel_what_each_would_alone():
+def test_batched_readings_equal_single_readings():
     generator = np.random.default_rng(7)
     places = generator.uniform(0.5, 19.5, (60, 2))
     things = "".join(
@@ -109,7 +109,7 @@ def test_many_robots_feel_what_each_would_alone():
         assert heat(driver, robot) == state.heat.left[near].sum()
 
 
-def test_heat_is_part_of_a_snapshot_and_of_the_hash():
+def test_heat_is_part_of_snapshot_and_hash():
     driver = of('<cylinder x="2m" y="0" radius="20cm" heat="1"/>')
     before, hash_before = driver.environment.snapshot(), driver.environment.hash()
     driver.post("TAG")
@@ -119,7 +119,7 @@ def test_heat_is_part_of_a_snapshot_and_of_the_hash():
     assert heat(driver) == 1
 
 
-def test_a_robot_without_the_sensor_refuses(tmp_path):
+def test_robot_without_heat_sensor_refuses(tmp_path):
     bare = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
         <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
                acceleration="1m/s2"/>{}</robot-definition>"""
@@ -140,6 +140,6 @@ def test_a_robot_without_the_sensor_refuses(tmp_path):
 
 
 @pytest.mark.parametrize("heat_", ["-1", "warm", "1m", "1e9"])
-def test_heat_is_a_number_that_is_not_negative(heat_: str):
+def test_invalid_heat_is_refused(heat_: str):
     with pytest.raises(WorldError, match="heat"):
         of(f'<cylinder x="2m" y="0" radius="20cm" heat="{heat_}"/>')

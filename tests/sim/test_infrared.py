@@ -1,4 +1,4 @@
-"""The infrared ring of the Nomad 200: its law, its order, how it forgets."""
+"""The infrared ring of the Nomad 200: its law, its order and its history."""
 
 import math
 
@@ -17,7 +17,7 @@ ALL_OFF = [15] * 16
 
 
 def wall(distance_in: float) -> str:
-    """Gives a wall so far ahead of the shell of a Nomad at the origin."""
+    """Return a wall at a distance ahead of the shell of a Nomad at the origin."""
     x_in = RADIUS_IN + distance_in + 1
     return f'<wall x1="{x_in}in" y1="-5m" x2="{x_in}in" y2="5m" thickness="2in"/>'
 
@@ -29,19 +29,19 @@ def ring(driver: Driver, name: str = "GET_IR", robot: int = 0) -> list[int]:
 @pytest.mark.parametrize(
     ("distance_in", "reading"), [(0.3, 0), (0.7, 1), (6.2, 6), (6.6, 7), (14.4, 14), (14.6, 15)]
 )
-def test_a_reading_is_the_distance_in_inches_up_to_15(distance_in, reading):
+def test_reading_is_distance_in_inches_up_to_15(distance_in, reading):
     driver = Driver.of(open_world(NOMAD + wall(distance_in)))
     assert ring(driver)[0] == reading
     assert ring(driver)[5:12] == [15] * 7
 
 
-def test_nothing_near_reads_15():
+def test_reading_without_object_is_15():
     assert ring(Driver.of(open_world(NOMAD))) == ALL_OFF
     assert ring(Driver.of(open_world(NOMAD + wall(40)))) == ALL_OFF
 
 
 @pytest.mark.parametrize("number", range(16))
-def test_sensors_count_counter_clockwise_from_ahead(number):
+def test_sensors_are_numbered_counterclockwise_from_front(number):
     angle = math.radians(22.5) * number
     away_in = RADIUS_IN + 5 + 1
     x_in, y_in = away_in * math.cos(angle), away_in * math.sin(angle)
@@ -51,7 +51,7 @@ def test_sensors_count_counter_clockwise_from_ahead(number):
     assert readings[(number + 8) % 16] == 15
 
 
-def test_a_surface_that_reflects_a_quarter_seems_twice_as_far_away(tmp_path):
+def test_quarter_reflectance_doubles_apparent_distance(tmp_path):
     dark = (EXACT, EXACT.replace('reflectance="1"', 'reflectance="0.25"'))
     things = '<robot x="0" y="0"/>' + wall(5)
     driver = Driver.of(own_world(tmp_path, dark, things=things, robot="nomad200"))
@@ -61,7 +61,7 @@ def test_a_surface_that_reflects_a_quarter_seems_twice_as_far_away(tmp_path):
     assert ring(driver)[0] == 15
 
 
-def test_the_ring_turns_with_the_turret():
+def test_ring_turns_with_turret():
     driver = Driver.of(open_world(NOMAD + wall(6)))
     driver.ask("PR", 0, 0, 900)
     driver.run_s(10)
@@ -70,7 +70,7 @@ def test_the_ring_turns_with_the_turret():
     assert readings[0] == 15
 
 
-def test_history_lets_a_share_of_the_last_reading_stay():
+def test_history_keeps_share_of_last_reading():
     driver = Driver.of(open_world(NOMAD + wall(5)))
     message, _ = driver.post("CONF_IR", 5, data=bytes([0, 255]))
     assert message["result"] == 1
@@ -81,7 +81,7 @@ def test_history_lets_a_share_of_the_last_reading_stay():
     assert levels == [8, 6, 6, 5]  # 7.5, 6.25, 5.625, 5.3125: the reply to conf_ir had 10
 
 
-def test_they_measure_twenty_times_a_second_at_most():
+def test_rate_is_limited_to_20_hz():
     driver = Driver.of(open_world(NOMAD + wall(5)))
     driver.post("CONF_IR", 5, data=bytes([0, 255]))
     driver.run(1)
@@ -91,7 +91,7 @@ def test_they_measure_twenty_times_a_second_at_most():
     assert ring(driver)[0] < within[0]
 
 
-def test_history_0_forgets_at_once_and_10_never_learns():
+def test_history_0_has_no_memory_and_10_never_changes():
     driver = Driver.of(open_world(NOMAD + wall(5)))
     driver.ask("CONF_IR", 10, data=bytes(range(16)))
     for _ in range(5):
@@ -103,7 +103,7 @@ def test_history_0_forgets_at_once_and_10_never_learns():
     assert ring(driver)[0] == 5
 
 
-def test_only_sensors_in_the_order_measure():
+def test_only_sensors_in_order_measure():
     driver = Driver.of(open_world(NOMAD + wall(2)))
     driver.run(1)
     assert sum(reading < 15 for reading in ring(driver)) >= 3
@@ -114,13 +114,13 @@ def test_only_sensors_in_the_order_measure():
 
 
 @pytest.mark.parametrize("order", [bytes([16]), bytes([0, 200, 255])])
-def test_conf_ir_refuses_sensors_that_cannot_be(order):
+def test_conf_ir_refuses_invalid_sensors(order):
     driver = Driver.of(open_world(NOMAD))
     assert driver.post("CONF_IR", 0, data=order)[0]["result"] == 0
     assert driver.state.infrared.on[0].all()
 
 
-def test_every_state_carries_them_and_the_mask_can_stop_them():
+def test_every_state_contains_infrared_unless_masked():
     driver = Driver.of(open_world(NOMAD + wall(6)))
     assert ring(driver, "GS")[0] == 6
     mask = bytearray([0] + [1] * 43)
@@ -133,7 +133,7 @@ def test_every_state_carries_them_and_the_mask_can_stop_them():
     assert driver.post("CT", data=bytes(10))[0]["result"] == 0
 
 
-def test_they_measure_from_where_the_robot_is_at_the_instant():
+def test_measurement_uses_pose_at_its_time():
     driver = Driver.of(open_world(NOMAD + wall(14), timestep="100ms"))
     driver.ask("AC", 300, 300)
     driver.ask("VM", 200, 0)
@@ -145,7 +145,7 @@ def test_they_measure_from_where_the_robot_is_at_the_instant():
     assert driver.state.infrared.measured.configuration[0, 0] == late["data"][:180].view("<i4")[34]
 
 
-def test_a_scout_has_none():
+def test_scout_has_no_infrared():
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot definition="nomad200" x="0" y="9"/>'))
     for name in ("GET_IR", "CONF_IR"):
         assert driver.post(name)[0]["result"] == 0
@@ -153,7 +153,7 @@ def test_a_scout_has_none():
     assert ring(driver, "GS") == [0] * 16
 
 
-def test_noise_has_the_spread_of_the_definition(tmp_path):
+def test_noise_has_standard_deviation_of_definition(tmp_path):
     noisy = (EXACT, EXACT.replace('noise="0in"', 'noise="1in"').replace('step="1in"', 'step="4in"'))
     things = '<robot x="0" y="0"/>' + wall(30)
     driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
@@ -176,14 +176,14 @@ def test_noise_has_the_spread_of_the_definition(tmp_path):
         ('step="1in" history="11"', "history: '11' is not an integer from 0 to 10"),
     ],
 )
-def test_rings_that_cannot_be_are_refused(tmp_path, bad, message):
+def test_invalid_rings_are_refused(tmp_path, bad, message):
     with pytest.raises(WorldError) as caught:
         own_world(tmp_path, (EXACT, bad), robot="nomad200")
     assert any(message in each.render() for each in caught.value.diagnostics)
 
 
 @pytest.mark.parametrize(("share", "reading"), [(1.0, 6), (0.25, 12), (0.16, 15), (0.0, 15)])
-def test_a_surface_that_reflects_less_looks_further_away(share, reading):
+def test_lower_reflectance_increases_apparent_distance(share, reading):
     """6 in from the shell: twice as far for a quarter of the light, and 2.5 times for 0.16."""
     dark = wall(6).replace("/>", f' infrared="{share}"/>')
     assert ring(Driver.of(open_world(NOMAD + dark)))[0] == reading

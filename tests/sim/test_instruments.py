@@ -1,4 +1,4 @@
-"""All instruments together: snapshots, repetition, nonsense, robots that do not ask."""
+"""All instruments together: snapshots, repetition, invalid requests, robots without requests."""
 
 import math
 import pickle
@@ -50,7 +50,7 @@ def connected(seed: int = 3) -> Environment:
 
 
 def play(environment: Environment, cycles: range) -> list:
-    """Asks for everything; gives all that programs would see."""
+    """Request everything; return all that programs would see."""
     seen = []
     for cycle in cycles:
         rng = np.random.default_rng(cycle)
@@ -72,7 +72,7 @@ def play(environment: Environment, cycles: range) -> list:
 
 
 @pytest.mark.parametrize("at", [0, 41])
-def test_from_a_snapshot_all_readings_are_the_same_again(at):
+def test_readings_from_snapshot_are_equal(at):
     environment = connected()
     play(environment, range(at))
     snapshot = environment.snapshot()
@@ -84,7 +84,7 @@ def test_from_a_snapshot_all_readings_are_the_same_again(at):
     assert play(other, range(at, at + 30)) == expected
 
 
-def test_noise_depends_on_the_seed_alone():
+def test_noise_depends_only_on_seed():
     assert play(connected(1), range(10)) == play(connected(1), range(10))
     assert play(connected(1), range(10)) != play(connected(2), range(10))
 
@@ -95,7 +95,7 @@ READS = (
 )  # fmt: skip
 
 
-def test_what_one_robot_reads_changes_nothing_for_the_others():
+def test_readings_of_one_robot_do_not_affect_others():
     def readings(asking: bool) -> bytes:
         driver = Driver(connected())
         seen = b""
@@ -111,7 +111,7 @@ def test_what_one_robot_reads_changes_nothing_for_the_others():
     assert readings(True) == readings(False)
 
 
-def test_robots_that_do_not_ask_have_nothing_measured():
+def test_nothing_is_measured_without_request():
     environment = Environment(room(), 3)
     Driver(environment).run(20)
     state = environment.state
@@ -121,7 +121,7 @@ def test_robots_that_do_not_ask_have_nothing_measured():
     assert len(state.pos_data.told) == 0
 
 
-def test_scouts_have_no_room_for_what_they_lack():
+def test_scouts_have_no_state_for_missing_devices():
     state = Environment(world_of('<robot x="2m" y="2m"/>' * 1), 0).state
     for array in (state.infrared.level, state.compass.reading, state.laser.seen):
         assert array.size == 0
@@ -137,7 +137,7 @@ _NONSENSE: list[Environment] = []
 
 @settings(max_examples=200, deadline=None)
 @given(st.sampled_from(SENSOR_CODES), MESSAGES, st.floats(allow_nan=True))
-def test_no_request_can_break_the_instruments(code, content, clock_s):
+def test_no_request_breaks_instruments(code, content, clock_s):
     if not _NONSENSE:
         _NONSENSE.append(connected())
     environment = _NONSENSE[0]

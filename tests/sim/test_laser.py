@@ -22,7 +22,7 @@ TENTH = INCH / 10
 
 
 def readings(driver: Driver, name: str = "GET_LS", robot: int = 0, at_s: float = 0.0) -> list:
-    """Gives what the client would put into Laser: the readings of all pages."""
+    """Return what the client would write to Laser: the readings of all pages."""
     message, _ = driver.post(name, robot=robot, at_s=at_s)
     assert message["result"] == 1
     return pages(driver, int(message["i"][0]), robot)
@@ -46,7 +46,7 @@ def laser(things: str, *conf: int) -> Driver:
     return driver
 
 
-def test_points_on_a_wall_ahead_are_where_the_beams_cross_it():
+def test_points_on_wall_are_intersections_with_beams():
     found = readings(laser(WALL))
     assert len(found) == 20
     for number, (x, y) in enumerate(found):
@@ -55,7 +55,7 @@ def test_points_on_a_wall_ahead_are_where_the_beams_cross_it():
         assert y == round((2.0 - 0.2) * math.tan(angle) / TENTH)
 
 
-def test_points_out_of_range_are_left_out():
+def test_points_out_of_range_are_omitted():
     # From 0.2 m ahead of the middle 2.9 m along x are in range, at 30 degrees they are not.
     things = '<wall x1="3.15m" y1="-5m" x2="3.15m" y2="5m" thickness="0.1m"/>'
     found = readings(laser(things, 51, 20, 20, 60, 4))
@@ -64,13 +64,13 @@ def test_points_out_of_range_are_left_out():
     assert readings(laser("")) == []
 
 
-def test_a_beam_straight_ahead_that_sees_nothing_gives_no_warning():
+def test_beam_straight_ahead_without_hit_causes_no_warning():
     with np.errstate(all="raise"):  # an infinite distance times the sine of 0
         assert readings(laser("", 51, 20, 20, 7, 4)) == []
         assert len(readings(laser(WALL, 51, 20, 20, 7, 4))) == 7
 
 
-def test_all_482_points_come_in_pages():
+def test_482_points_are_returned_in_pages():
     found = readings(laser(WALL, 51, 20, 20, 482, 4))
     assert len(found) == 482
     assert found == sorted(found, key=lambda point: point[1])
@@ -79,7 +79,7 @@ def test_all_482_points_come_in_pages():
     assert len(readings(laser(WALL, 51, 20, 20, 1, 4))) == 1
 
 
-def test_a_corner_gives_two_segments():
+def test_corner_gives_two_segments():
     driver = laser(CORNER, 33, 20, 20, 482, 4)
     message, _ = driver.post("GS")
     found = pages(driver, int(message["i"][0]))
@@ -92,7 +92,7 @@ def test_a_corner_gives_two_segments():
     assert found[1] == pytest.approx((*corner, left_x, corner[1]), abs=3)
 
 
-def test_get_ls_tells_points_and_get_sg_segments_whatever_the_mode():
+def test_get_ls_returns_points_and_get_sg_segments_in_every_mode():
     for mode, width in ((33, 4), (1, 4), (51, 2), (19, 2)):
         driver = laser(CORNER, mode, 20, 20, 100, 4)
         assert len(readings(driver, "GET_LS")) == 100
@@ -115,7 +115,7 @@ def test_conf_sg_sets_how_points_become_segments():
     assert readings(driver, "GET_SG") == []
 
 
-def test_the_points_turn_with_the_turret():
+def test_points_turn_with_turret():
     driver = laser(WALL)
     driver.ask("PR", 0, 0, -200)
     driver.run_s(10)
@@ -128,7 +128,7 @@ def test_the_points_turn_with_the_turret():
 
 
 @pytest.mark.parametrize("mode", [0, 50, 2])
-def test_a_laser_that_is_off_tells_nothing(mode):
+def test_laser_that_is_off_returns_nothing(mode):
     driver = laser(WALL, mode)
     for name in ("GET_LS", "GET_SG", "GS"):
         assert readings(driver, name) == []
@@ -136,13 +136,13 @@ def test_a_laser_that_is_off_tells_nothing(mode):
 
 
 @pytest.mark.parametrize("mode", [3, 5, 7, 35, 17, 49, 2**31 - 1, -1])
-def test_modes_that_tell_pixels_are_refused(mode):
+def test_pixel_modes_are_refused(mode):
     driver = laser(WALL)
     assert driver.post("CONF_LS", mode, 20, 20, 20, 4)[0]["result"] == 0
     assert driver.ask("GS")[LASER] == 51
 
 
-def test_pages_are_of_what_the_last_reply_told():
+def test_pages_contain_readings_of_last_reply():
     driver = laser(WALL)
     message, _ = driver.post("GS")
     first = pages(driver, int(message["i"][0]))
@@ -157,7 +157,7 @@ def test_pages_are_of_what_the_last_reply_told():
         assert driver.post("LASER_PAGE", page)[0]["result"] == 0
 
 
-def test_the_mask_stops_the_laser_in_states_only():
+def test_mask_excludes_laser_from_states_only():
     driver = laser(WALL)
     mask = bytes([0] + [1] * 41 + [0, 1])
     driver.ask("CT", data=mask)
@@ -165,7 +165,7 @@ def test_the_mask_stops_the_laser_in_states_only():
     assert len(readings(driver, "GET_LS")) == 20
 
 
-def test_it_looks_thirty_times_a_second_at_most():
+def test_rate_is_limited_to_30_hz():
     driver = Driver.of(open_world(NOMAD + WALL, timestep="10ms"))
     driver.ask("CONF_LS", 51, 20, 20, 20, 4)
     driver.ask("VM", 200, 0)
@@ -177,7 +177,7 @@ def test_it_looks_thirty_times_a_second_at_most():
     assert 25 <= len(set(seen)) <= 31
 
 
-def test_it_sees_other_robots_and_not_its_own():
+def test_laser_sees_other_robots_only():
     other = '<robot x="1.2m" y="0"/>'
     driver = laser(other)
     found = readings(driver)
@@ -185,7 +185,7 @@ def test_it_sees_other_robots_and_not_its_own():
     assert nearest == pytest.approx((1.2 - 8 * INCH) / TENTH, abs=1)
 
 
-def test_snapshots_keep_what_was_told():
+def test_snapshots_contain_reported_readings():
     driver = laser(WALL)
     count = int(driver.post("GS")[0]["i"][0])
     told, snapshot, before = pages(driver, count), driver.environment.snapshot(), driver.state
@@ -197,7 +197,7 @@ def test_snapshots_keep_what_was_told():
     assert driver.state is not before
 
 
-def test_robots_with_and_without_lasers_ask_together():
+def test_robots_with_and_without_lasers_in_one_batch():
     things = f'<robot x="0" y="5m"/>{NOMAD}<robot x="0" y="-5m"/>'
     driver = Driver.of(open_world(things + WALL))
     messages = np.zeros(3, MESSAGE)
@@ -212,7 +212,7 @@ def test_robots_with_and_without_lasers_ask_together():
     assert messages["result"].tolist() == [0, 20, 0]
 
 
-def test_more_segments_than_there_is_room_for_are_cut_off(tmp_path):
+def test_excess_segments_are_dropped(tmp_path):
     noisy = (EXACT, EXACT.replace('noise="0mm"', 'noise="200mm"'))
     things = '<robot x="0" y="0"/>' + WALL
     driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
@@ -221,14 +221,14 @@ def test_more_segments_than_there_is_room_for_are_cut_off(tmp_path):
     assert len(readings(driver, "GET_SG")) == 241  # four numbers each, of the 964 in Laser
 
 
-def test_a_scout_has_none():
+def test_scout_has_no_laser():
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     for name in ("GET_LS", "GET_SG", "CONF_LS", "CONF_SG", "LASER_PAGE"):
         assert driver.post(name, 51)[0]["result"] == 0
     assert driver.post("GS")[0]["i"][0] == 0
 
 
-def test_noise_grows_with_the_square_of_the_distance_and_shrinks_by_averaging(tmp_path):
+def test_noise_grows_with_square_of_distance_and_shrinks_by_averaging(tmp_path):
     noisy = (EXACT, EXACT.replace('noise="0mm"', 'noise="10mm"'))
     spread = {}
     for far_m, pixels in ((1.0, 1), (2.0, 1), (2.0, 16)):
@@ -247,7 +247,7 @@ def test_noise_grows_with_the_square_of_the_distance_and_shrinks_by_averaging(tm
 # -- segments ----------------------------------------------------------------------------------
 
 
-def test_noisy_points_on_one_line_are_one_segment():
+def test_noisy_points_on_line_are_one_segment():
     rng = np.random.default_rng(1)
     points = np.column_stack([np.linspace(0, 1000, 200), rng.normal(300, 3, 200)])
     found = segments(points, threshold=50, min_points=4, gap=30)
@@ -255,7 +255,7 @@ def test_noisy_points_on_one_line_are_one_segment():
     assert found[0] == pytest.approx([0, 300, 1000, 300], abs=5)
 
 
-def test_a_box_seen_over_a_corner_in_front_of_a_wall_is_three_or_four_segments():
+def test_box_corner_in_front_of_wall_gives_three_or_four_segments():
     left = np.column_stack([np.linspace(0, 100, 30), np.linspace(100, 0, 30)])
     right = np.column_stack([np.linspace(100, 200, 30)[1:], np.linspace(0, 100, 30)[1:]])
     wall = np.column_stack([np.full(40, 500.0), np.linspace(200, 400, 40)])
@@ -266,13 +266,13 @@ def test_a_box_seen_over_a_corner_in_front_of_a_wall_is_three_or_four_segments()
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3])
-def test_few_points_are_no_trouble(count):
+def test_few_points_are_handled(count):
     points = np.zeros((count, 2))
     assert len(segments(points, 50, 4, 30)) == 0
     assert len(segments(points, 0, 0, 0)) == (count >= 2)
 
 
-def test_482_points_in_a_cloud_take_bounded_work():
+def test_cloud_of_482_points_takes_bounded_work():
     points = np.random.default_rng(2).uniform(-1000, 1000, (482, 2))
     assert len(segments(points, threshold=0, min_points=2, gap=1e9)) <= 481
 
@@ -286,7 +286,7 @@ def test_482_points_in_a_cloud_take_bounded_work():
         ('field-of-view="60deg"', "range"),
     ],
 )
-def test_lasers_that_cannot_be_are_refused(tmp_path, bad, message):
+def test_invalid_lasers_are_refused(tmp_path, bad, message):
     changes = (f'{EXACT}\n         mode="0"', bad)
     with pytest.raises(WorldError) as caught:
         own_world(tmp_path, changes, robot="nomad200")

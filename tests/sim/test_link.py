@@ -1,4 +1,4 @@
-"""The serial line: every command has its length, and its speed can be changed."""
+"""The serial line: the lengths of commands, and changes of its speed."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ NOWHERE = {
     *("CONNECT", "DISCONNECT", "CREATE"),
     *("LASER_PAGE", "POS_DATA", "READINGS"),  # they came with the reply
 }
-"""Requests that take no time on their way."""
+"""Requests without transmission time."""
 
 TO_SIMULATOR = {
     *("PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX"),
     *("PREDICT", "MOTION_CHECK", "GET_CONF", "DRAW", "REFRESH"),
     *("QUIT_SERVER", "REAL_ROBOT", "SIMULATED_ROBOT"),
 }
-"""Requests that go over the network."""
+"""Requests over the network."""
 
 
 def environment(robot="scout"):
@@ -29,7 +29,7 @@ def environment(robot="scout"):
 
 
 @pytest.mark.parametrize("robot", known_robots())
-def test_every_command_to_the_robot_takes_time_and_nothing_else_does(robot):
+def test_exactly_commands_to_robot_take_line_time(robot):
     line = environment(robot)
     takes = {row.name for row in REQUESTS.values() if line.link_s(row.code) > 0}
     assert takes == {row.name for row in REQUESTS.values() if row.server != "host"} - NOWHERE
@@ -40,7 +40,7 @@ def test_every_command_to_the_robot_takes_time_and_nothing_else_does(robot):
     ("link", "expected_s"),
     [("", 0.001), ('<link baud="9600"/>', 0.001), ('<link baud="9600" network="5ms"/>', 0.005)],
 )
-def test_without_a_line_all_takes_the_time_of_the_network(tmp_path, link, expected_s):
+def test_without_line_all_requests_take_network_time(tmp_path, link, expected_s):
     (tmp_path / "cart.xml").write_text(
         '<robot-definition version="1" name="cart"><body radius="20cm" mass="10kg"/>'
         '<drive wheel-base="30cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"'
@@ -54,7 +54,7 @@ def test_without_a_line_all_takes_the_time_of_the_network(tmp_path, link, expect
     }
 
 
-def test_a_text_takes_time_letter_by_letter():
+def test_text_takes_time_per_character():
     line = environment()
     spoken, silent = (line.link_s(CODES["TK"], 0, size) for size in (100, 0))
     assert spoken - silent == pytest.approx(100 * 10 / 38400)
@@ -62,7 +62,7 @@ def test_a_text_takes_time_letter_by_letter():
 
 
 @pytest.mark.parametrize(("baud", "good"), [(9600, 1), (4800, 1), (1234, 0), (-1, 0)])
-def test_conf_ser_sets_the_speed(baud, good):
+def test_conf_ser_sets_speed(baud, good):
     line = environment()
     before = line.link_s(CODES["GS"])
     for name in ("CONNECT", "CONF_SER"):
@@ -73,7 +73,7 @@ def test_conf_ser_sets_the_speed(baud, good):
     assert line.link_s(CODES["GS"]) == pytest.approx(before * (38400 / baud if good else 1))
 
 
-def test_many_requests_take_what_each_takes_alone():
+def test_batched_requests_take_time_of_single_ones():
     robots = "".join(
         f'<robot definition="{kind}" x="{x}m" y="2m"/>'
         for x, kind in enumerate([*known_robots(), "scout"], 1)

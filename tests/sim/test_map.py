@@ -44,7 +44,7 @@ def message(folder: Path, attributes: str) -> str:
     return only.render().splitlines()[0].replace(f"{folder}/", "")
 
 
-def test_dark_pixels_become_few_boxes_at_their_places(tmp_path: Path):
+def test_dark_pixels_become_few_boxes(tmp_path: Path):
     """Pixels of 50 cm: four walls around a room, and half a wall in it from above."""
     draw(tmp_path / "plan.png", ROOM)
     world = load(tmp_path, 'id="plan" resolution="50cm" sonar="0.5" heat="2"')
@@ -57,7 +57,7 @@ def test_dark_pixels_become_few_boxes_at_their_places(tmp_path: Path):
     assert [(box.pose.x_m, box.pose.y_m, box.width_m) for box in inner] == [(2.25, 1.5, 1.0)]
 
 
-def test_a_picture_can_lie_anywhere(tmp_path: Path):
+def test_picture_can_be_placed_anywhere(tmp_path: Path):
     draw(tmp_path / "plan.png", "#.")
     corner = 'length="10m" width="10m" origin="centre"'
     (box,) = load(tmp_path, 'resolution="1m"', corner).boxes
@@ -66,7 +66,7 @@ def test_a_picture_can_lie_anywhere(tmp_path: Path):
     assert (box.pose.x_m, box.pose.y_m) == pytest.approx((-1.5, 2.5))
 
 
-def test_the_threshold_tells_what_is_dark(tmp_path: Path):
+def test_threshold_selects_dark_pixels(tmp_path: Path):
     grey = np.array([[0, 100, 205, 254]], dtype=np.uint8)
     Image.fromarray(grey).save(tmp_path / "plan.png")
     widths = [
@@ -76,7 +76,7 @@ def test_the_threshold_tells_what_is_dark(tmp_path: Path):
     assert widths == pytest.approx([0.1, 0.2, 0.3, 0.4])
 
 
-def test_rectangles_cover_what_is_dark_once():
+def test_rectangles_cover_dark_pixels_once():
     generator = np.random.default_rng(3)
     for share in (0.0, 0.1, 0.5, 0.9, 1.0):
         dark = generator.random((23, 31)) < share
@@ -95,13 +95,13 @@ def test_rectangles_cover_what_is_dark_once():
         ('resolution="1cm" threshold="0"', "map, threshold: must be greater than 0 and at most 1"),
     ],
 )
-def test_what_cannot_be_walls_is_refused(tmp_path: Path, attributes: str, expected: str):
+def test_invalid_maps_are_refused(tmp_path: Path, attributes: str, expected: str):
     noise = np.random.default_rng(1).integers(0, 256, (200, 2100), dtype=np.uint8)
     Image.fromarray(noise if "5" not in attributes else noise * 0).save(tmp_path / "plan.png")
     assert message(tmp_path, attributes).startswith(f"w.xml:2: error: {expected}")
 
 
-def test_pictures_that_cannot_be_read_are_refused(tmp_path: Path):
+def test_unreadable_pictures_are_refused(tmp_path: Path):
     assert message(tmp_path, 'resolution="1m"') == (
         "w.xml:2: error: map, image 'plan.png': no such file"
     )

@@ -1,4 +1,4 @@
-"""What things of a world file are made of: materials by name, and what things say themselves."""
+"""Materials of objects in a world file: by name, and by attributes of the objects."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def complaint(*rows: str) -> str:
     return message.render().splitlines()[0]
 
 
-def test_what_says_nothing_is_plain_and_tall():
+def test_default_object_is_plain_and_tall():
     (box,) = world('<box x="5" y="5" length="1" width="1"/>').boxes
     assert (box.material, box.heat, box.height_m) == (PLAIN, 0.0, TALL_M)
 
@@ -49,12 +49,12 @@ def test_every_solid_has_material_heat_and_height(thing: str):
     assert math.isclose(solid.height_m, 18 * 0.0254)
 
 
-def test_a_thing_takes_its_material_and_replaces_what_it_says_itself():
+def test_attributes_of_object_override_its_material():
     (door,) = world(WOOD, '<box x="5" y="5" length="1" width="1" material="wood" sonar="0"/>').boxes
     assert door.material == Material((165, 42, 42), 0.0, 0.25)
 
 
-def test_a_material_may_build_on_one_before_it():
+def test_material_may_extend_previous_one():
     oak = '<material name="oak" material="wood" colour="#8b5a2b"/>'
     (door,) = world(WOOD, oak, '<box x="5" y="5" length="1" width="1" material="oak"/>').boxes
     assert door.material == Material((139, 90, 43), 0.9, 0.25)
@@ -64,7 +64,7 @@ def test_a_material_may_build_on_one_before_it():
     )
 
 
-def test_edges_and_robots_have_a_material():
+def test_edges_and_robots_have_material():
     text = f"""<world version="1"><area length="9m" width="9m" material="wood"/>{WOOD}
         <robot x="1" y="1" colour="lime"/></world>"""
     room = parse_world(text.encode(), "w.xml")
@@ -98,7 +98,7 @@ def test_edges_and_robots_have_a_material():
         ),
     ],
 )
-def test_what_is_wrong_is_named(row: str, expected: str):
+def test_errors_are_reported(row: str, expected: str):
     assert complaint(row).startswith(f"w.xml:3: error: {expected}")
 
 

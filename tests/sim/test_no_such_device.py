@@ -1,4 +1,4 @@
-"""What a robot does not have it refuses, whatever asks: all requests, all robots."""
+"""Robots refuse requests for missing devices: all requests, all robots."""
 
 from pathlib import Path
 
@@ -62,7 +62,7 @@ ASKED = (
 )  # fmt: skip
 
 COUNTS = {"READINGS", "LASER_PAGE"}
-"""Requests whose result is how many there are."""
+"""Requests whose result is a count."""
 
 OF_ALL = {
     "CONNECT", "DISCONNECT", "AC", "SP", "PR", "VM", "MV", "ST", "LP", "WS", "DP", "DA", "ZR",
@@ -72,7 +72,7 @@ OF_ALL = {
     "QUIT_SERVER", "CREATE", "SPECIAL", "SEND", "RECEIVE", "MESSAGE_COUNT", "GROUP", "CHANNEL",
     "ROBOT",
 }  # fmt: skip
-"""Requests that are about no single device."""
+"""Requests that concern no single device."""
 
 
 @pytest.fixture(scope="module")
@@ -91,21 +91,21 @@ def driver(tmp_path_factory) -> Driver:
     return Driver.of(load_world(folder / "world.xml"))
 
 
-def test_every_request_is_about_a_device_or_about_none():
+def test_every_request_has_a_device_or_none():
     asked = {name for _, name, *_ in ASKED}
     assert not asked & OF_ALL
     robots = {row.name for row in REQUESTS.values() if row.server != "host"}
     assert asked | OF_ALL == robots
 
 
-def test_every_device_is_there_on_one_robot_and_missing_on_another(driver):
+def test_every_device_is_present_and_missing_on_some_robot(driver):
     models = [robot.model for robot in driver.environment.world.robots]
     for has in HAS.values():
         assert {has(model) for model in models} == {True, False}
 
 
 @pytest.mark.parametrize("asked", ASKED, ids=lambda asked: "-".join(map(str, asked[1:])))
-def test_what_a_robot_does_not_have_it_refuses_and_changes_nothing(driver, asked):
+def test_requests_for_missing_devices_are_refused_without_effect(driver, asked):
     device, name, *arguments = asked
     environment: Environment = driver.environment
     for robot, each in enumerate(environment.world.robots):
@@ -121,7 +121,7 @@ def test_what_a_robot_does_not_have_it_refuses_and_changes_nothing(driver, asked
             assert environment.hash() == before
 
 
-def test_an_order_with_a_sonar_that_is_not_there_is_refused(driver):
+def test_order_with_missing_sonar_is_refused(driver):
     """An AmigoBot has eight."""
     ids = [robot.model.name for robot in driver.environment.world.robots]
     amigo = next(place for place, name in enumerate(ids) if "amigo" in name.lower())

@@ -1,4 +1,4 @@
-"""The noise of a robot's sensors is its own: what other robots have never changes it."""
+"""The noise of a robot's sensors is independent of other robots' devices."""
 
 from crs_cc.sim.files.world_xml import load_world
 from tests.sim.driver import Driver
@@ -12,7 +12,7 @@ BARE = """<robot-definition version="1" name="{name}"><body radius="10cm" mass="
 
 
 def told(tmp_path, first: str) -> list:
-    """Gives what robot 1 is told, 0.7 m before a wall; the first robot is far away."""
+    """Return the replies to robot 1, 0.7 m from a wall; the first robot is far away."""
     for name, devices in (("with", NOISY), ("without", "")):
         (tmp_path / f"{name}.xml").write_text(BARE.format(name=name, devices=devices))
     (tmp_path / "world.xml").write_text(
@@ -36,7 +36,7 @@ def told(tmp_path, first: str) -> list:
     return found
 
 
-def test_it_does_not_depend_on_the_devices_of_others(tmp_path):
+def test_noise_is_independent_of_devices_of_other_robots(tmp_path):
     beside_one_with, beside_one_without = (told(tmp_path, name) for name in ("with", "without"))
     for sensor in range(6):
         readings = beside_one_with[sensor::6]

@@ -1,4 +1,4 @@
-"""Odometry against the true pose: counts, wheels that are not what they should be, chance."""
+"""Odometry against the true pose: counts, errors of the wheels, random errors."""
 
 import math
 
@@ -14,7 +14,7 @@ BASE_M = 13.590 * INCH
 
 
 def scout_with(folder, odometry: str, robots: str = '<robot x="0" y="0"/>', seed: int = 1):
-    """Gives Scouts in the open whose definition has another <odometry>."""
+    """Return Scouts in the open whose definition has another <odometry>."""
     text = SCOUT.read_text().replace('<odometry resolution="0.1mm"/>', f"<odometry {odometry}/>")
     (folder / "own.xml").write_text(text)
     world = folder / "world.xml"
@@ -27,7 +27,7 @@ def scout_with(folder, odometry: str, robots: str = '<robot x="0" y="0"/>', seed
 
 
 def run(driver: Driver, right: int, left: int, robot: int = 0) -> None:
-    """Lets a robot make a move and stand."""
+    """Drive a move to its end."""
     driver.ask("PR", right, left, robot=robot)
     driver.run_s(2 + max(abs(right), abs(left)) / 100)
 
@@ -44,7 +44,7 @@ def belief(driver: Driver, robot: int = 0) -> list[float]:
     return [float(told.x_m[robot]), float(told.y_m[robot]), float(heading_rad)]
 
 
-def test_an_ideal_scout_knows_where_it_is_to_an_encoder_count():
+def test_ideal_scout_is_accurate_to_an_encoder_count():
     driver = Driver.of(open_world())
     for right, left in ((500, 500), (300, -300), (700, 200), (-400, 100)):
         run(driver, right, left)
@@ -53,7 +53,7 @@ def test_an_ideal_scout_knows_where_it_is_to_an_encoder_count():
         assert abs(heading_rad) < 0.0002  # half a count of each wheel, over the wheel base
 
 
-def test_positions_are_told_in_whole_counts(tmp_path):
+def test_positions_are_reported_in_whole_counts(tmp_path):
     driver = scout_with(tmp_path, 'resolution="1in"')
     driver.ask("VM", 37, 37)
     told = [int(driver.ask("GET_RC")[CONF_X]) for _ in range(100) if driver.run(1)]
@@ -71,7 +71,7 @@ def test_counts_are_not_lost_between_readings(tmp_path):
     assert driver.ask("GET_RC")[CONF_X] == pytest.approx(40, abs=1)
 
 
-def test_wheels_of_different_size_run_a_circle_that_odometry_takes_for_a_line(tmp_path):
+def test_wheels_of_different_size_drive_circle_while_odometry_shows_line(tmp_path):
     driver = scout_with(tmp_path, 'diameters="1.02"')
     run(driver, 2000, 2000)
     told = driver.ask("GET_RC")
@@ -83,7 +83,7 @@ def test_wheels_of_different_size_run_a_circle_that_odometry_takes_for_a_line(tm
     assert truth(driver) == pytest.approx(expected, abs=1e-6)
 
 
-def test_a_wheel_base_that_is_too_long_turns_too_little(tmp_path):
+def test_longer_wheel_base_turns_less(tmp_path):
     driver = scout_with(tmp_path, 'wheel-base="1.05"')
     quarter = round(BASE_M / INCH * 10 * math.pi / 4)
     run(driver, quarter, -quarter)
@@ -92,14 +92,14 @@ def test_a_wheel_base_that_is_too_long_turns_too_little(tmp_path):
     assert truth(driver)[2] == pytest.approx(turned / 1.05)
 
 
-def test_larger_wheels_go_further(tmp_path):
+def test_larger_wheels_move_further(tmp_path):
     driver = scout_with(tmp_path, 'scale="1.01"')
     run(driver, 1000, 1000)
     assert truth(driver)[0] == pytest.approx(101 * INCH)
     assert driver.ask("GET_RC")[CONF_X] == 1000
 
 
-def test_umbmark_squares_show_the_wheel_base_and_the_diameters(tmp_path):
+def test_umbmark_squares_separate_wheel_base_and_diameter_errors(tmp_path):
     """Squares to the left and to the right end on sides that tell which error it is."""
     ends = {}
     for odometry in ('wheel-base="1.02"', 'diameters="1.005"'):
@@ -117,7 +117,7 @@ def test_umbmark_squares_show_the_wheel_base_and_the_diameters(tmp_path):
     assert ends['diameters="1.005"', 1] * ends['diameters="1.005"', -1] > 0
 
 
-def test_random_errors_have_the_size_that_the_definition_says(tmp_path):
+def test_random_errors_have_standard_deviation_of_definition(tmp_path):
     robots = "".join(f'<robot x="{10 * n}m" y="0"/>' for n in range(40))
     noise = 'way-noise="2cm" turn-noise="2deg" spin-noise="3deg"'
     driver = scout_with(tmp_path, noise, robots)
@@ -133,7 +133,7 @@ def test_random_errors_have_the_size_that_the_definition_says(tmp_path):
     assert driver.ask("GET_RC")[CONF_X] == 1600
 
 
-def test_chance_is_the_seeds_and_each_robots_own(tmp_path):
+def test_random_errors_depend_on_seed_and_robot(tmp_path):
     robots = '<robot x="0" y="0"/><robot x="0" y="9m"/>'
     noise = 'way-noise="1cm" turn-noise="1deg" spin-noise="1deg"'
     ends = []
@@ -149,13 +149,13 @@ def test_chance_is_the_seeds_and_each_robots_own(tmp_path):
     assert ends[0][0][2] != ends[0][1][2]
 
 
-def test_a_robot_that_stands_does_not_wander(tmp_path):
+def test_robot_at_rest_does_not_drift(tmp_path):
     driver = scout_with(tmp_path, 'way-noise="1cm" turn-noise="1deg" spin-noise="1deg"')
     driver.run_s(5)
     assert truth(driver) == [0, 0, 0]
 
 
-def test_the_ideal_scout_has_no_errors_and_the_noisy_one_has():
+def test_ideal_scout_has_no_errors_and_noisy_one_has():
     ideal, noisy = (load_robot(SCOUT, setup).odometry for setup in ("ideal", "noisy"))
     assert (ideal.scale, ideal.diameters, ideal.wheel_base) == (1, 1, 1)
     assert (ideal.way_noise_m, ideal.turn_noise_rad, ideal.spin_noise_rad) == (0, 0, 0)
@@ -164,7 +164,7 @@ def test_the_ideal_scout_has_no_errors_and_the_noisy_one_has():
     assert noisy.resolution_m == ideal.resolution_m
 
 
-def test_a_synchro_drive_drifts_with_the_way(tmp_path):
+def test_synchro_drive_drifts_with_distance(tmp_path):
     nomad = SCOUT.with_name("nomad200.xml").read_text()
     changed = nomad.replace("<odometry ", '<odometry drift="2deg" ', 1)
     (tmp_path / "own.xml").write_text(changed)

@@ -1,4 +1,4 @@
-"""A packed state comes back as it was, and shares nothing with it."""
+"""A restored state equals the packed one, and shares nothing with it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def outer() -> Outer:
     return Outer(np.arange(6, dtype=np.int32)[::2], Inner(flags, 7), np.zeros((0, 4)), rows)
 
 
-def test_all_that_is_in_a_state_comes_back() -> None:
+def test_packed_state_is_restored_completely() -> None:
     again = packed(outer()).state()
     assert again.whole.tolist() == [0, 2, 4]
     assert again.whole.dtype == np.int32
@@ -45,7 +45,7 @@ def test_all_that_is_in_a_state_comes_back() -> None:
     assert again.rows.tolist() == [("", 0.0, False), ("abc", 0.1, True)]
 
 
-def test_what_comes_back_is_shared_with_nobody() -> None:
+def test_restored_state_shares_no_memory() -> None:
     state = outer()
     kept = packed(state)
     first, second = kept.state(), kept.state()
@@ -55,7 +55,7 @@ def test_what_comes_back_is_shared_with_nobody() -> None:
     assert second.rows["x"].tolist() == [0.0, 0.1]
 
 
-def test_states_that_are_made_alike_share_what_tells_how() -> None:
+def test_states_of_equal_structure_share_it() -> None:
     first = packed(outer())
     assert packed(outer(), like=first).layout is first.layout
     longer = outer()
@@ -63,6 +63,6 @@ def test_states_that_are_made_alike_share_what_tells_how() -> None:
     assert packed(longer, like=first).state().none.shape == (1, 4)
 
 
-def test_a_worlds_state_has_the_same_hash_again() -> None:
+def test_restored_state_has_same_hash() -> None:
     state = EnvState.at_start(load_world(ROOT / "worlds" / "mixed.xml"))
     assert packed(state).state().sha256() == state.sha256()

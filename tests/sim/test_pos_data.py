@@ -20,7 +20,7 @@ def request(driver: Driver, kinds: int, robot: int = 0) -> None:
 
 
 def pos_data(driver: Driver, kind: int, robot: int = 0) -> np.ndarray:
-    """Gives the PosData of a kind of sensor, as the client fetches it, shape (sensors, 9)."""
+    """Return the PosData of a kind of sensor, as the client fetches it, (sensors, 9)."""
     found: list = []
     while True:
         page, _ = driver.post("POS_DATA", kind, len(found), robot=robot)
@@ -36,7 +36,7 @@ def board_ms(time_s: float) -> int:
     return math.floor(time_s / 0.0164 + 1e-9) * 164 // 10
 
 
-def test_there_are_sixteen_for_rings_and_one_for_the_others():
+def test_rings_have_sixteen_entries_and_others_one():
     driver = Driver.of(open_world(NOMAD))
     assert len(pos_data(driver, SONAR)) == 0  # nobody has asked
     request(driver, INFRARED | SONAR | BUMPER | LASER | COMPASS)
@@ -46,7 +46,7 @@ def test_there_are_sixteen_for_rings_and_one_for_the_others():
         assert len(pos_data(driver, kind)) == 0
 
 
-def test_the_configuration_is_that_of_the_reading():
+def test_configuration_is_that_at_reading():
     driver = Driver.of(open_world(NOMAD))
     driver.ask("CONF_CP", 1)
     driver.ask("CONF_LS", 51, 20, 20, 20, 4)
@@ -61,7 +61,7 @@ def test_the_configuration_is_that_of_the_reading():
             assert row[CONFIG_TIME] == row[TIME] == board_ms(at_s)
 
 
-def test_only_kinds_that_were_asked_for_are_told():
+def test_only_requested_kinds_are_reported():
     driver = Driver.of(open_world(NOMAD))
     request(driver, INFRARED)
     driver.run_s(1)
@@ -74,7 +74,7 @@ def test_only_kinds_that_were_asked_for_are_told():
     assert pos_data(driver, INFRARED)[0, TIME] == board_ms(1.0)  # as it was told last
 
 
-def test_a_reply_of_one_kind_tells_that_kind():
+def test_reply_of_one_kind_contains_that_kind():
     driver = Driver.of(open_world(NOMAD))
     request(driver, INFRARED | SONAR | COMPASS)
     driver.ask("CONF_CP", 1)
@@ -87,7 +87,7 @@ def test_a_reply_of_one_kind_tells_that_kind():
     assert pos_data(driver, INFRARED)[0, TIME] == 0
 
 
-def test_a_sonar_tells_when_and_where_its_ping_was_sent():
+def test_sonar_entry_has_time_and_pose_of_ping():
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     request(driver, SONAR)
     driver.ask("CONF_SN", 15, data=bytes([0, 8, 255]))
@@ -103,7 +103,7 @@ def test_a_sonar_tells_when_and_where_its_ping_was_sent():
         assert row[TRANS] == 50
 
 
-def test_the_bumper_tells_the_last_hit():
+def test_bumper_entry_is_that_of_last_hit():
     driver = Driver.of(world_of('<robot x="9m" y="5m"/>'))
     request(driver, BUMPER)
     driver.ask("GS")
@@ -119,7 +119,7 @@ def test_the_bumper_tells_the_last_hit():
     assert hit[X] == pytest.approx((10 - 9 - 8 * INCH) / INCH * 10, abs=100)
 
 
-def test_what_a_robot_does_not_have_is_0():
+def test_entries_of_missing_devices_are_0():
     driver = Driver.of(open_world())
     request(driver, 31)
     driver.run_s(1)
@@ -128,7 +128,7 @@ def test_what_a_robot_does_not_have_is_0():
         assert (pos_data(driver, kind) == 0).all()
 
 
-def test_times_beyond_31_bits_keep_their_bits(tmp_path):
+def test_times_above_31_bits_keep_their_bits(tmp_path):
     start = ('clock="0s"', f'clock="{2**31 / 1000}s"')
     driver = Driver.of(own_world(tmp_path, start, robot="nomad200"))
     request(driver, INFRARED)
@@ -138,7 +138,7 @@ def test_times_beyond_31_bits_keep_their_bits(tmp_path):
     assert time == pytest.approx(2**31 + 1000, abs=20)
 
 
-def test_each_robot_has_its_own_and_those_who_do_not_ask_cost_nothing():
+def test_each_robot_has_its_own_entries_without_cost_for_others():
     driver = Driver.of(open_world(NOMAD + "".join(f'<robot x="0" y="{y}m"/>' for y in (3, 6, 9))))
     assert len(driver.state.pos_data.told) == 0
     request(driver, SONAR, robot=2)

@@ -1,4 +1,4 @@
-"""Robots that come and go, as the environment does it: what others notice, and states that grow.
+"""Robots that join and leave an environment: their effect on others, and states that grow.
 
 y
 2 |  R0 >        place        R1
@@ -42,12 +42,12 @@ def hall(things: str) -> Driver:
 
 
 def ahead_m(driver: Driver) -> float:
-    """What R0's sonar ahead tells when its turn has come again."""
+    """Return the reading of R0's front sonar after its next firing."""
     driver.run_s(1.0)
     return float(driver.state.sonar.echo_m[0, 0])
 
 
-def test_a_robot_is_seen_while_it_is_there():
+def test_robot_is_seen_while_present():
     """Before, the wall at 8 m is beyond the range of 6.477 m; then the robot at 4 m; then again."""
     driver = hall(f'{R0}<robot {PLACE} join="2s" leave="4s"/>')
     assert ahead_m(driver) == math.inf
@@ -57,7 +57,7 @@ def test_a_robot_is_seen_while_it_is_there():
     assert ahead_m(driver) == math.inf
 
 
-def test_the_heat_of_a_robot_counts_while_it_is_there():
+def test_heat_of_robot_counts_while_present():
     driver = hall(f'{R0}<robot id="late" x="3m" y="2m" heat="5" join="0.5s" leave="1s"/>')
     readings = [driver.post("HEAT")[0]["i"][0]]
     for _ in range(2):
@@ -66,7 +66,7 @@ def test_the_heat_of_a_robot_counts_while_it_is_there():
     assert readings == [0, 5, 0]
 
 
-def test_what_touched_a_robot_that_left_touches_nothing():
+def test_contact_with_robot_ends_when_it_leaves():
     """R0 runs into the late one, which leaves: the bumpers are free again, and R0 drives on."""
     driver = hall(f'{R0}<robot id="late" x="1.5m" y="2m" leave="3s"/>')
     driver.ask("VM", 100, 100)
@@ -79,8 +79,8 @@ def test_what_touched_a_robot_that_left_touches_nothing():
     assert driver.state.x_m[0] - before_m == pytest.approx(0.254, abs=1e-3)
 
 
-def test_a_robot_that_joins_is_as_one_just_switched_on():
-    """Its clock and its batteries begin when it joins; its sonars have fired around."""
+def test_joining_robot_is_in_switch_on_state():
+    """Its clock and its batteries start when it joins; all its sonars have fired."""
     driver = hall(f'{R0}<robot {PLACE} join="2s"/>')
     driver.run_s(2.0)
     late, first = (driver.post("GS", robot=robot)[0] for robot in (1, 0))
@@ -92,7 +92,7 @@ def test_a_robot_that_joins_is_as_one_just_switched_on():
     assert driver.state.sonar.fired_s[1, 8] == 2.0
 
 
-def test_an_obstacle_may_be_where_nobody_is():
+def test_obstacle_may_be_at_place_of_absent_robot():
     """R0's program puts a square at the place, so that the late one waits until it is gone."""
     driver = hall(f'{R0}<robot {PLACE} join="0.5s"/>')
     corners = np.array([(x, y) for x, y in ((1500, 700), (1600, 700), (1600, 800), (1500, 800))])
@@ -100,14 +100,14 @@ def test_an_obstacle_may_be_where_nobody_is():
     assert driver.post("ADD_OBSTACLE", 4, data=data)[0]["result"]
     events = [event for step in driver.run_s(1.0) for event in step.events]
     assert [(event.kind, event.text) for event in events] == [
-        ("join", "had to wait: 'obstacle-0' was in its place")
+        ("join", "had to wait: place occupied by 'obstacle-0'")
     ]
     assert driver.post("DELETE_OBSTACLE", 4, data=data)[0]["result"]
     driver.run_s(0.2)
     assert driver.state.presence.present.tolist() == [True, True]
 
 
-def test_a_place_is_taken_by_what_has_been_pushed_there():
+def test_place_is_occupied_by_pushed_object():
     """The box stands west of the place at first; R0 pushes it there."""
     box = '<box x="1.6m" y="2m" length="40cm" width="40cm" mass="2kg"/>'
     driver = hall(f'{R0}{box}<robot {PLACE} join="14s"/>')
@@ -118,7 +118,7 @@ def test_a_place_is_taken_by_what_has_been_pushed_there():
 
 
 @pytest.mark.parametrize("seed", [0, 7])
-def test_a_state_grows_by_all_that_a_robot_can_have(tmp_path: Path, seed: int):
+def test_state_grows_by_all_devices_of_robot(tmp_path: Path, seed: int):
     """A third robot of the same kind: added by call, or in the world from the start, absent."""
     model = load_robot(Path(scout_with(tmp_path, *DEVICES)), "noisy")
     world = world_of(f'{R0}<robot id="r1" x="7m" y="2m"/>', 'length="8m" width="4m"')
@@ -154,7 +154,7 @@ def test_a_state_grows_by_all_that_a_robot_can_have(tmp_path: Path, seed: int):
     assert by_call.hash() == by_file.hash()
 
 
-def test_the_others_are_not_disturbed(tmp_path: Path):
+def test_joining_does_not_affect_others(tmp_path: Path):
     """Noise, timers and readings of the first two are the same with and without a third."""
     model = load_robot(Path(scout_with(tmp_path, *DEVICES)), "noisy")
     world = world_of(f'{R0}<robot id="r1" x="1m" y="98m"/>', 'length="200m" width="100m"')
@@ -174,7 +174,7 @@ def test_the_others_are_not_disturbed(tmp_path: Path):
     assert told[0] == told[1]
 
 
-def test_messages_reach_nobody_who_is_not_there():
+def test_messages_do_not_reach_absent_robots():
     """Robot 1 joins at 1 s: it gets what is sent then, not what was sent before."""
     send = """
         #include <unistd.h>
@@ -191,7 +191,7 @@ def test_messages_reach_nobody_who_is_not_there():
     assert drive(send, receive, things=things).output[1] == "3 late 0"
 
 
-def test_what_a_robot_held_stays_where_it_is_when_it_leaves(tmp_path: Path):
+def test_held_object_stays_when_robot_leaves(tmp_path: Path):
     """A can is taken at 26 cm ahead, carried for a while, and left behind."""
     model = load_robot(Path(scout_with(tmp_path, "<gripper/>")))
     can = '<cylinder id="can" x="1.26m" y="2m" radius="4cm" mass="1kg"/>'

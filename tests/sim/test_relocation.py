@@ -1,4 +1,4 @@
-"""Robots and things that somebody carries elsewhere while the world runs, or takes away."""
+"""Robots and objects that are moved or removed while the world runs."""
 
 import math
 
@@ -24,7 +24,7 @@ def run(driver: Driver, steps: int) -> str:
     return driver.environment.hash()
 
 
-def test_a_robot_that_is_carried_knows_nothing_of_it_and_goes_on_as_it_was_told() -> None:
+def test_teleported_robot_keeps_odometry_and_command() -> None:
     driver = driver_of()
     driver.ask("PR", 400, 400)  # 40 in
     run(driver, 20)
@@ -39,7 +39,7 @@ def test_a_robot_that_is_carried_knows_nothing_of_it_and_goes_on_as_it_was_told(
     assert state.y_m[0] == pytest.approx(7.0 + 40 * 0.0254 - gone_m)
 
 
-def test_sensors_see_at_once_where_it_is() -> None:
+def test_sensors_measure_from_new_pose_at_once() -> None:
     driver = driver_of()
     driver.environment.carry("a", Pose(9.0, 5.0, 0.0))
     run(driver, 20)
@@ -51,16 +51,16 @@ def test_sensors_see_at_once_where_it_is() -> None:
 @pytest.mark.parametrize(
     ("name", "place", "message"),
     [
-        ("a", Pose(5.1, 5.1), "'a' cannot be there: 'b' is in its place"),
-        ("a", Pose(4.0, 1.0), "'a' cannot be there: 'screen' is in its place"),
-        ("a", Pose(0.1, 1.0), "'a' cannot be there: the edge of the world is in its place"),
-        ("crate", Pose(5.6, 5.0), "'crate' cannot be there: 'b' is in its place"),
-        ("crate", Pose(4.2, 2.0, 1.0), "'crate' cannot be there: 'screen' is in its place"),
-        ("crate", Pose(9.8, 5.0), "'crate' cannot be there: the edge of the world is in its place"),
-        ("screen", Pose(1.0, 1.0), r"unknown robot or movable thing 'screen' \(known: a, b"),
+        ("a", Pose(5.1, 5.1), "cannot move 'a': it would overlap 'b'"),
+        ("a", Pose(4.0, 1.0), "cannot move 'a': it would overlap 'screen'"),
+        ("a", Pose(0.1, 1.0), "cannot move 'a': it would overlap the edge of the world"),
+        ("crate", Pose(5.6, 5.0), "cannot move 'crate': it would overlap 'b'"),
+        ("crate", Pose(4.2, 2.0, 1.0), "cannot move 'crate': it would overlap 'screen'"),
+        ("crate", Pose(9.8, 5.0), "cannot move 'crate': it would overlap the edge of the world"),
+        ("screen", Pose(1.0, 1.0), r"unknown robot or movable object 'screen' \(known: a, b, c"),
     ],
 )  # fmt: skip
-def test_where_something_is_nothing_is_put_and_nothing_changes(name, place, message) -> None:
+def test_move_to_occupied_place_is_refused_without_effect(name, place, message) -> None:
     driver = driver_of()
     run(driver, 3)
     before = driver.environment.hash()
@@ -69,7 +69,7 @@ def test_where_something_is_nothing_is_put_and_nothing_changes(name, place, mess
     assert driver.environment.hash() == before
 
 
-def test_a_thing_stands_where_it_is_put_and_may_touch_what_is_there() -> None:
+def test_object_is_moved_and_may_touch_others() -> None:
     driver = driver_of()
     # Turned by 90 degrees it is 0.25 m wide to the left: it just touches the screen's side.
     driver.environment.carry("crate", Pose(4.3, 1.5, math.pi / 2))
@@ -81,7 +81,7 @@ def test_a_thing_stands_where_it_is_put_and_may_touch_what_is_there() -> None:
     assert driver.state.x_m[0] == pytest.approx(4.0 - 0.05 - SCOUT_RADIUS_M, abs=2e-3)
 
 
-def test_what_a_robot_holds_stays_behind_and_is_not_taken_from_it() -> None:
+def test_held_object_stays_behind_and_cannot_be_moved() -> None:
     driver = Driver.of(
         world_of(
             '<robot x="5m" y="5m" definition="nomad200"/>'
@@ -97,7 +97,7 @@ def test_what_a_robot_holds_stays_behind_and_is_not_taken_from_it() -> None:
     assert driver.state.bodies.position_m[1].tolist() == [9.0, 9.0]
 
 
-def test_a_synchro_drive_is_turned_as_a_whole() -> None:
+def test_synchro_drive_is_turned_as_a_whole() -> None:
     driver = Driver.of(open_world('<robot x="0" y="0" definition="nomad200"/>'))
     driver.ask("PR", 0, 900, 450)  # wheels to 90 deg, turret to 45 deg
     run(driver, 200)
@@ -109,7 +109,7 @@ def test_a_synchro_drive_is_turned_as_a_whole() -> None:
     assert state.odometry.heading_rad[0] == pytest.approx(math.pi / 2)
 
 
-def test_touching_the_same_thing_elsewhere_is_another_collision() -> None:
+def test_contact_at_new_pose_is_another_collision() -> None:
     driver = driver_of('<robot x="2m" y="2m"/>')
     driver.environment.carry("robot0", Pose(10.0 - SCOUT_RADIUS_M, 5.0))
     driver.ask("VM", 50, 50)
@@ -120,7 +120,7 @@ def test_touching_the_same_thing_elsewhere_is_another_collision() -> None:
     assert driver.state.collisions[0] == 2
 
 
-def test_things_can_be_taken_away_robots_and_edges_not() -> None:
+def test_objects_can_be_removed_but_not_robots_and_edges() -> None:
     driver = driver_of()
     for name in ("crate", "screen"):
         driver.environment.take_away(name)
@@ -138,7 +138,7 @@ def test_things_can_be_taken_away_robots_and_edges_not() -> None:
             driver.environment.take_away(name)
 
 
-def test_a_robot_that_is_dismissed_leaves_at_the_end_of_the_cycle() -> None:
+def test_dismissed_robot_leaves_at_end_of_cycle() -> None:
     driver = driver_of()
     run(driver, 2)
     driver.environment.dismiss_robot(1)
@@ -148,11 +148,11 @@ def test_a_robot_that_is_dismissed_leaves_at_the_end_of_the_cycle() -> None:
         ("leave", "left", 1)
     ]
     assert driver.state.presence.left_s[1] == pytest.approx(0.15)
-    with pytest.raises(ValueError, match="has left before"):
+    with pytest.raises(ValueError, match="has already left"):
         driver.environment.dismiss_robot(1)
 
 
-def test_whatever_was_changed_everything_goes_on_to_the_bit_from_a_snapshot() -> None:
+def test_run_from_snapshot_after_changes_is_bitwise_equal() -> None:
     driver = driver_of()
     driver.ask("VM", 100, 80)
     driver.ask("VM", 60, 100, robot=1)
@@ -171,7 +171,7 @@ def test_whatever_was_changed_everything_goes_on_to_the_bit_from_a_snapshot() ->
     assert run(other, 90) == ends[0]
 
 
-def test_a_battery_has_what_it_is_given() -> None:
+def test_battery_charge_can_be_set() -> None:
     driver = Driver.of(open_world('<robot x="0" y="0" definition="nomad150"/>'))
     run(driver, 10)
     driver.environment.charge(0, 0.25)

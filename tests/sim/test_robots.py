@@ -1,6 +1,6 @@
-"""The robots of other makers: where their sonars look, how they turn, what programs are told.
+"""Robots of other makers: directions of their sonars, turns, and the reported state.
 
-A robot stands in the middle of a square room, 4 m from wall to wall, facing east:
+A robot is at the centre of a square room, 4 m from wall to wall, facing east:
 
     +-----------+
     |           |
@@ -30,7 +30,7 @@ def room(kind: str) -> Driver:
 
 
 def echo_m(away_m: float, off_deg: float) -> float:
-    """Gives how far a wall is, straight ahead but for an angle, in a beam of 15 degrees."""
+    """Return the distance of a wall at an angle off a beam of 15 degrees."""
     beyond_rad = max(math.radians(off_deg) - HALF_BEAM_RAD, 0.0)
     return away_m / math.cos(beyond_rad)
 
@@ -48,7 +48,7 @@ def echo_m(away_m: float, off_deg: float) -> float:
         (15, 2.0 - 0.136),
     ],
 )
-def test_the_sonars_of_a_pioneer_look_where_its_parameters_say(sonar: int, expected_m: float):
+def test_sonars_of_pioneer_have_directions_of_its_parameters(sonar: int, expected_m: float):
     echoes = room("pioneer2dx").state.sonar.echo_m[0]
     assert echoes[sonar] == pytest.approx(expected_m, abs=1e-6)
 
@@ -64,19 +64,19 @@ def test_the_sonars_of_a_pioneer_look_where_its_parameters_say(sonar: int, expec
         (15, math.inf),
     ],
 )
-def test_the_sonars_of_an_amigobot_look_where_its_parameters_say(sonar: int, expected_m: float):
+def test_sonars_of_amigobot_have_directions_of_its_parameters(sonar: int, expected_m: float):
     echoes = room("amigobot").state.sonar.echo_m[0]
     assert echoes[sonar] == pytest.approx(expected_m, abs=1e-6)
 
 
 @pytest.mark.parametrize("kind", ["pioneer2dx", "amigobot"])
-def test_sonars_are_alike_on_both_sides(kind: str):
+def test_sonars_are_symmetric(kind: str):
     places = {(s.x_m, s.y_m, round(s.direction_rad, 6)) for s in _model(kind).sonars}
     assert places == {(x, -y, -direction) for x, y, direction in places}
 
 
 @pytest.mark.parametrize(("kind", "wheel_base_m"), [("pioneer2dx", 0.35714), ("amigobot", 0.18182)])
-def test_a_turn_takes_the_way_around_half_the_axle(kind: str, wheel_base_m: float):
+def test_turn_takes_arc_of_half_the_wheel_base(kind: str, wheel_base_m: float):
     """Each wheel runs a quarter of the circle through both: the robot turns by 90 degrees."""
     driver = room(kind)
     quarter_m = wheel_base_m * math.pi / 4
@@ -89,7 +89,7 @@ def test_a_turn_takes_the_way_around_half_the_axle(kind: str, wheel_base_m: floa
 
 
 @pytest.mark.parametrize("kind", ["pioneer2dx", "amigobot"])
-def test_programs_are_told_that_it_is_like_a_scout(kind: str):
+def test_robot_reports_state_like_scout(kind: str):
     driver = room(kind)
     message, _ = driver.post("CONNECT")
     assert message["i"][0] == SCOUT
@@ -100,7 +100,7 @@ def test_programs_are_told_that_it_is_like_a_scout(kind: str):
 
 
 @pytest.mark.parametrize("kind", ["pioneer2dx", "amigobot"])
-def test_the_noisy_setup_deviates(kind: str):
+def test_noisy_setup_deviates(kind: str):
     noisy = load_robot(SIM / "files" / "robots" / f"{kind}.xml", "noisy")
     assert noisy.sonar_board.noise_m > 0.0
     assert noisy.sonars == _model(kind).sonars

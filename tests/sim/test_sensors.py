@@ -21,7 +21,7 @@ RING = slice(SONAR_0, SONAR_0 + 16)
 
 
 def sonars(things: str, heading: float = 0.0) -> list[int]:
-    """Gives the readings of a Scout at the origin of a wide world."""
+    """Return the readings of a Scout at the origin of a wide world."""
     driver = Driver.of(open_world(f'<robot x="0" y="0" heading="{heading}"/>{things}'))
     return driver.ask("GET_SN")[RING].tolist()
 
@@ -41,7 +41,7 @@ def test_sonars_measure_whole_inches_from_the_shell():
 
 
 @pytest.mark.parametrize("number", range(16))
-def test_sonars_count_counter_clockwise_from_ahead(number):
+def test_sonars_are_numbered_counterclockwise_from_front(number):
     angle = math.radians(22.5) * number
     x_in, y_in = 98 * math.cos(angle), 98 * math.sin(angle)
     readings = sonars(f'<cylinder x="{x_in}in" y="{y_in}in" radius="10in"/>')
@@ -50,7 +50,7 @@ def test_sonars_count_counter_clockwise_from_ahead(number):
     assert sonars('<cylinder x="0" y="98in" radius="10in"/>', 90 - 22.5 * number)[number] == 80
 
 
-def test_the_corner_of_a_box_is_heard():
+def test_corner_of_box_is_measured():
     half_m = 0.3
     corner = f'x="{2 + half_m}" y="0" heading="45" length="{half_m * math.sqrt(2)}"'
     readings = sonars(f'<box {corner} width="{half_m * math.sqrt(2)}"/>')
@@ -65,7 +65,7 @@ def test_the_corner_of_a_box_is_heard():
         '<polygon points="18m,2.5m 19m,2.5m 18m,4m"/>',
     ],
 )
-def test_a_sonar_in_the_line_of_a_side_hears_what_lies_ahead(thing):
+def test_sonar_in_line_with_side_measures_object_ahead(thing):
     for x_m in (18.0, 18.000001):
         driver = Driver.of(open_world(f'<robot x="{x_m}m" y="1m"/>{thing}'))
         assert driver.ask("GET_SN")[SONAR_0 + 4] == 51
@@ -78,13 +78,13 @@ def test_nothing_within_range_reads_255():
 
 
 def tenths(driver: Driver, *, fire: int) -> list[int]:
-    """Gives the readings as the CRS report has them."""
+    """Return the readings in the units of the CRS report."""
     message, _ = driver.post("SONAR", fire)
     assert (message["result"], message["size"]) == (1, 64)
     return message["data"][:64].view("<i4").tolist()
 
 
-def test_the_report_reads_tenths_of_inches_and_minus_1_for_nothing():
+def test_report_ranges_are_tenths_of_inches_and_minus_1_for_no_echo():
     driver = Driver.of(open_world('<robot x="0" y="0"/><cylinder x="50.3in" y="0" radius="10in"/>'))
     readings = tenths(driver, fire=1)
     assert readings[0] == 323
@@ -95,11 +95,11 @@ def test_the_report_reads_tenths_of_inches_and_minus_1_for_nothing():
     assert tenths(driver, fire=1) == readings
 
 
-def test_a_thing_that_touches_the_shell_reads_0():
+def test_object_touching_shell_reads_0():
     assert sonars('<cylinder x="18in" y="0" radius="10in"/>')[0] == 0
 
 
-def test_robots_hear_each_other_but_not_themselves():
+def test_robots_measure_each_other_but_not_themselves():
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="100in" y="0" heading="90"/>'))
     ahead = driver.ask("GET_SN", robot=0)[RING].tolist()
     right = driver.ask("GET_SN", robot=1)[RING].tolist()
@@ -107,7 +107,7 @@ def test_robots_hear_each_other_but_not_themselves():
     assert ahead[3:14] == [255] * 11
 
 
-def test_a_thing_that_was_pushed_is_heard_where_it_is():
+def test_pushed_object_is_measured_at_new_position():
     driver = Driver.of(
         world_of('<box x="3m" y="5m" length="0.4m" width="0.4m" mass="1kg"/><robot x="2m" y="5m"/>')
     )
@@ -130,7 +130,7 @@ def test_a_thing_that_was_pushed_is_heard_where_it_is():
 
 
 @pytest.mark.parametrize("switch", range(8))
-def test_the_bumper_on_the_side_of_a_contact_is_pressed(switch):
+def test_bumper_on_side_of_contact_is_pressed(switch):
     heading = -45 * switch  # the wall ahead in the world lies at the switch's bearing
     driver = Driver.of(
         world_of(
@@ -151,7 +151,7 @@ def test_no_bumper_is_pressed_in_the_open():
     assert driver.ask("GS")[BUMPER] == 0
 
 
-def test_a_bumper_stays_pressed_until_the_robot_backs_off():
+def test_bumper_stays_pressed_until_robot_backs_off():
     driver = Driver.of(world_of('<robot x="9m" y="5m"/>'))
     driver.ask("VM", 200, 200)
     driver.run_s(3)
@@ -168,7 +168,7 @@ def test_a_bumper_stays_pressed_until_the_robot_backs_off():
 # -- odometry ----------------------------------------------------------------------------------
 
 
-def test_a_straight_move_shows_in_tenths_of_an_inch():
+def test_straight_move_is_reported_in_tenths_of_an_inch():
     driver = Driver.of(open_world('<robot x="3" y="4" heading="30"/>'))
     driver.ask("PR", 1000, 1000)
     driver.run_s(15)
@@ -178,7 +178,7 @@ def test_a_straight_move_shows_in_tenths_of_an_inch():
     assert driver.state.y_m[0] == pytest.approx(4 + 100 * INCH * math.sin(math.radians(30)))
 
 
-def test_a_turn_on_the_spot_by_the_vendors_macro():
+def test_turn_on_the_spot_by_vendor_macro():
     # scout_pr(0, 900): 900 tenths of a degree are (int)(900 * 0.118597) = 106 tenths of an inch.
     driver = Driver.of(open_world())
     driver.ask("PR", 106, -106)
@@ -190,14 +190,14 @@ def test_a_turn_on_the_spot_by_the_vendors_macro():
     assert math.degrees(driver.state.heading_rad[0]) == pytest.approx(turn_deg)
 
 
-def test_a_right_turn_counts_down_from_360_degrees():
+def test_right_turn_counts_down_from_360_degrees():
     driver = Driver.of(open_world())
     driver.ask("PR", -106, 106)
     driver.run_s(5)
     assert driver.ask("GS")[CONF_STEER] == 3600 - round(10 * math.degrees(2 * 10.6 / 13.59))
 
 
-def test_a_circle_comes_back_to_its_start():
+def test_circle_returns_to_start():
     driver = Driver.of(open_world())
     radius_in, base_in = 40.0, 13.590
     right = round(20 * math.pi * (radius_in + base_in / 2))
@@ -213,7 +213,7 @@ def test_a_circle_comes_back_to_its_start():
     assert min(told[CONF_STEER], 3600 - told[CONF_STEER]) <= 10
 
 
-def test_odometry_and_true_pose_agree_after_a_long_drive():
+def test_odometry_and_true_pose_agree_after_long_drive():
     rng = np.random.default_rng(3)
     driver = Driver.of(open_world('<robot x="1" y="2" heading="40"/>'))
     for _ in range(400):
@@ -230,7 +230,7 @@ def test_odometry_and_true_pose_agree_after_a_long_drive():
     assert math.remainder(off, math.tau) == pytest.approx(0, abs=3e-4)
 
 
-def test_dp_da_and_zr_set_the_odometry_and_move_nothing():
+def test_dp_da_and_zr_set_odometry_without_motion():
     driver = Driver.of(open_world('<robot x="1" y="2" heading="40"/>'))
     told = driver.ask("DP", 1234, -4321)
     assert told[[CONF_X, CONF_Y, CONF_STEER]].tolist() == [1234, -4321, 0]
@@ -246,7 +246,7 @@ def test_dp_da_and_zr_set_the_odometry_and_move_nothing():
     assert driver.state.x_m[0] == pytest.approx(1 + 0.254 * math.cos(math.radians(40)))
 
 
-def test_speeds_and_motor_status_are_told():
+def test_speeds_and_motor_status_are_reported():
     driver = Driver.of(open_world())
     driver.ask("VM", 100, -50)
     driver.run_s(2)

@@ -1,4 +1,4 @@
-"""The sonar ring in time: which sonar fires when, what it tells until when, and its errors."""
+"""The sonar ring: times of firings, times of reports, and errors."""
 
 import math
 import pickle
@@ -24,7 +24,7 @@ NO_ECHO = 255
 
 
 def wall_at(inches: float) -> str:
-    """Gives a wall whose near side is so far ahead of a Scout at the origin."""
+    """Return a wall whose near side is at a distance ahead of a Scout at the origin."""
     x = inches + 8 + 1
     return f'<wall x1="{x}in" y1="-5m" x2="{x}in" y2="5m" thickness="2in"/>'
 
@@ -35,7 +35,7 @@ def conf_sn(driver: Driver, rate: int, *order: int, at_s: float = 0.0) -> None:
 
 
 def with_board(world: WorldModel, **changes) -> WorldModel:
-    """Gives a world whose robots have other sonar boards."""
+    """Return a world whose robots have other sonar boards."""
     robots = [
         replace(
             robot,
@@ -50,7 +50,7 @@ def with_board(world: WorldModel, **changes) -> WorldModel:
 
 
 def firings(driver: Driver, time_s: float) -> list[tuple[float, int]]:
-    """Gives when which sonar of robot 0 fires, found by looking every millisecond or less."""
+    """Return the firings of robot 0's sonars, found by sampling every millisecond or less."""
     seen = []
     for _ in range(round(time_s / driver.environment.timestep_s)):
         driver.run(1)
@@ -62,14 +62,14 @@ def firings(driver: Driver, time_s: float) -> list[tuple[float, int]]:
     return seen
 
 
-def test_the_definitions_order_goes_on_from_the_start_of_the_run():
+def test_order_of_definition_is_active_at_start():
     found = firings(Driver.of(open_world()), 2.0)
     assert [number for _, number in found[:20]] == (ROUND * 2)[:20]
     assert [at_s for at_s, _ in found[:20]] == pytest.approx([0.06 * n for n in range(20)])
 
 
 @pytest.mark.parametrize("timestep", ["1ms", "7ms", "30ms"])
-def test_firings_are_exact_multiples_of_the_interval_whatever_the_timestep(timestep):
+def test_firings_are_exact_multiples_of_interval_for_any_timestep(timestep):
     driver = Driver.of(open_world(timestep=timestep))
     conf_sn(driver, 20, 3, 1, 4, at_s=0.0005)
     found = firings(driver, 1.0)
@@ -81,13 +81,13 @@ def test_firings_are_exact_multiples_of_the_interval_whatever_the_timestep(times
     ("rate", "interval_s"),
     [(0, 0.04), (1, 0.04), (10, 0.04), (11, 0.044), (15, 0.06), (255, 1.02), (256 + 15, 0.06)],
 )
-def test_the_rate_counts_in_4_ms_and_is_an_unsigned_char(rate, interval_s):
+def test_rate_is_unsigned_char_in_units_of_4_ms(rate, interval_s):
     driver = Driver.of(open_world())
     conf_sn(driver, rate, 0)
     assert driver.state.sonar.interval_s[0] == pytest.approx(interval_s)
 
 
-def test_sonars_fire_whether_anybody_asks_or_not():
+def test_sonars_fire_independently_of_requests():
     asked, unasked = Driver.of(open_world(wall_robot())), Driver.of(open_world(wall_robot()))
     for _ in range(40):
         asked.ask("GS", at_s=asked.environment.time_s + 0.03)
@@ -114,7 +114,7 @@ def wall_robot() -> str:
         (bytes([1]) * 40, [1] * 16),
     ],
 )
-def test_conf_sn_takes_orders_of_any_length(order, fires):
+def test_conf_sn_accepts_orders_of_any_length(order, fires):
     driver = Driver.of(open_world())
     message, _ = driver.post("CONF_SN", 15, data=order)
     assert message["result"] == 1
@@ -122,14 +122,14 @@ def test_conf_sn_takes_orders_of_any_length(order, fires):
     assert sonar.order[0, : sonar.length[0]].tolist() == fires
 
 
-def test_conf_sn_refuses_sonars_that_cannot_be_and_keeps_the_order():
+def test_conf_sn_refuses_invalid_sonars_and_keeps_order():
     driver = Driver.of(open_world())
     message, _ = driver.post("CONF_SN", 15, data=bytes([1, 16, 2]))
     assert message["result"] == 0
     assert driver.state.sonar.order[0].tolist() == ROUND
 
 
-def test_sonars_that_are_not_in_the_order_tell_255():
+def test_sonars_not_in_order_read_255():
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     assert (driver.ask("GET_SN")[RING] < NO_ECHO).all()
     conf_sn(driver, 15, 2, 0)
@@ -157,7 +157,7 @@ def test_a_dropped_echo_is_reported_when_the_listening_time_ends():
     assert reading(1.0 + listens_s + 0.002) == NO_ECHO
 
 
-def test_an_order_without_sonars_switches_them_off_until_the_next():
+def test_empty_order_switches_sonars_off():
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     conf_sn(driver, 15)
     count = driver.state.sonar.count[0]
@@ -169,7 +169,7 @@ def test_an_order_without_sonars_switches_them_off_until_the_next():
     assert np.flatnonzero(driver.ask("GET_SN")[RING] < NO_ECHO).tolist() == [7]
 
 
-def test_a_sonar_that_the_robot_does_not_have_tells_255():
+def test_missing_sonar_reads_255():
     world = world_of('<robot x="5m" y="5m"/>')
     robot = world.robots[0]
     few = replace(robot.model, sonars=robot.model.sonars[:4], sonar_board=SonarBoard(order=(0, 1)))
@@ -183,7 +183,7 @@ def test_a_sonar_that_the_robot_does_not_have_tells_255():
 # -- when an echo is there ---------------------------------------------------------------------
 
 
-def test_a_reading_is_told_from_the_instant_at_which_its_echo_comes():
+def test_reading_is_reported_when_echo_arrives():
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(100), timestep="100ms"))
     conf_sn(driver, 15)
     conf_sn(driver, 15, 0, at_s=0.01)
@@ -193,7 +193,7 @@ def test_a_reading_is_told_from_the_instant_at_which_its_echo_comes():
     assert driver.state.sonar.fired_s[0, 0] == pytest.approx(0.01)
 
 
-def test_silence_is_told_when_the_sound_has_been_to_the_end_of_the_range_and_back():
+def test_no_echo_is_reported_after_flight_time_of_range():
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(100), timestep="100ms"))
     driver.state.bodies.position_m[0, 1] = 100.0  # away from the wall
     conf_sn(driver, 50, 0)
@@ -202,7 +202,7 @@ def test_silence_is_told_when_the_sound_has_been_to_the_end_of_the_range_and_bac
     assert driver.ask("GET_SN", at_s=flight_s + 1e-6)[SONAR_0] == NO_ECHO
 
 
-def test_an_echo_that_comes_after_the_next_firing_is_lost():
+def test_echo_after_next_firing_is_lost():
     things = '<robot x="0" y="0"/>' + wall_at(100)
     for least_s, heard in ((0.04, 100), (0.012, NO_ECHO)):
         world = with_board(open_world(things), least_interval_s=least_s)
@@ -212,7 +212,7 @@ def test_an_echo_that_comes_after_the_next_firing_is_lost():
         assert driver.ask("GET_SN")[SONAR_0] == heard
 
 
-def test_a_reading_is_as_old_as_its_turn():
+def test_reading_is_that_of_last_firing():
     # Towards a wall at 10 in/s: each sonar tells of the place where it was its turn.
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(200)))
     conf_sn(driver, 25, 0, 4, 8, 12)
@@ -238,7 +238,7 @@ def test_a_reading_is_as_old_as_its_turn():
 
 
 @pytest.mark.parametrize("timestep", ["10ms", "20ms", "100ms"])
-def test_the_timestep_does_not_decide_where_a_sonar_fires_from(timestep):
+def test_firing_pose_is_independent_of_timestep(timestep):
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(200), timestep=timestep))
     driver.ask("AC", 780, 780)
     conf_sn(driver, 17, 0, at_s=0.001)
@@ -252,7 +252,7 @@ def test_the_timestep_does_not_decide_where_a_sonar_fires_from(timestep):
 
 
 @pytest.mark.parametrize("timestep", ["20ms", "100ms"])
-def test_sonars_fire_during_a_wait_from_where_the_robot_is(timestep):
+def test_sonars_fire_during_wait_from_current_pose(timestep):
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(200), timestep=timestep))
     driver.ask("AC", 780, 780)
     conf_sn(driver, 17, 0, at_s=0.001)
@@ -271,7 +271,7 @@ def test_sonars_fire_during_a_wait_from_where_the_robot_is(timestep):
 @pytest.mark.parametrize(
     ("name", "at_s"), [("NEW_WORLD", 0.01), ("PLACE_ROBOT", 0.01), ("GS", 0.05)]
 )
-def test_a_request_that_ends_with_the_cycle_leaves_the_firing_then_to_the_next(name, at_s):
+def test_firing_at_end_of_cycle_belongs_to_next(name, at_s):
     driver = Driver.of(open_world(PAIR, timestep="50ms"))
     driver.ask("VM", 300, 300, robot=1)
     driver.run_s(1)
@@ -285,7 +285,7 @@ def test_a_request_that_ends_with_the_cycle_leaves_the_firing_then_to_the_next(n
     assert driver.state.sonar.echo_m[0, 0] == pytest.approx(gap_m - 2 * SCOUT_RADIUS_M)
 
 
-def test_a_robot_that_leaves_what_it_touches_fires_from_where_it_is():
+def test_robot_leaving_contact_fires_from_current_pose():
     # Its bumper is pressed when the cycle begins, but nothing holds it back.
     driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(10), timestep="100ms"))
     driver.ask("VM", 100, 100)
@@ -302,7 +302,7 @@ def test_a_robot_that_leaves_what_it_touches_fires_from_where_it_is():
 
 
 def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int]) -> Driver:
-    """Lets a robot drive about while its order changes; `asks` says when it asks in between."""
+    """Drive a robot while its order changes; `asks` is when it requests in between."""
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     for ask, (rate, order), speed in zip(asks, orders, speeds, strict=True):
         time_s = driver.environment.time_s
@@ -326,7 +326,7 @@ ORDERS = st.tuples(st.integers(0, 60), st.lists(st.integers(0, 15), max_size=16)
 
 @settings(max_examples=12, deadline=None)
 @given(st.lists(st.tuples(st.booleans(), ORDERS, st.integers(-300, 300)), min_size=2, max_size=5))
-def test_asking_changes_nothing_whatever_the_orders(plan):
+def test_requests_do_not_affect_readings(plan):
     asks, orders, speeds = (list(column) for column in zip(*plan, strict=True))
     asked, unasked = play(asks, orders, speeds), play([False] * len(plan), orders, speeds)
     assert asked.state.sonar.echo_m == pytest.approx(unasked.state.sonar.echo_m, abs=1e-9)
@@ -334,7 +334,7 @@ def test_asking_changes_nothing_whatever_the_orders(plan):
     assert np.array_equal(asked.state.sonar.turn, unasked.state.sonar.turn)
 
 
-def test_at_the_start_all_sonars_have_just_told_of_where_the_robot_stands():
+def test_initial_readings_are_measured_at_start():
     readings = Driver.of(world_of('<robot x="5m" y="5m"/>')).ask("GET_SN")[RING]
     assert (readings < NO_ECHO).all()
     quarter = readings[[0, 4, 8, 12]]
@@ -346,7 +346,7 @@ def test_at_the_start_all_sonars_have_just_told_of_where_the_robot_stands():
 PAIR = '<robot x="0" y="0"/><robot x="100in" y="0" heading="180"/>'
 
 
-def test_two_robots_hear_each_other_where_they_are():
+def test_two_robots_measure_each_other():
     driver = Driver.of(open_world(PAIR))
     for robot in (0, 1):
         driver.post("CONF_SN", 0, robot=robot, data=bytes([0]))
@@ -366,7 +366,7 @@ def crosstalk_driver(second_at_s: float, **changes) -> Driver:
 
 
 @pytest.mark.parametrize("later_s", [-0.006, -0.003, 0.0])
-def test_the_ping_of_another_robot_is_taken_for_an_echo(later_s):
+def test_ping_of_other_robot_is_mistaken_for_echo(later_s):
     # They face each other over 84 in: a ping takes 6.2 ms from one to the other, an echo 12.4 ms.
     driver = crosstalk_driver(0.02 + later_s, crosstalk=1.0)
     expected = (84 * INCH + later_s * SOUND_MPS) / 2 / INCH
@@ -374,15 +374,15 @@ def test_the_ping_of_another_robot_is_taken_for_an_echo(later_s):
     assert driver.state.sonar.echo_m[0, 0] == pytest.approx(expected * INCH)
 
 
-def test_pings_that_come_before_the_own_one_do_not_matter():
+def test_pings_arriving_before_own_one_are_ignored():
     assert crosstalk_driver(0.02 - 0.0065, crosstalk=1.0).ask("GS", at_s=0.09)[SONAR_0] == 84
 
 
-def test_without_crosstalk_others_may_fire_when_they_like():
+def test_other_robots_pings_are_ignored_without_crosstalk():
     assert crosstalk_driver(0.02).ask("GS", at_s=0.09)[SONAR_0] == 84
 
 
-def test_a_ping_in_another_direction_is_not_taken_for_an_echo():
+def test_ping_in_other_direction_is_not_mistaken_for_echo():
     driver = crosstalk_driver(0.02, crosstalk=1.0)
     driver.post("CONF_SN", 250, robot=1, data=bytes([8]), at_s=0.095)
     driver.run(1)
@@ -390,7 +390,7 @@ def test_a_ping_in_another_direction_is_not_taken_for_an_echo():
     assert driver.ask("GS", at_s=0.19)[SONAR_0] == 84
 
 
-def test_the_ping_of_another_robot_goes_where_its_turret_points():
+def test_ping_of_other_robot_follows_its_turret():
     # Their wheels are turned aside; their turrets still face each other.
     robots = PAIR.replace("<robot", '<robot definition="nomad200"')
     told = {}
@@ -411,7 +411,7 @@ def test_the_ping_of_another_robot_goes_where_its_turret_points():
 
 
 def readings(world: WorldModel, count: int, seed: int = 1, robot: int = 0) -> np.ndarray:
-    """Gives many distances of a standing robot's sonar 0 in inches."""
+    """Return many distances of sonar 0 of a robot at rest, in inches."""
     driver = Driver.of(world, seed)
     driver.post("CONF_SN", 10, data=bytes([0]), robot=robot)
     found = []
@@ -426,15 +426,15 @@ SLOW = "40ms"  # so that each cycle has one firing
 
 
 def told_in(distance_in: float, count: int = 4000, **changes) -> np.ndarray:
-    """Gives what a robot tells of the same distance many times [in]."""
+    """Return a robot's reports of the same distance many times [in]."""
     errors = SonarErrors(with_board(open_world(), **changes), seed=1)
     row, distance_m = np.array([0]), np.array([distance_in * INCH])
     draws = [errors.draw(row, np.array([number])) for number in range(count)]
-    return np.array([errors.told_m(row, row, distance_m, drawn)[0] for drawn in draws]) / INCH
+    return np.array([errors.reported_m(row, row, distance_m, drawn)[0] for drawn in draws]) / INCH
 
 
 @pytest.mark.parametrize("distance", [50, 200])
-def test_noise_has_the_standard_deviation_of_the_definition(distance):
+def test_noise_has_standard_deviation_of_definition(distance):
     found = told_in(distance, noise_m=0.5 * INCH, noise_share=0.01)
     expected = math.hypot(0.5, 0.01 * distance)
     assert found.std() == pytest.approx(expected, rel=0.05)
@@ -442,14 +442,14 @@ def test_noise_has_the_standard_deviation_of_the_definition(distance):
     assert abs(np.corrcoef(found[1:], found[:-1])[0, 1]) < 0.06
 
 
-def test_dropouts_are_as_frequent_as_the_definition_says():
+def test_dropouts_have_probability_of_definition():
     found = told_in(50, dropouts=0.2)
     assert np.isinf(found).mean() == pytest.approx(0.2, abs=0.03)
     assert found[np.isfinite(found)] == pytest.approx(50)
     assert np.isinf(told_in(50, 50, dropouts=1.0)).all()
 
 
-def test_a_noisy_robot_tells_noise_in_whole_inches():
+def test_noisy_readings_are_whole_inches():
     world = open_world('<robot x="0" y="0"/>' + wall_at(100), SLOW)
     found = readings(with_board(world, noise_m=2 * INCH), 150)
     assert 1.5 < found.std() < 2.5
@@ -459,23 +459,23 @@ def test_a_noisy_robot_tells_noise_in_whole_inches():
 @pytest.mark.parametrize(
     ("distance", "told"), [(1, 4), (1.5, 4.5), (2, 4), (2.9, 5.8), (3.5, 3.5), (10, 10)]
 )
-def test_nearer_than_the_blind_distance_a_later_echo_is_heard(distance, told):
+def test_multiple_echo_is_heard_below_blind_distance(distance, told):
     world = open_world('<robot x="0" y="0"/>' + wall_at(distance), SLOW)
     assert readings(with_board(world, blind_m=3.2 * INCH), 4)[-1] == pytest.approx(told)
 
 
-def test_something_on_the_shell_is_told_at_the_blind_distance():
+def test_object_on_shell_is_reported_at_blind_distance():
     world = open_world('<robot x="0" y="0"/>' + wall_at(0), SLOW)
     assert readings(with_board(world, blind_m=3.2 * INCH), 4)[-1] == pytest.approx(3.2)
     assert readings(world, 4)[-1] == 0
 
 
-def test_no_reading_is_below_the_minimum():
+def test_no_reading_is_below_minimum():
     world = with_board(open_world('<robot x="0" y="0"/>' + wall_at(2), SLOW), minimum_m=6 * INCH)
     assert readings(world, 4)[-1] == pytest.approx(6)
 
 
-def test_the_errors_of_a_robot_are_its_own():
+def test_errors_of_robots_are_independent():
     def crowd(count: int) -> WorldModel:
         model = with_board(empty_world("noisy"), dropouts=0.1).robots[0].model
         robots = tuple(Robot(f"r{n}", model, Pose(0, -30.0 * n)) for n in range(count))
@@ -488,7 +488,7 @@ def test_the_errors_of_a_robot_are_its_own():
     assert len(set(alone.tolist())) > 40
 
 
-def test_in_the_ideal_setup_nothing_errs_and_in_the_noisy_one_everything_can():
+def test_ideal_setup_has_no_errors_and_noisy_one_has_all():
     ideal = empty_world().robots[0].model.sonar_board
     noisy = empty_world("noisy").robots[0].model.sonar_board
     assert ideal == SonarBoard(order=tuple(ROUND))
@@ -501,7 +501,7 @@ def test_in_the_ideal_setup_nothing_errs_and_in_the_noisy_one_everything_can():
 # -- snapshots ---------------------------------------------------------------------------------
 
 
-def test_a_ping_in_the_air_survives_a_snapshot():
+def test_pending_ping_survives_snapshot():
     world = open_world('<robot x="0" y="0" setup="noisy"/>' + wall_at(200))
     driver = Driver.of(world)
     driver.ask("VM", 100, 100)
@@ -530,7 +530,7 @@ def test_a_ping_in_the_air_survives_a_snapshot():
     ],
 )
 @pytest.mark.filterwarnings("error")
-def test_no_board_breaks_the_simulator(changes):
+def test_no_board_breaks_simulator(changes):
     things = '<robot x="5m" y="5m"/><robot x="6m" y="5m" heading="180"/>'
     driver = Driver.of(with_board(world_of(things), **changes))
     driver.ask("VM", 200, 200)

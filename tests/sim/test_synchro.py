@@ -31,7 +31,7 @@ def nomad(things: str = N200) -> Driver:
     return driver
 
 
-def test_translation_goes_where_the_wheels_are_steered():
+def test_translation_follows_steering():
     driver = nomad()
     driver.ask("PR", 0, 900, 0)
     driver.run_s(5)
@@ -43,7 +43,7 @@ def test_translation_goes_where_the_wheels_are_steered():
     assert told[[CONF_X, CONF_Y, CONF_STEER, CONF_TURRET]].tolist() == [0, 200, 900, 0]
 
 
-def test_the_turret_turns_by_itself_and_the_base_never():
+def test_turret_turns_independently_and_base_never():
     driver = nomad()
     driver.ask("PR", 0, 900, -450)
     driver.run_s(5)
@@ -54,7 +54,7 @@ def test_the_turret_turns_by_itself_and_the_base_never():
     assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [900, 3150]
 
 
-def test_translation_and_steering_at_once_run_a_circle():
+def test_translation_with_steering_drives_circle():
     driver = nomad()
     driver.ask("VM", 100, 300, 0)
     driver.run_s(30)
@@ -66,7 +66,7 @@ def test_translation_and_steering_at_once_run_a_circle():
     assert across_m == pytest.approx(2 * 10 * INCH / math.radians(30))
 
 
-def test_speeds_are_told_in_the_unit_of_each_axis_and_motors_in_bits():
+def test_speeds_have_unit_of_axis_and_motors_are_bits():
     driver = nomad()
     driver.ask("VM", 50, -200, 450)
     driver.run_s(3)
@@ -78,7 +78,7 @@ def test_speeds_are_told_in_the_unit_of_each_axis_and_motors_in_bits():
     assert driver.ask("GS")[MOTOR_STATUS] == 5
 
 
-def test_each_axis_has_limits_of_its_own():
+def test_each_axis_has_its_own_limits():
     driver = nomad()
     driver.ask("VM", 10_000, -10_000, 10_000)
     driver.run_s(3)
@@ -86,7 +86,7 @@ def test_each_axis_has_limits_of_its_own():
     assert told[[VEL_RIGHT, VEL_LEFT, VEL_TURRET]].tolist() == [200, -450, 450]
 
 
-def test_sonars_turn_with_the_turret_and_bumpers_stay_with_the_base():
+def test_sonars_turn_with_turret_and_bumpers_stay_with_base():
     wall = '<wall x1="60in" y1="-3m" x2="60in" y2="3m" thickness="2in"/>'
     driver = nomad(N200 + wall)
     ahead = driver.ask("GET_SN")[SONAR_0]
@@ -102,7 +102,7 @@ def test_sonars_turn_with_the_turret_and_bumpers_stay_with_the_base():
     assert driver.ask("GET_BP")[BUMPER] == 1
 
 
-def test_a_nomad_150_has_no_turret_and_its_sonars_stay_with_the_base():
+def test_sonars_of_nomad_150_stay_with_base():
     wall = '<wall x1="60in" y1="-3m" x2="60in" y2="3m" thickness="2in"/>'
     driver = nomad(N150 + wall)
     ahead = driver.ask("GET_SN")[SONAR_0]
@@ -119,7 +119,7 @@ def test_da_sets_both_angles():
     assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [100, 3500]
 
 
-def test_a_slice_names_the_axes():
+def test_slice_names_axes():
     driver = nomad()
     driver.ask("PR", 10, 300, -300)
     part = describe_slice(driver.run_s(3)[-1], 0)
@@ -129,7 +129,7 @@ def test_a_slice_names_the_axes():
     )
 
 
-def test_robots_of_all_kinds_share_a_world():
+def test_robots_of_all_drives_share_world():
     robots = "".join(
         f'<robot definition="{name}" x="5m" y="{2 + 2 * row}m"/>'
         for row, name in enumerate(("scout", "nomad200", "nomad150"))
@@ -143,7 +143,7 @@ def test_robots_of_all_kinds_share_a_world():
     assert np.degrees(driver.state.base_rad) == pytest.approx([0, 0, 0])
 
 
-def test_zr_turns_steering_and_turret_back_the_shorter_way_and_then_zeroes():
+def test_zr_turns_to_zero_marks_the_shorter_way_and_zeroes():
     driver = nomad()
     driver.ask("PR", 100, 900, -2700)
     driver.run_s(12)
@@ -164,7 +164,7 @@ def test_zr_turns_steering_and_turret_back_the_shorter_way_and_then_zeroes():
     assert driver.ask("GET_RV")[VEL_LEFT] == 0
 
 
-def test_zr_gives_up_after_two_minutes():
+def test_zr_times_out_after_two_minutes():
     driver = nomad()
     driver.ask("DA", 123, 45)
     driver.ask("PR", 0, 900, 0)
@@ -177,7 +177,7 @@ def test_zr_gives_up_after_two_minutes():
     assert driver.ask("GET_RC")[CONF_STEER] != 0
 
 
-def test_zr_of_robots_of_both_kinds_answers_each_in_its_time():
+def test_zr_of_both_drives_in_one_batch():
     driver = Driver.of(open_world('<robot x="0" y="3"/>' + N200))
     for robot in range(2):
         driver.ask("PR", 0, 450, 0, robot=robot)

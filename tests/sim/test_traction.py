@@ -1,4 +1,4 @@
-"""Contacts as wheels feel them: stalls, slips, robots that are held, robots that are limp."""
+"""The effect of contacts on wheels: stalls, slips, robots that hold, limp robots."""
 
 import math
 from pathlib import Path
@@ -11,11 +11,11 @@ from crs_cc.sim.files.world_xml import load_world
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, world_of
 
 SCOUT = Path(world_xml.__file__).parents[0] / "robots" / "scout.xml"
-ROOM_IN = 10 / INCH - 8  # where a robot's middle is when it touches the east edge
+ROOM_IN = 10 / INCH - 8  # x of a robot's centre when it touches the east edge
 
 
 def changed_scout(folder, things: str, *changes: tuple[str, str]) -> Driver:
-    """Gives a world with Scouts whose definition was changed."""
+    """Return a world with Scouts whose definition was changed."""
     text = SCOUT.read_text()
     for old, new in changes:
         assert old in text
@@ -31,7 +31,7 @@ def changed_scout(folder, things: str, *changes: tuple[str, str]) -> Driver:
 
 
 def at_the_wall(driver: Driver, speed: int = 100, seconds: float = 6.0) -> Driver:
-    """Drives a robot that starts at 9 m against the edge at 10 m."""
+    """Drive a robot that starts at 9 m against the edge at 10 m."""
     driver.ask("VM", speed, speed)
     driver.run_s(seconds)
     return driver
@@ -40,18 +40,18 @@ def at_the_wall(driver: Driver, speed: int = 100, seconds: float = 6.0) -> Drive
 ONE = '<robot x="9m" y="5m"/>'
 
 
-def test_a_robot_at_a_wall_stalls_and_its_odometry_does_not_count():
+def test_robot_at_wall_stalls_and_odometry_stops():
     driver = at_the_wall(Driver.of(world_of(ONE)))
     went_in = (driver.state.x_m[0] - 9) / INCH
     assert driver.state.x_m[0] == pytest.approx(10 - SCOUT_RADIUS_M, abs=0.005)
-    for at_s in (0.0, 0.012, 0.049):  # at any instant of the cycle
+    for at_s in (0.0, 0.012, 0.049):  # at any time in the cycle
         told = driver.ask("GS", at_s=driver.environment.time_s + at_s)
         assert told[CONF_X] == pytest.approx(10 * went_in, abs=1)
         assert told[[CONF_Y, VEL_RIGHT, VEL_LEFT]].tolist() == [0, 0, 0]
         assert told[MOTOR_STATUS] == 3  # the motors work, in vain
 
 
-def test_a_robot_that_backs_off_from_a_wall_knows_where_it_is():
+def test_odometry_is_right_after_backing_off_from_wall():
     driver = at_the_wall(Driver.of(world_of(ONE)))
     driver.ask("VM", -100, -100)
     driver.run_s(5)
@@ -60,7 +60,7 @@ def test_a_robot_that_backs_off_from_a_wall_knows_where_it_is():
     assert driver.state.x_m[0] < 9
 
 
-def test_a_robot_that_turns_on_the_spot_at_a_wall_turns():
+def test_robot_at_wall_can_turn_on_the_spot():
     driver = at_the_wall(Driver.of(world_of(ONE)))
     driver.ask("VM", 50, -50)
     driver.run_s(3)
@@ -68,7 +68,7 @@ def test_a_robot_that_turns_on_the_spot_at_a_wall_turns():
     assert driver.state.heading_rad[0] > 1
 
 
-def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
+def test_blocked_move_continues_when_path_is_free():
     driver = Driver.of(world_of('<robot x="2m" y="5m"/><robot x="3m" y="5m" heading="90"/>'))
     driver.ask("PR", 600, 600)
     _, ends_s = driver.post("WS", 1, 1, 0, 200)
@@ -85,7 +85,7 @@ def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
     assert told[MOTOR_STATUS] == 0
 
 
-def test_a_wait_for_a_move_that_is_held_up_ends_by_its_timeout():
+def test_wait_for_blocked_move_times_out():
     driver = Driver.of(world_of(ONE))
     driver.ask("PR", 600, 600)
     driver.post("WS", 1, 1, 0, 12)
@@ -95,7 +95,7 @@ def test_a_wait_for_a_move_that_is_held_up_ends_by_its_timeout():
 
 
 @pytest.mark.parametrize("mass_kg", [5, 14])
-def test_a_move_that_pushes_a_heavy_box_arrives(mass_kg):
+def test_move_pushing_heavy_box_arrives(mass_kg):
     box = f'<box x="3m" y="5m" length="40cm" width="40cm" mass="{mass_kg}kg"/>'
     driver = Driver.of(world_of(box + '<robot x="2m" y="5m"/>'))
     driver.ask("PR", 400, 400)
@@ -108,7 +108,7 @@ def test_a_move_that_pushes_a_heavy_box_arrives(mass_kg):
     assert told[[VEL_RIGHT, MOTOR_STATUS]].tolist() == [0, 0]
 
 
-def test_a_move_that_pushes_a_box_arrives_whatever_the_timestep():
+def test_move_pushing_box_arrives_for_any_timestep():
     box = '<box x="3m" y="5m" length="40cm" width="40cm" mass="12kg"/><robot x="2m" y="5m"/>'
     for timestep in ("20ms", "100ms"):
         driver = Driver.of(world_of(box, timestep=timestep))
@@ -119,7 +119,7 @@ def test_a_move_that_pushes_a_box_arrives_whatever_the_timestep():
 
 
 @pytest.mark.parametrize(("inside_m", "status"), [(0.004, 0), (0.008, 3)])
-def test_a_move_that_ends_a_hair_inside_a_wall_is_done(inside_m, status):
+def test_move_ending_just_inside_wall_completes(inside_m, status):
     start_m = 10 - SCOUT_RADIUS_M + inside_m - 30 * INCH
     driver = Driver.of(world_of(f'<robot x="{start_m}m" y="5m"/>'))
     driver.ask("PR", 300, 300)
@@ -128,8 +128,7 @@ def test_a_move_that_ends_a_hair_inside_a_wall_is_done(inside_m, status):
     assert driver.state.x_m[0] == pytest.approx(10 - SCOUT_RADIUS_M, abs=0.001)
 
 
-@pytest.mark.slow
-def test_motors_give_up_when_the_definition_says_so(tmp_path):
+def test_motors_stop_after_stall_time_of_definition(tmp_path):
     driver = changed_scout(tmp_path, ONE, ('give-up="0s"', 'give-up="2s"'))
     driver.ask("PR", 600, 600)
     driver.post("WS", 1, 1, 0, 200)
@@ -142,7 +141,7 @@ def test_motors_give_up_when_the_definition_says_so(tmp_path):
     assert driver.state.x_m[0] < 9.6
 
 
-def test_wheels_whose_grip_is_weaker_than_the_motors_slip_and_count(tmp_path):
+def test_wheels_with_weak_grip_slip_and_count(tmp_path):
     driver = at_the_wall(changed_scout(tmp_path, ONE, ('grip="90N"', 'grip="40N"')))
     told = driver.ask("GS")
     assert told[CONF_X] == pytest.approx(575, abs=1)  # 6 s at 10 in/s, half a second to get there
@@ -156,7 +155,7 @@ PAIR = '<robot x="2m" y="5m"/><robot x="3m" y="5m" heading="{heading}"/>'
 
 
 def push(command: str, heading: int = 0, seconds: float = 8.0) -> Driver:
-    """Lets the first robot push the second one, which was given a command."""
+    """Make the first robot push the second one, which was given a command."""
     driver = Driver.of(world_of(PAIR.format(heading=heading)))
     driver.ask(command, robot=1)
     driver.ask("VM", 100, 100)
@@ -164,14 +163,14 @@ def push(command: str, heading: int = 0, seconds: float = 8.0) -> Driver:
     return driver
 
 
-def test_a_robot_that_holds_resists_a_push_up_to_its_grip():
+def test_holding_robot_resists_push_up_to_its_grip():
     driver = push("ST")
     assert driver.state.x_m[1] == pytest.approx(3, abs=0.02)
     assert driver.ask("GET_RC", robot=1)[CONF_X] == 0
     assert driver.state.x_m[0] == pytest.approx(3 - 2 * SCOUT_RADIUS_M, abs=0.02)
 
 
-def test_a_limp_robot_rolls_before_a_push_and_counts():
+def test_limp_robot_rolls_when_pushed_and_counts():
     driver = push("LP")
     rolled_m = driver.state.x_m[1] - 3
     assert rolled_m > 0.8
@@ -184,14 +183,14 @@ def test_a_limp_robot_rolls_before_a_push_and_counts():
     assert driver.ask("GS", robot=1)[VEL_RIGHT] == 0  # it has rolled out
 
 
-def test_a_limp_robot_counts_backwards_when_it_is_pushed_from_ahead():
+def test_limp_robot_counts_backwards_when_pushed_from_front():
     driver = push("LP", heading=180)
     rolled_m = driver.state.x_m[1] - 3
     assert rolled_m > 0.8
     assert driver.ask("GET_RC", robot=1)[CONF_X] == pytest.approx(-rolled_m / INCH * 10, abs=2)
 
 
-def test_a_limp_robot_does_not_roll_across_its_wheels():
+def test_limp_robot_does_not_roll_sideways():
     driver = push("LP", heading=90)
     assert driver.state.x_m[1] == pytest.approx(3, abs=0.02)
 
@@ -208,7 +207,7 @@ def test_limp_wheels_roll_out():
     assert driver.state.x_m[0] - start_m == pytest.approx(speed_mps**2 / 2 / 0.3)
 
 
-def test_motors_take_up_rolling_wheels_at_their_speed():
+def test_motors_engage_rolling_wheels_at_their_speed():
     driver = push("LP")
     before = driver.ask("GS", robot=1)[VEL_RIGHT]
     driver.ask("ST")
@@ -218,7 +217,7 @@ def test_motors_take_up_rolling_wheels_at_their_speed():
     assert driver.ask("GET_RV", robot=1)[VEL_RIGHT] == pytest.approx(before + 40, abs=3)
 
 
-def test_a_robot_that_pushes_a_box_counts_what_it_rolls():
+def test_robot_pushing_box_counts_true_distance():
     driver = Driver.of(
         world_of('<box x="3m" y="5m" length="40cm" width="40cm" mass="8kg"/><robot x="2m" y="5m"/>')
     )

@@ -1,23 +1,23 @@
-"""Between sender and receivers: whom a message reaches, and when.
+"""The channel model: which receivers a message reaches, and when.
 
 A message to all, or to a group, goes to those in range of its channel; one to a robot goes to that
-one. With n things between the two (`sight`), it reaches
+one. With n objects between the two (`line_of_sight`), it reaches
 
     d <= range * walls ** n
 
-and what does so is lost, now and then, as `loss` has it. The rest arrives when it has been sent,
-after the channel's delay and a share of its jitter, uniformly distributed:
+and is then lost at random (`loss`). The rest arrives after the transmission, the
+channel's delay and a uniformly distributed share of its jitter:
 
     arrival = b + (size + 12) / bandwidth + delay + u * jitter,   u in [0, 1)
 
-with b the instant at which its transmission began (`outbox`), but not before the end of the cycle
-that b lies in. Where robots are is seen at that end too. Of a channel with corruption c, each byte
-is replaced by another with probability c.
+where b is the time at which its transmission began (`outbox`), but not before the end of the cycle
+that contains b. Positions are those at that end, too. On a channel with corruption c, each byte is
+replaced by another one with probability c.
 
-All random numbers belong to one message, and one receiver (`keyed_random`).
+All random numbers are keyed by message and receiver (`keyed_random`).
 
-Robots to which as many messages are on their way as can be (`inbox`) do not hear those to all: else
-a few that send without end would have all pairs of robots looked at for each message.
+A robot with the largest possible number of pending messages (`inbox`) does not receive broadcasts:
+otherwise a few robots that send without end would make every message examine all pairs of robots.
 """
 
 from __future__ import annotations
@@ -44,24 +44,24 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_AT_ONCE: Final = 256  # messages whose receivers are listed together
-_STEP, _LOSS, _JITTER, _BYTE = range(4)  # what random numbers are for
+_AT_ONCE: Final = 256  # messages per batch, which bounds memory
+_STEP, _LOSS, _JITTER, _BYTE = range(4)  # purposes of random numbers
 
 
-class Air:
-    """What lies between robots, for messages."""
+class ChannelModel:
+    """The channel model of a world."""
 
     def __init__(self, channels: Channels, seed: int) -> None:
         self._channels = channels
         self._chances = KeyedUniform(seed, MESSAGES)
         self._scene: Scene | None = None
 
-    def carry(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
+    def transmit(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
         """Transmit messages to their receivers, at the end of the cycle in which they were sent.
 
         Args:
             state: changed in place.
-            scene: what stands where.
+            scene: the objects of the world.
             packets: the messages, in the order in which they were sent, of dtype `PACKET`.
             end_s: the end of the cycle.
         """
@@ -69,10 +69,10 @@ class Air:
             self._scene, self._sight = scene, Sight(scene)
         place = state.x_m + 1j * state.y_m
         for first in range(0, len(packets), _AT_ONCE):
-            self._carry_few(state, place, packets[first : first + _AT_ONCE], end_s)
+            self._transmit_batch(state, place, packets[first : first + _AT_ONCE], end_s)
         inbox.in_order(state.messages)
 
-    def _carry_few(
+    def _transmit_batch(
         self, state: EnvState, place: ComplexArray, packets: Records, end_s: float
     ) -> None:
         channels, messages = self._channels, state.messages
@@ -98,12 +98,12 @@ class Air:
         lost = fate != Fate.DELIVERED
         note(messages, fate[lost], packets[packet[lost]], packets["begins_s"][packet[lost]],
              receiver[lost])  # fmt: skip
-        unheard = np.bincount(packet, minlength=len(packets)) == 0
+        unreached = np.bincount(packet, minlength=len(packets)) == 0
         if full.any():
             missed = self._reach(state, place, packets, full)
             note(messages, Fate.INBOX, packets[missed], packets["begins_s"][missed])
-            unheard &= ~missed
-        note(messages, Fate.RANGE, packets[unheard], packets["begins_s"][unheard])
+            unreached &= ~missed
+        note(messages, Fate.RANGE, packets[unreached], packets["begins_s"][unreached])
         self._send_on(state, packets, packet[~lost], receiver[~lost], end_s)
 
     def _pairs(
@@ -113,9 +113,9 @@ class Air:
         packets: Records,
         hears: BoolArray,
     ) -> tuple[IndexArray, IndexArray]:
-        """Return pairs of message and receiver, by message and then by receiver.
+        """Return pairs of message and receiver, sorted by message and then by receiver.
 
-        Messages to all and to groups go to robots that hear, (robots,).
+        Broadcasts and messages to groups go to the robots with `hears`, (robots,).
         """
         robots = np.flatnonzero(hears & state.presence.present)
         one = np.flatnonzero(packets["to"] != EVERYBODY)
@@ -141,7 +141,7 @@ class Air:
         packets: Records,
         which: BoolArray,
     ) -> BoolArray:
-        """Return which broadcasts and multicasts have any of some robots in their range."""
+        """Return which broadcasts and group messages have any of the robots `which` in range."""
         robots = np.flatnonzero(which & state.presence.present)
         range_m = self._channels.range_m[packets["channel"]]
         away = place[robots] - place[packets["sender"]][:, None]
@@ -188,7 +188,7 @@ class Air:
         receiver: IndexArray,
         end_s: float,
     ) -> None:
-        """Enqueue what will arrive."""
+        """Schedule the arrival of the messages that were not lost."""
         channels = self._channels
         channel = packets["channel"][packet]
         sent_s = packets["begins_s"] + channels.duration_s(packets)
@@ -203,7 +203,7 @@ class Air:
         inbox.expect(state.messages, packets, coming)
 
     def _corrupted(self, packets: Records, coming: Records) -> Records:
-        """Return the messages, followed by what arrives of those that are corrupted."""
+        """Return the messages, followed by the corrupted copies that arrive instead."""
         packet = coming["packet"]
         share = self._channels.corruption[packets["channel"][packet]]
         noisy = np.flatnonzero(share)
@@ -217,7 +217,7 @@ class Air:
         pair, byte, chance = pair[hit], byte[hit], chance[hit]
         changed, place = np.unique(pair, return_inverse=True)
         copies = packets[packet[changed]]
-        # A number below the share, over the share, is one below 1 again: it tells by which byte.
+        # Given chance < share, chance / share is uniform in [0, 1) again: it selects the byte.
         turn = 1 + (chance / share[pair] * 255).astype(np.uint8)
         copies["data"][place, byte] ^= turn
         coming["packet"][noisy[changed]] = len(packets) + np.arange(len(changed))
@@ -226,7 +226,7 @@ class Air:
 
 
 def _is_meant(state: EnvState, packets: Records, receiver: IndexArray) -> BoolArray:
-    """Return whether broadcasts are meant for robots: not one's own, and of one's groups."""
+    """Return whether broadcasts address robots: sent by another one, and to a group of theirs."""
     group = packets["group"]
     bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
     meant = (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)

@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
 from crs_cc.sim.model.communication import HEAD_BYTES, Communication
 
-_FARTHEST_M: Final = 1e5  # a world is not larger
+_FARTHEST_M: Final = 1e5  # no world is larger
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +55,6 @@ class Channels:
         return len(self.names)
 
     def duration_s(self, packets: Records) -> FloatArray:
-        """Return the transmission time of each message [s], shape (k,)."""
+        """Return the duration of each message's transmission [s], shape (k,)."""
         size = packets["size"] + HEAD_BYTES
         return np.asarray(size / self.bandwidth_bps[packets["channel"]])

@@ -1,4 +1,4 @@
-"""Who shuts and opens the ways of messages while a world runs: for programs that run worlds.
+"""Control of communication outages in a running world, for programs that run worlds.
 
 >>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -28,10 +28,10 @@ if TYPE_CHECKING:
 
 
 class CommunicationControl:
-    """The ways of messages in a world that runs, between two of its steps."""
+    """The communication links of a running world, to be changed between two steps."""
 
     def __init__(self, running: Running) -> None:
-        """Makes one.
+        """Create the control.
 
         Args:
             running: the world; its state is changed.
@@ -55,31 +55,31 @@ class CommunicationControl:
         return tuple(robot.id for robot in self._running.world.robots)
 
     def shut(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
-        """Shuts a channel, a sender, a receiver, or what those named have in common.
+        """Shut a channel, a sender, a receiver, or the link given by a combination of these.
 
-        From now on, messages are lost that begin to be transmitted there; others go on.
+        Messages whose transmission begins there from now on are lost; others are delivered.
 
         Raises:
-            ValueError: there is no such channel or robot.
+            ValueError: the channel or robot does not exist.
         """
         shut(self._state, self._time_s, *self._numbers(channel, sender, receiver))
 
     def open(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
-        """Opens what was shut in the same words, by `shut` or in the world file.
+        """End the outage of the same channel, sender and receiver, of `shut` or the world file.
 
         Raises:
-            ValueError: there is no such channel or robot, or nothing that was shut so.
+            ValueError: the channel, the robot or the outage does not exist.
         """
         if not reopen(self._state, self._time_s, *self._numbers(channel, sender, receiver)):
-            raise ValueError("nothing is shut that was shut in these words")
+            raise ValueError("no such outage")
 
     def counts(self, channel: str) -> dict[Fate, int]:
-        """Return the counts of each fate of the messages on a channel so far.
+        """Return the number of messages on a channel by their fate so far.
 
-        A `messages.traffic.Monitor` counts pairs of robots, too.
+        `message_log.Monitor` also counts by sender and receiver.
 
         Raises:
-            ValueError: there is no such channel.
+            ValueError: the channel does not exist.
         """
         number = _number(channel, self._channels, "channel")
         counts = self._state.counts[number].tolist() if number != ANY else self._state.counts.sum(0)
@@ -94,10 +94,10 @@ class CommunicationControl:
 
 
 def _number(name: str, names: tuple[str, ...], kind: str) -> int:
-    """Return the number of something with a name, `ANY` for no name.
+    """Return the number of the channel or robot with a name, `ANY` for no name.
 
     Raises:
-        ValueError: there is no such thing.
+        ValueError: there is none of this name.
     """
     if not name:
         return ANY

@@ -1,8 +1,8 @@
-"""The receiver's side: messages on their way, and the inboxes that they come into.
+"""The receiver's side: messages in transit, and the robots' inboxes.
 
-An inbox holds `INBOX` messages; what arrives when it is full is lost. No more than `COMING_MOST`
-messages are on their way to one robot or in its inbox: further ones are lost at once, as if it had
-been full.
+An inbox holds `INBOX` messages; a message that arrives when it is full is lost. At most
+`COMING_MOST` messages are in transit to one robot or in its inbox: further ones are lost at once,
+as if the inbox were full.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ COMING_MOST: Final = 256
 
 
 def expect(messages: MessageState, packets: Records, coming: Records) -> None:
-    """Takes over what is on its way from now on; when that is all, `in_order` must follow.
+    """Add messages in transit; call `in_order` after the last ones.
 
     Args:
         messages: changed in place.
         packets: the messages.
-        coming: where they go and when they arrive, of dtype `RECEPTION`; `packet` is a row of
-            `packets`. In the order of which the last are lost where there are too many.
+        coming: their receivers and arrival times, of dtype `RECEPTION`; `packet` is a row of
+            `packets`. If there are too many, the last ones are lost.
     """
     if not len(coming):
         return
@@ -45,23 +45,23 @@ def expect(messages: MessageState, packets: Records, coming: Records) -> None:
 
 
 def in_order(messages: MessageState) -> None:
-    """Sort what is on its way by receiver and arrival."""
+    """Sort the messages in transit by receiver and arrival time."""
     table = messages.receptions
     messages.receptions = table[np.lexsort([table["arrives_s"], table["receiver"]])]
 
 
 def full(messages: MessageState) -> BoolArray:
-    """Return which robots have the most messages that can be on their way and in their inbox."""
+    """Return which robots have the largest possible number of pending messages, (robots,)."""
     return np.asarray(_held(messages) >= COMING_MOST)
 
 
-def let_in(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
-    """Put what has arrived by an instant into inboxes.
+def deliver(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
+    """Put the messages that have arrived by some time into the inboxes.
 
     Args:
         messages: changed in place.
-        rows: whose, rising, k of them.
-        by_s: the instant of each, (k,).
+        rows: the robots, in ascending order, k of them.
+        by_s: the time of each, (k,).
     """
     table = messages.receptions
     owner, place = _of(table, rows)
@@ -87,7 +87,7 @@ def count(messages: MessageState, rows: IndexArray) -> Int64Array:
 
 
 def take(messages: MessageState, rows: IndexArray) -> tuple[IndexArray, Records, FloatArray]:
-    """Take the first message out of each inbox that is not empty.
+    """Remove the first message from each inbox that is not empty.
 
     Returns:
         which of the robots have one, the messages, and when they arrived.
@@ -103,7 +103,7 @@ def take(messages: MessageState, rows: IndexArray) -> tuple[IndexArray, Records,
 
 
 def first_s(messages: MessageState, rows: IndexArray) -> FloatArray:
-    """Return when the first message of each robot has arrived or will, infinite for none."""
+    """Return the arrival time, past or future, of each robot's first message, infinite for none."""
     table = messages.receptions
     owner, place = _of(table, rows)
     first_s = np.full(len(rows), np.inf)
@@ -113,7 +113,7 @@ def first_s(messages: MessageState, rows: IndexArray) -> FloatArray:
 
 
 def clear(messages: MessageState, present: BoolArray) -> None:
-    """Drop all messages to robots that are not in the world; `present` says which are."""
+    """Remove the messages to robots that are not `present` in the world."""
     table = messages.receptions
     absent = ~present[table["receiver"]]
     late = table[absent & (table["status"] == COMING)]
@@ -123,7 +123,7 @@ def clear(messages: MessageState, present: BoolArray) -> None:
 
 
 def tidy(messages: MessageState) -> None:
-    """Delete what nobody can receive any more."""
+    """Remove messages that nobody can receive any more."""
     left = messages.receptions["status"] != GONE
     table = messages.receptions[left]
     kept, number = np.unique(table["packet"], return_inverse=True)
@@ -134,20 +134,20 @@ def tidy(messages: MessageState) -> None:
 
 
 def _held(messages: MessageState) -> IndexArray:
-    """Return how many messages are on their way to each robot, or in its inbox, (robots,)."""
+    """Return the number of messages in transit to each robot or in its inbox, (robots,)."""
     table = messages.receptions
     return np.bincount(table["receiver"][table["status"] != GONE], minlength=len(messages.sent))
 
 
 def _of(table: Records, rows: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Return the receptions of robots: number of the robot among `rows`, and row of the table."""
+    """Return the receptions of robots: the robot's index into `rows`, and the row of the table."""
     first = np.searchsorted(table["receiver"], rows, side="left")
     last = np.searchsorted(table["receiver"], rows, side="right")
     return expand(first, last - first)
 
 
 def _rank(owner: npt.NDArray[np.integer]) -> IndexArray:
-    """Return how many equal numbers come before each.
+    """Return the number of equal elements before each one.
 
     >>> _rank(np.array([3, 1, 3, 3, 1])).tolist()
     [0, 0, 1, 2, 1]

@@ -1,4 +1,4 @@
-"""What gets lost on the way: each message for itself, or in bursts.
+"""Loss of messages: independently, or in bursts.
 
 A receiver is in one of two states on each channel, and takes a step with each message that reaches
 it (E. N. Gilbert, "Capacity of a burst-noise channel", 1960; E. O. Elliott, "Estimates of error
@@ -7,7 +7,7 @@ rates for codes on burst-noise channels", 1963):
     good -> bad with probability p (burst-begin),   bad -> good with probability r (burst-end)
 
 and then the message is lost with probability `loss` in the good state, `burst-loss` in the bad one.
-In the long run the share p / (p + r) of messages finds the bad state, in bursts of 1 / r messages
+In the long run the share p / (p + r) of messages meets the bad state, in bursts of 1 / r messages
 on average.
 """
 
@@ -21,22 +21,22 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 def burst_states(
     bad: BoolArray, chain: IndexArray, chance: FloatArray, begin: FloatArray, end: FloatArray
 ) -> BoolArray:
-    """Return the state in which each message finds its receiver; chains take one step with each.
+    """Return the state that each message meets, and advance the chains by one step per message.
 
     One random number decides a step from either state: below p it leads from good to bad, from
-    1 - r on it leads from bad to good. So a step sets the state to something, or keeps it, or (with
-    p + r > 1) turns it around, and the state after many steps follows from the last that set it,
-    and how many turned it since: no loop over messages.
+    1 - r on it leads from bad to good. So a step sets the state, keeps it, or (with p + r > 1)
+    inverts it, and the state after many steps follows from the last step that set it and the
+    number of inversions since: no loop over messages.
 
     Args:
         bad: the states of all chains, changed in place.
-        chain: the chain of each message, rising, in it by time, shape (k,).
+        chain: the chain of each message, sorted, equal ones by time, shape (k,).
         chance: a random number for each.
         begin: its p.
         end: its r.
 
     Returns:
-        whether each finds a bad state, shape (k,).
+        whether each meets the bad state, shape (k,).
 
     >>> states = np.array([False, True])
     >>> chance, p, r = np.array([0.05, 0.5, 0.95, 0.5]), np.full(4, 0.1), np.full(4, 0.2)

@@ -1,4 +1,4 @@
-"""What happens to messages: a record of each, counts, and how to say it.
+"""The log of messages: a record of each message's fate, counts, and their texts.
 
 >>> monitor = Monitor(("radio",), ("a", "b"))
 >>> monitor.count(record([(0.5, Fate.SENT), (0.5, Fate.LOSS)], sender=0, receiver=1))
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class Fate(IntEnum):
-    """What can come of a message; `SENT` comes first, then one of the others for each receiver."""
+    """The fate of a message: `SENT` first, then one of the others for each receiver."""
 
     SENT = 0
     DELIVERED = 1
@@ -43,22 +43,22 @@ assert len(Fate) == FATES
 MEANINGS: Final = {
     Fate.SENT: "sent",
     Fate.DELIVERED: "delivered",
-    Fate.CORRUPTED: "delivered, with bytes that are not those that were sent",
+    Fate.CORRUPTED: "delivered with corrupted bytes",
     Fate.RANGE: "lost: out of range",
-    Fate.BLOCKED: "lost: something is in the way",
-    Fate.LOSS: "lost on the way",
-    Fate.QUEUE: "lost: the sender's queue was full",
-    Fate.SHUT: "lost: the way was shut",
-    Fate.INBOX: "lost: the receiver's inbox was full",
-    Fate.ABSENT: "lost: its sender or its receiver was not in the world",
+    Fate.BLOCKED: "lost: path blocked",
+    Fate.LOSS: "lost in transit",
+    Fate.QUEUE: "lost: sender's queue full",
+    Fate.SHUT: "lost: link shut",
+    Fate.INBOX: "lost: receiver's inbox full",
+    Fate.ABSENT: "lost: sender or receiver not in the world",
 }
-"""What each fate means, for people."""
+"""The text of each fate, as users see it."""
 
 
 def record(
     happened: Sequence[tuple[float, Fate]], *, sender: int, receiver: int, channel: int = 0
 ) -> Records:
-    """Return a record made by hand, for tests and examples."""
+    """Return a hand-made record, for tests and examples."""
     table = np.zeros(len(happened), TRAFFIC)
     table["time_s"], table["fate"] = zip(*happened, strict=True)
     table["channel"], table["sender"], table["receiver"] = channel, sender, receiver
@@ -73,14 +73,14 @@ def note(
     time_s: FloatArray,
     receivers: npt.NDArray[np.integer] | None = None,
 ) -> None:
-    """Record what happened to messages.
+    """Record the fate of messages.
 
     Args:
         messages: changed in place.
-        fate: what it was, one for all or one for each.
+        fate: their fate, one for all or one for each.
         packets: the messages, k of them.
-        time_s: when it was, (k,).
-        receivers: at which robots, (k,); by default those for whom the messages are.
+        time_s: the time of each, (k,).
+        receivers: the receiving robots, (k,); by default the messages' addressees.
     """
     if not len(packets):
         return
@@ -94,7 +94,7 @@ def note(
 
 
 def take(messages: MessageState) -> Records:
-    """Return what happened in a cycle, by time, and clear it."""
+    """Return the records of a cycle, sorted by time, and clear them."""
     traffic = messages.traffic
     if not len(traffic):
         return traffic
@@ -103,10 +103,10 @@ def take(messages: MessageState) -> Records:
 
 
 def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> Iterator[Event]:
-    """Return what happened as events.
+    """Return the records as events.
 
     Args:
-        traffic: what happened, of dtype `TRAFFIC`.
+        traffic: the records, of dtype `TRAFFIC`.
         channels: the channels' names.
         robots: the robots' names.
     """
@@ -124,21 +124,21 @@ def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> 
 
 
 class HasTraffic(Protocol):
-    """A timestep that has ended, as far as messages are concerned."""
+    """The messages of a completed timestep."""
 
     @property
     def traffic(self) -> Records:
-        """What happened to messages in it, of dtype `TRAFFIC`."""
+        """Return its records of messages, of dtype `TRAFFIC`."""
 
 
 class Monitor:
-    """Counts what happened to messages, timestep after timestep.
+    """A counter of messages' fates over timesteps.
 
     Give its `step` to a session as its trace, or call it with each `Step`.
     """
 
     def __init__(self, channels: Sequence[str], robots: Sequence[str]) -> None:
-        """Start counting.
+        """Create a counter with all counts 0.
 
         Args:
             channels: the channels' names, in the order of their numbers.
@@ -150,12 +150,12 @@ class Monitor:
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
-        """Start counting in a world."""
+        """Return a counter for a world."""
         channels = [channel.name for channel in world.communication.channels]
         return cls(channels, [robot.id for robot in world.robots])
 
     def step(self, step: HasTraffic) -> None:
-        """Count what happened in a timestep that has ended."""
+        """Count the records of a completed timestep."""
         self.count(step.traffic)
 
     def count(self, traffic: Records) -> None:
@@ -175,9 +175,9 @@ class Monitor:
         sender: int | None = None,
         receiver: int | None = None,
     ) -> int:
-        """Return how often something happened: on a channel, from a sender, to a receiver.
+        """Return the count of a fate, optionally only of a channel, a sender or a receiver.
 
-        A message to all is sent to the receiver -1.
+        A broadcast counts as sent to receiver -1.
         """
         wanted = (channel, sender, receiver, int(fate))
         return sum(
@@ -187,7 +187,7 @@ class Monitor:
         )
 
     def pairs(self) -> dict[tuple[int, int, int], dict[Fate, int]]:
-        """Return the counts of each channel, sender and receiver, in rising order."""
+        """Return the counts by channel, sender and receiver, in ascending order."""
         found: dict[tuple[int, int, int], dict[Fate, int]] = {}
         for (channel, sender, receiver, fate), count in sorted(self._counts.items()):
             found.setdefault((channel, sender, receiver), {})[Fate(fate)] = count

@@ -1,4 +1,4 @@
-"""The messages of all robots: what answers their requests, and what a cycle's end does."""
+"""The messages of all robots: their requests, and the work at the end of a cycle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import DATA_SIZE
 from crs_cc.sim.comms import inbox, outages, outbox
-from crs_cc.sim.comms.channel_model import Air
+from crs_cc.sim.comms.channel_model import ChannelModel
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.messages import EVERYBODY, GROUPS, NO_GROUP, PACKET
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 
 class Messenger:
-    """What carries messages; everything that changes is in `MessageState`."""
+    """The communication of a world's robots; its mutable state is `MessageState`."""
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         self._channels = Channels.of(world.communication)
-        self._air = Air(self._channels, seed)
+        self._channel_model = ChannelModel(self._channels, seed)
         self._robots = tuple(robot.id for robot in world.robots)
 
-    # -- what programs ask -------------------------------------------------------------------------
+    # -- requests of programs ----------------------------------------------------------------------
 
     def send(self, context: RequestContext) -> BoolArray:
         """Answer SEND: to a robot, to all, or to a group."""
@@ -49,9 +49,9 @@ class Messenger:
         return np.asarray(good)
 
     def receive(self, context: RequestContext) -> BoolArray:
-        """Answer RECEIVE, when a message has come or the time is up."""
+        """Answer RECEIVE when a message has arrived or the timeout has expired."""
         messages, rows = context.state.messages, context.rows
-        inbox.let_in(messages, rows, context.at_s)
+        inbox.deliver(messages, rows, context.at_s)
         have, packets, arrived_s = inbox.take(messages, rows)
         good = np.zeros(len(rows), dtype=np.bool_)
         good[have] = True
@@ -64,7 +64,7 @@ class Messenger:
     def count(self, context: RequestContext) -> None:
         """Answer MESSAGE_COUNT."""
         messages = context.state.messages
-        inbox.let_in(messages, context.rows, context.at_s)
+        inbox.deliver(messages, context.rows, context.at_s)
         context["messages"] = inbox.count(messages, context.rows)
 
     def group(self, context: RequestContext) -> BoolArray:
@@ -84,7 +84,7 @@ class Messenger:
         """Answer ROBOT: the number of a robot with a name, the name of one with a number."""
         return _look_up(context, self._robots, context.rows)
 
-    # -- what time does ----------------------------------------------------------------------------
+    # -- the passage of time -----------------------------------------------------------------------
 
     def end_cycle(
         self,
@@ -95,55 +95,55 @@ class Messenger:
         from_s: float,
         to_s: float,
     ) -> None:
-        """End a cycle: transmit what was sent in it, deliver what arrived in it.
+        """End a cycle: transmit the messages sent in it, and put those that arrived into inboxes.
 
         Args:
-            state: changed in place; the bodies are where they got to.
-            constants: what stands where.
-            log: takes what is shut and opened.
-            from_s: when the cycle began.
-            to_s: when it ends.
+            state: changed in place; the bodies have moved.
+            constants: the objects of the world.
+            log: receives the start and end of outages.
+            from_s: start of the cycle.
+            to_s: its end.
         """
         messages = state.messages
         if len(messages.shuts):
             names = self._robots
-            outages.tell(messages, self._channels, names, from_s=from_s, to_s=to_s, log=log)
+            outages.log_changes(messages, self._channels, names, from_s=from_s, to_s=to_s, log=log)
         if not state.presence.present.all():
             inbox.clear(messages, state.presence.present)
             outbox.clear(messages, state.presence.present, from_s)
         if len(messages.receptions):
             rows = np.arange(len(self._robots))
-            inbox.let_in(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
+            inbox.deliver(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
         packets = outbox.depart(messages, self._channels, to_s)
         if len(packets):
-            self._air.carry(state, constants.scene, packets, to_s)
+            self._channel_model.transmit(state, constants.scene, packets, to_s)
         if len(messages.packets):
             inbox.tidy(messages)
 
 
 def wait(context: RequestContext) -> None:
-    """Begin to wait for a message: not at all for 0 ms, without an end below 0."""
+    """Start to wait for a message: not at all for 0 ms, without limit below 0."""
     state, rows = context.state, context.rows
     wait_s = context["timeout_ms"] / 1000.0
     until_s = state.drive.clock_s[rows] + wait_s
     state.waits.until_s[rows] = np.where(wait_s < 0.0, np.inf, until_s)
 
 
-def heard_s(state: EnvState, rows: IndexArray) -> FloatArray:
+def receive_ends_s(state: EnvState, rows: IndexArray) -> FloatArray:
     """Return when the waits for a message end, as far as is known, shape (k,)."""
     first_s = np.minimum(inbox.first_s(state.messages, rows), state.waits.until_s[rows])
     return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
 
 
 def _look_up(context: RequestContext, names: tuple[str, ...], own: IndexArray) -> BoolArray:
-    """Find what has a name, or else a number, -1 for one's own; write both, and how many are."""
+    """Look up a name, or without one a number, -1 for one's own; reply with both and the count."""
     good = np.zeros(len(context), dtype=np.bool_)
     sizes, numbers = context["size"].tolist(), context["number"].tolist()
     for row, mine in enumerate(own.tolist()):
         size, number = sizes[row], numbers[row]
         if size:
-            asked = context["name"][row, : max(0, size)].tobytes().decode("utf-8", "replace")
-            number = names.index(asked) if asked in names else ANY
+            wanted = context["name"][row, : max(0, size)].tobytes().decode("utf-8", "replace")
+            number = names.index(wanted) if wanted in names else ANY
         elif number == ANY:
             number = mine
         good[row] = 0 <= number < len(names)

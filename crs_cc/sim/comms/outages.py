@@ -1,8 +1,8 @@
-"""Channels, senders, receivers and pairs that are shut for a while.
+"""Outages: channels, senders, receivers and pairs that are shut for some time.
 
-Each time is a row of `MessageState.shuts`. A message cannot pass when its transmission begins at or
-after the start of a row that means it, and before the end. What is shut by hand is shut from the
-start of the current cycle.
+Each outage is a row of `MessageState.shuts`. A message is lost if its transmission begins at or
+after the start of a row that matches it, and before its end. An outage set while the world runs
+starts with the current cycle.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from crs_cc.sim.state.messages import SHUT, MessageState
 
 
 def shut(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> None:
-    """Shuts from now on."""
+    """Start an outage now."""
     row = np.array([(now_s, np.inf, channel, sender, receiver)], SHUT)
     messages.shuts = np.concatenate([messages.shuts, row])
 
 
 def reopen(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> bool:
-    """Opens what was shut in the same words; tells whether there was any such thing."""
+    """End the outage with these numbers; return whether there was one."""
     rows = messages.shuts
     same = (rows["channel"] == channel) & (rows["sender"] == sender)
     same &= (rows["receiver"] == receiver) & (rows["at_s"] <= now_s) & (rows["until_s"] > now_s)
@@ -34,10 +34,10 @@ def reopen(messages: MessageState, now_s: float, channel: int, sender: int, rece
 def is_shut(
     messages: MessageState, packets: Records, packet: IndexArray, receiver: IndexArray
 ) -> BoolArray:
-    """Return which messages cannot pass.
+    """Return which messages are lost to an outage.
 
     Args:
-        messages: tells what is shut.
+        messages: has the outages.
         packets: the messages, of dtype `PACKET`.
         packet: row among them of each pair of message and receiver, shape (k,).
         receiver: the receiver of each.
@@ -59,7 +59,7 @@ def is_shut(
     return found
 
 
-def tell(
+def log_changes(
     messages: MessageState,
     channels: Channels,
     robots: tuple[str, ...],
@@ -68,7 +68,7 @@ def tell(
     to_s: float,
     log: EventLog,
 ) -> None:
-    """Says what was shut and opened between two instants."""
+    """Log the outages that started and ended between two times."""
     rows = messages.shuts
     changed = (rows["at_s"] >= from_s) & (rows["at_s"] < to_s)
     changed |= (rows["until_s"] >= from_s) & (rows["until_s"] < to_s)
@@ -79,7 +79,7 @@ def tell(
 
 
 def _name(row: tuple[int, int, int], channels: Channels, robots: tuple[str, ...]) -> str:
-    """Return what is shut, in words.
+    """Return the description of an outage's link.
 
     >>> from crs_cc.sim.model.communication import Communication
     >>> _name((0, 1, ANY), Channels.of(Communication()), ("a", "b"))

@@ -1,13 +1,14 @@
 """The sender's side: messages wait until those before them have been sent.
 
-Each robot has a sender of its own for each channel. Message i, posted at p_i, begins to be sent at
+Each robot has a transmitter for each channel. The transmission of message i, posted at p_i, begins
+at
 
     b_i = max(p_i, b_(i-1) + (size_(i-1) + 12) / bandwidth)
 
-While messages wait whose transmission has not begun, at most as many as the channel's queue holds,
-a further one drops the oldest of them or is dropped itself. At most `MOST` messages of a robot lie
-here at all, those included that have begun to be sent in this cycle: further ones are dropped,
-however fast the channel is, so that a program that sends in a loop keeps nobody busy.
+The channel's queue bounds the number of messages that wait for their transmission: when it is full,
+a further one replaces the oldest or is dropped itself. At most `MOST` messages of a robot are here
+in total, including those whose transmission began in this cycle: further ones are dropped, however
+fast the channel is, so that a program that sends in a loop cannot cause unbounded work.
 """
 
 from __future__ import annotations
@@ -25,12 +26,12 @@ MOST: Final = 64
 
 
 def post(messages: MessageState, channels: Channels, packets: Records) -> BoolArray:
-    """Enqueue messages, at most one of each robot, at the times `sent_s`.
+    """Queue messages, at most one of each robot, posted at their `sent_s`.
 
     Args:
         messages: changed in place.
         channels: the channels.
-        packets: the messages, k of them, of dtype `PACKET`; gives them their numbers.
+        packets: the messages, k of them, of dtype `PACKET`; their numbers are filled in.
 
     Returns:
         which were not dropped, shape (k,).
@@ -50,7 +51,7 @@ def post(messages: MessageState, channels: Channels, packets: Records) -> BoolAr
 
 
 def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
-    """Dequeue and return what begins to be sent before the end of a cycle, in that order."""
+    """Remove and return the messages whose transmission begins before a time, in that order."""
     if not len(messages.outbox):
         return np.zeros(0, PACKET)
     keys = messages.outbox["sender"].astype(np.int64) * len(channels) + messages.outbox["channel"]
@@ -64,7 +65,7 @@ def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
 
 
 def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
-    """Drop what robots that are not in the world had not sent; `present` says which are."""
+    """Remove the unsent messages of robots that are not `present` in the world."""
     absent = ~present[messages.outbox["sender"]]
     left = messages.outbox[absent]
     note(messages, Fate.ABSENT, left, np.full(len(left), now_s))
@@ -74,7 +75,7 @@ def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
 def _make_room(
     messages: MessageState, channels: Channels, packets: Records, which: BoolArray
 ) -> BoolArray:
-    """Drop the oldest where the channel says so; return where there is still no room."""
+    """Drop the oldest message where the channel says so; return where the queue is still full."""
     box, count = messages.outbox, len(channels)
     keys = box["sender"].astype(np.int64) * count + box["channel"]
     mine = packets["sender"].astype(np.int64) * count + packets["channel"]
@@ -83,7 +84,7 @@ def _make_room(
     _begin(messages, channels, keys, by_s)
     waits = np.isnan(box["begins_s"])
     waiting = np.bincount(keys[waits], minlength=messages.free_s.size)[mine]
-    # Nobody waits behind a sender that is free.
+    # A free transmitter has no queue.
     busy = messages.free_s.ravel()[mine] > packets["sent_s"]
     full = which & busy & (waiting >= channels.queue[packets["channel"]])
     drops = full & channels.drops_oldest[packets["channel"]]
@@ -98,13 +99,13 @@ def _make_room(
 
 
 def _begin(messages: MessageState, channels: Channels, keys: Int64Array, by_s: FloatArray) -> None:
-    """Start to send the messages whose turn comes.
+    """Start the transmissions that are due.
 
     Args:
         messages: changed in place.
         channels: the channels.
-        keys: robot times channels plus channel of each message in the outbox.
-        by_s: until when, by key, (robots times channels,).
+        keys: robot * number of channels + channel, of each message in the outbox.
+        by_s: the time limit by key, (robots * channels,).
     """
     box, free_s = messages.outbox, messages.free_s.ravel()
     duration_s = channels.duration_s(box)

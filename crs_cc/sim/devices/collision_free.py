@@ -1,4 +1,4 @@
-"""Whether there is room for a thing where it is: nothing else reaches there."""
+"""Test for free space where an object is: nothing else reaches there."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.bodies import Bodies
 
 
-def has_room(constants: RobotConstants, bodies: Bodies, thing: int) -> bool:
-    """Tells whether a thing that is lifted could stand where it is.
+def is_space_free(constants: RobotConstants, bodies: Bodies, thing: int) -> bool:
+    """Return whether a lifted object can be put down where it is without a collision.
 
     Args:
-        constants: the constants of all things.
-        bodies: where they are.
-        thing: its number among those that can be pushed.
+        constants: the constants of all objects.
+        bodies: their poses.
+        thing: the object's number among the pushable ones.
     """
     things, scene = constants.shapes, constants.scene
     poses, own = things.poses(bodies), scene.robots + thing

@@ -1,6 +1,6 @@
-"""Which sources of light or sound are within the range of which robots, and which are in sight.
+"""Sources of light or sound within the range of robots, and the lines of sight to them.
 
-A source is in sight where nothing lies on the straight line to it: no wall, no thing, no robot but
+A source is in sight if nothing is on the straight line to it: no wall, no object, no robot except
 the one that carries the source.
 """
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 _NEAREST_M = 0.1
-"""Sources that are nearer than this sense as if they were so far away; chosen by us."""
+"""Nearer sources are sensed as if they were at this distance; chosen by us."""
 
 _SLACK_M = 1e-6
 
@@ -33,9 +33,9 @@ class Sources:
     """Sources; arrays have a row for each.
 
     Attributes:
-        place_m: where they are, (sources, 2).
-        strength: how strong they are at a distance of 1 m, (sources,).
-        owner: the robots that carry them, -1 for those that stand in the world, (sources,).
+        place_m: their positions, (sources, 2).
+        strength: their strength at a distance of 1 m, (sources,).
+        owner: the robots that carry them, -1 for fixed ones, (sources,).
     """
 
     place_m: FloatArray
@@ -43,11 +43,11 @@ class Sources:
     owner: IndexArray
 
     def with_robots(self, place_m: FloatArray, strength: FloatArray) -> Sources:
-        """Gives these and the robots that are sources, too.
+        """Return these and the robots' sources.
 
         Args:
-            place_m: where all robots are, (robots, 2).
-            strength: how strong they are, 0 for those that are none, (robots,).
+            place_m: positions of all robots, (robots, 2).
+            strength: their strengths, 0 for robots that are no source, (robots,).
         """
         rows = np.flatnonzero(strength > 0.0)
         return Sources(
@@ -62,11 +62,11 @@ class Sensed:
     """Pairs of a robot and a source in its range; arrays have a row for each.
 
     Attributes:
-        robot: the robot, as an index into those that asked, rising.
+        robot: the robot, as an index into the requested rows, in ascending order.
         source: the source.
-        distance_m: how far away it is, at least a little.
-        bearing_rad: where it is, from where the robot's mount points.
-        in_sight: whether nothing is on the line to it.
+        distance_m: its distance, at least the minimum.
+        bearing_rad: its bearing from the direction of the robot's mount.
+        in_sight: whether nothing obstructs the line to it.
     """
 
     robot: IndexArray
@@ -77,7 +77,7 @@ class Sensed:
 
 
 def line_of_sight(range_m: float) -> list[Fan]:
-    """Gives the beam by which sources are looked for, none for no range."""
+    """Return the beam that tests for obstructions, none for no range."""
     return [Fan.of([(0.0, 0.0, 0.0, 0.0, range_m)])] if range_m > 0.0 else []
 
 
@@ -91,15 +91,15 @@ def sense(
     range_m: FloatArray,
     fan: Fan,
 ) -> Sensed:
-    """Gives what sources are in the range of robots, their own ones apart.
+    """Return the sources in the range of robots, except their own ones.
 
     Args:
-        state: where all robots are.
+        state: has the robots' poses.
         constants: their constants.
-        rays: what there is to see.
+        rays: casts rays.
         rows: the robots, k of them.
         sources: the sources.
-        range_m: how far each robot senses, (k,).
+        range_m: maximum range of each robot's sensor, (k,).
         fan: of `line_of_sight`.
     """
     mounts = mount_poses(state, constants, rows)

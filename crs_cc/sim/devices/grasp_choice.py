@@ -1,4 +1,4 @@
-"""What fingers and hands take of all that is within their reach.
+"""Selection of the objects that grippers and hands grasp.
 
 >>> nearest(np.array([0, 0, 1]), np.array([0.2, 0.1, 0.3]), np.array([True, True, False])).tolist()
 [1]
@@ -15,22 +15,22 @@ from crs_cc.sim.geometry.scene import Scene
 
 
 def can_be_taken(scene: Scene, things: IndexArray, most_kg: FloatArray) -> BoolArray:
-    """Tells which things, of those that can be pushed, are no part of others and not too heavy."""
+    """Return which pushable objects are not part of another one and not too heavy."""
     near = [scene.pushables[thing] for thing in things.tolist()]
     mass_kg = np.array([math.inf if thing.part_of else thing.mass_kg for thing in near])
     return np.asarray(mass_kg <= most_kg)
 
 
 def nearest(taker: IndexArray, away_m: FloatArray, good: BoolArray) -> IndexArray:
-    """Gives which pair of taker and thing counts for each taker: of the good ones the nearest.
+    """Return the pair of each taker with the nearest object, among the valid pairs.
 
     Args:
         taker: the taker of each pair, (n,).
-        away_m: how far away the thing is, (n,).
-        good: which pairs there can be, (n,).
+        away_m: distance of the object, (n,).
+        good: which pairs are valid, (n,).
 
     Returns:
-        the pairs, by rising taker; of equally near ones the first.
+        the pairs, by ascending taker; of equally near ones the first.
     """
     order = np.flatnonzero(good)
     order = order[np.lexsort((away_m[order], taker[order]))]

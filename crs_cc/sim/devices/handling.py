@@ -1,4 +1,4 @@
-"""All that robots handle things with: what it does at the end of a cycle, and to the physics."""
+"""Grippers and arms together: their work at the end of a cycle, and their effect on the physics."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Handling:
-    """What the robots of a world handle things with.
+    """The grippers and arms of a world's robots.
 
     Attributes:
         grippers: their grippers.
@@ -32,7 +32,7 @@ class Handling:
         self.arms = Arms(world, log)
 
     def pull(self, state: EnvState, constants: RobotConstants, pull: Pull, end_s: float) -> Pull:
-        """Adds to what drives do in a cycle where mounts and hands get that hold something."""
+        """Add the final poses of mounts and hands that hold something to the drives' action."""
         if not state.bodies.holds.any():
             return pull
         rows = np.arange(len(state.heading_rad))
@@ -45,6 +45,6 @@ class Handling:
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> bool:
-        """Lets grippers and hands take hold and let go; tells whether any did."""
+        """Make grippers and hands grasp and release; return whether any did."""
         gripped = self.grippers.end_cycle(state, constants, contacts, end_s)
         return self.arms.end_cycle(state, constants, end_s) or gripped

@@ -1,8 +1,8 @@
-"""Where the mount of a robot's sensors is at the instant to which its axes have been turned.
+"""The poses of the robots' mounts at the time to which their axes have been turned.
 
-The mount is the turret, or the base of a robot without one. Within a cycle it is where the axes
-have taken the robot since the cycle's start; a robot that something holds back is taken to be where
-it was then.
+The mount is the turret, or the base of a robot without one. Within a cycle its pose follows the
+axes' motion since the start of the cycle; a robot that is held up counts as being where it was
+then.
 
 >>> from crs_cc.sim.state.env_state import EnvState
 >>> from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def mount_poses(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
+    """Return x, y [m] and direction [rad] of robots' mounts, world frame, shape (k, 3)."""
     moved_m = np.where(state.bodies.slipping[rows, None], 0.0, take(state.drive.moved_m, rows))
     place_m = take(state.bodies.position_m, rows) + moved_m
     facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
@@ -41,14 +41,14 @@ def mount_rad(
     facing_rad: FloatArray,
     turret_rad: FloatArray,
 ) -> FloatArray:
-    """Gives where the mount points when wheels and turret point somewhere [rad], shape (k,).
+    """Return the mounts' directions for directions of wheels and turret [rad], shape (k,).
 
     Args:
-        state: tells where the bases of synchro drives point, which never turn.
+        state: has the directions of synchro drives' bases, which never turn.
         constants: the robots' constants.
-        rows: which robots, k of them.
-        facing_rad: where the wheels of each point, shape (k,).
-        turret_rad: where its turret does; of use where there is one, shape (k,).
+        rows: the robots, k of them.
+        facing_rad: direction of the wheels of each, shape (k,).
+        turret_rad: direction of its turret, ignored where there is none, shape (k,).
     """
     drives = constants.drives
     base_rad = np.where(drives.synchro[rows], state.base_rad[rows], facing_rad)

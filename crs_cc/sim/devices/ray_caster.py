@@ -1,6 +1,6 @@
-"""What lies around the robots, for all sensors that measure distances.
+"""Ray casting, for all sensors that measure distances.
 
-One object knows where everything is in the current cycle; each kind of sensor gives it the beams
+One object has the poses of everything in the current cycle; each kind of sensor passes its beams
 and gets distances.
 
 >>> from crs_cc.sim.state.env_state import EnvState
@@ -38,18 +38,18 @@ _SHORTEST_REACH_M: Final = 1.0
 
 
 class RayCaster:
-    """Everything that beams can hit, where it is in the cycle that was asked for last.
+    """A ray caster over all objects, at their poses in the cycle of the last query.
 
     Attributes:
-        surfaces: what all things look and sound like.
+        surfaces: the optical and acoustic surfaces of all objects.
     """
 
     def __init__(self, scene: Scene, fans: Sequence[Fan]) -> None:
-        """Sorts what does not move.
+        """Index the fixed objects.
 
         Args:
-            scene: what there is.
-            fans: all beams that will be asked for.
+            scene: the objects.
+            fans: all beams that will be cast.
         """
         reach_m = max((fan.reach_m for fan in fans), default=0.0)
         start_m = max((fan.start_m for fan in fans), default=0.0)
@@ -64,18 +64,18 @@ class RayCaster:
         self._places: FloatArray = np.zeros((0, 3))
 
     def forget(self) -> None:
-        """Says that bodies may be elsewhere than in the cycle that was seen last."""
+        """Forget the poses of the last query: bodies may have moved within the cycle."""
         self._placed = -1
 
     def obstacles(self, state: EnvState) -> Obstacles:
-        """Gives what beams can hit, where it is at the start of the cycle."""
+        """Return what beams can hit, at the start of the cycle."""
         if self._placed != state.cycle:
             self._place(state.bodies)
             self._placed = state.cycle
         return self._obstacles
 
     def _place(self, bodies: Bodies) -> None:
-        """Sorts what moves, unless all of it is where it was."""
+        """Index the moving objects, unless none has moved."""
         places = np.column_stack([bodies.position_m, bodies.angle_rad])
         if np.array_equal(places, self._places):
             return
@@ -88,17 +88,17 @@ class RayCaster:
     def prospect(
         self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float
     ) -> Prospect:
-        """Gives what beams can hit that start at a height, see `Outlook.at`."""
+        """Return what beams that start at a height can hit, see `Outlook.at`."""
         obstacles = self.obstacles(state)
         return obstacles if self._outlook is None else self._outlook.at(z_m, spread)
 
     def distances_m(
         self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
     ) -> FloatArray:
-        """Gives what each beam of each robot measures, as things stand at the cycle's start.
+        """Return what each beam of each robot measures at the start of the cycle.
 
         Args:
-            state: tells where the bodies are.
+            state: has the poses of the bodies.
             fan: the robots' beams.
             poses: x, y [m] and heading [rad] that each robot measures from, shape (k, 3).
             own: the number of each robot's own body, which its beams pass through.
@@ -116,10 +116,10 @@ class RayCaster:
     def seen(
         self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
     ) -> tuple[FloatArray, IndexArray]:
-        """Gives what `distances_m` gives, and which thing each beam hits.
+        """Return the distances, as `distances_m`, and the object that each beam hits.
 
         Returns:
-            the distances, and the things as in `Scene.names`, `NO_THING` where nothing is within
+            the distances, and the objects as in `Scene.names`, `NO_THING` where nothing is within
             range, both of shape (k, beams).
         """
         thing = np.empty((len(poses), len(fan)), dtype=np.intp)

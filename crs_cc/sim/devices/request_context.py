@@ -44,11 +44,11 @@ class RequestContext:
         request: the kind of request.
         state: the state, to be changed in place; axes were turned to `at_s`.
         constants: the robots' constants.
-        rays: what casts rays at what there is to see.
-        rows: the robots, rising.
-        messages: what they ask, of dtype `MESSAGE`, to be changed in place into the replies;
-            handlers read and write it by the names of fields.
-        at_s: when each is answered, within the current cycle.
+        rays: casts rays.
+        rows: the robots, in ascending order.
+        messages: the requests, of dtype `MESSAGE`, to be changed in place into the replies;
+            handlers read and write them by the names of fields.
+        at_s: the time at which each is answered, within the current cycle.
     """
 
     request: Request
@@ -69,7 +69,7 @@ class RequestContext:
         return column if number < 0 else column[:, number]
 
     def columns(self, *names: str) -> Int32Array:
-        """Return arguments that lie evenly spaced in the message, shape (k, names)."""
+        """Return arguments that are evenly spaced in the message, shape (k, names)."""
         columns: Int32Array = self.messages["i"][:, _columns(self.request, names)]
         return columns
 
@@ -94,7 +94,7 @@ class RequestContext:
     def put_data(
         self, numbers: npt.NDArray[np.number], where: BoolArray | slice | int = _ALL
     ) -> None:
-        """Write numbers as int32 into the data of some of the replies, and how many bytes it is.
+        """Write numbers as int32 into the data of some of the replies, and their size in bytes.
 
         Args:
             numbers: the numbers, shape (replies, n); of a single reply (n,).
@@ -106,22 +106,22 @@ class RequestContext:
         self.messages["size"][where] = size
 
     def put_bytes(self, content: bytes, place: int) -> None:
-        """Write bytes into the data of one reply, and how many they are."""
+        """Write bytes into the data of one reply, and their number."""
         self.messages["data"][place, : len(content)] = list(content)
         self.messages["size"][place] = len(content)
 
     def clear_data(self) -> None:
-        """Let the replies hold no data."""
+        """Clear the data of the replies."""
         self.messages["size"] = 0
 
 
 Handler: TypeAlias = Callable[[RequestContext], BoolArray | None]
-"""Does what robots ask and writes the replies; returns which requests were good, None for all."""
+"""The function that executes requests and writes replies; returns which were good, None for all."""
 
 
 @cache
 def _columns(request: Request, names: tuple[str, ...]) -> slice:
-    """Return which of the integers of a message some arguments are."""
+    """Return the positions of arguments among the integers of a message."""
     first, second, *rest = (request.argument_positions[name][1] for name in names)
     step = second - first
     block = slice(first, first + len(names) * step, step)

@@ -1,4 +1,4 @@
-"""What the robots of a world are made of, as arrays: constants for the vectorised parts."""
+"""The robots of a world as arrays: constants for the vectorised parts."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from crs_cc.sim.physics.inclines import Inclines
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RobotConstants:
-    """Constants of all robots; arrays have shape (robots,), those of `shapes` apart.
+    """Constants of all robots; arrays have shape (robots,), except those of `shapes`.
 
     Attributes:
         timestep_s: the world's timestep [s].
         drives: the drives.
         vendor_model: the vendor's number of the model.
-        least_interval_s: the shortest time from one sonar's firing to the next.
+        least_interval_s: minimum time between the firings of two sonars.
         sonars: which sonars each robot has, (robots, 16).
-        sonar_modes: in how many modes the sonars can work, 0 for a robot without sonars.
-        bumpers: whether it has bumpers.
-        infrared: number of each robot among those that have an infrared ring, -1 for the others.
+        sonar_modes: number of modes of the sonars, 0 for a robot without sonars.
+        bumpers: whether the robot has bumpers.
+        infrared: number of each robot among those with an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
         sensors: the same for each device of `registry.devices()`, by its name.
@@ -42,16 +42,16 @@ class RobotConstants:
         heat: the same for heat sensors.
         light: the same for rings of light sensors.
         sound: the same for microphones.
-        brightest: how bright the lamp can shine, 0 where there is none.
-        loudest: how loud the speaker can sound, 0 where there is none.
-        laser_points: how many points a laser can tell.
-        calibration_s: how long a compass turns around to be calibrated.
-        heat_range_m: how far the heat sensor senses, 0 where there is none.
-        tag_range_m: how far heat is taken away.
+        brightest: maximum brightness of the lamp, 0 where there is none.
+        loudest: maximum level of the speaker, 0 where there is none.
+        laser_points: maximum number of points of the laser.
+        calibration_s: duration of the turn that calibrates the compass.
+        heat_range_m: range of the heat sensor, 0 where there is none.
+        tag_range_m: range within which heat can be removed.
         radius_m: the radius of the body.
-        degradations: what becomes of values on their way from and to devices.
-        world: what stood where before the first cycle.
-        scene: the outlines of all things, as they are now.
+        degradations: the filter of values from and to devices.
+        world: the world before the first cycle.
+        scene: the outlines of all objects, as they are now.
         shapes: their shapes.
         inclines: the slopes of the ground, None where it is flat.
     """
@@ -133,12 +133,12 @@ class RobotConstants:
         )
 
     def last_instant_s(self, cycle: int) -> float:
-        """Return the last instant of a cycle [s]: its end belongs to the next one."""
+        """Return the last time in a cycle [s]: its end belongs to the next one."""
         return float(np.nextafter((cycle + 1) * self.timestep_s, 0.0))
 
 
 def _sonars(models: Sequence[RobotModel]) -> BoolArray:
-    """Tells which sonars robots have."""
+    """Return which sonars robots have."""
     has = np.zeros((len(models), MAX_SONARS), dtype=np.bool_)
     for row, model in zip(has, models, strict=True):
         row[[sonar.id for sonar in model.sonars]] = True
@@ -146,7 +146,7 @@ def _sonars(models: Sequence[RobotModel]) -> BoolArray:
 
 
 def _numbers(has: list[bool]) -> IndexArray:
-    """Numbers the robots that have something; the others get -1.
+    """Number the robots that have a device; the others get -1.
 
     >>> _numbers([False, True, True]).tolist()
     [-1, 0, 1]

@@ -37,19 +37,19 @@ _IN_C: Final[dict[str, tuple[Callable[[FloatArray], FloatArray], float]]] = {
     LENGTH.name: (m_to_tenths_inch, LARGEST),
     ANGLE.name: (rad_to_tenths_deg, 3600.0),
 }
-"""The unit in C, and the largest number; a degraded sensor may measure anything."""
+"""The unit in C, and the largest number, as a degraded sensor may measure any value."""
 
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """What a device's row needs to measure with some robots' sensors.
+    """The arguments of a device's `measure`, for some robots' sensors.
 
     Attributes:
         state: the state of the world; axes were turned to `at_s`.
         constants: constants of all robots, the scene and the ground.
         rays: casts rays.
-        rows: robots that have the sensor, k of them.
-        at_s: the time, for each, (k,).
+        rows: robots with the sensor, k of them.
+        at_s: the time of each, (k,).
         settings: the constants of their sensors: the fields of the row's model, by name, (k,) each.
     """
 
@@ -65,7 +65,7 @@ class Sensor:
     """One kind of sensor, of all robots that have it.
 
     Attributes:
-        interval_s: the least time between two measurements of each.
+        interval_s: minimum time between two measurements of each.
     """
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
@@ -95,12 +95,12 @@ class Sensor:
         return constants.sensors[self.row.name]
 
     def readings(self, state: EnvState) -> Readings:
-        """Return what was measured last."""
+        """Return the last measurements."""
         readings: Readings = getattr(state.sensors, self.row.name)
         return readings
 
     def measured_s(self, state: EnvState) -> FloatArray:
-        """Return when each measured last; below 0 for never."""
+        """Return the time of each one's last measurement; below 0 for never."""
         return self.readings(state).at_s
 
     def read(
@@ -117,8 +117,8 @@ class Sensor:
             state: changed in place.
             constants: the robots' constants.
             rays: casts rays.
-            rows: robots that have the sensor, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
+            rows: robots with the sensor, k of them, whose axes were turned to `at_s`.
+            at_s: the time of each, shape (k,).
         """
         readings, mine = self.readings(state), self.numbers(constants)[rows]
         due = is_due(readings.at_s[mine], at_s, self.interval_s[mine])

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 _LASER_WIDTHS: Final = {CODES["GET_LS"]: laser.POINTS, CODES["GET_SG"]: laser.SEGMENTS}
-"""Numbers of a reading in the replies that carry the laser's, whatever its mode."""
+"""Numbers per reading in the replies with laser readings, in any mode."""
 
 
 class SensorBoard:
@@ -61,12 +61,12 @@ class SensorBoard:
 
     @property
     def fans(self) -> list[Fan]:
-        """The beams of those that measure distances."""
+        """Return the beams of the sensors that measure distances."""
         return [*self.infrared.fans, *self.lasers.fans]
 
     @property
     def timed(self) -> dict[int, Timed]:
-        """The sensors that can have a timer, by their numbers in `crs.h`."""
+        """Return the sensors that can have a timer, by their numbers in `crs.h`."""
         return {
             timers.LASER: Timed(
                 self.lasers.read,
@@ -93,7 +93,7 @@ class SensorBoard:
 
         Args:
             context: the requests, changed in place into the replies.
-            good: which of them were good; for these, sensors measure whose readings replies carry.
+            good: which of them were good; only for these, sensors measure for the replies.
 
         Returns:
             `State` of each, shape (k, 45).
@@ -110,22 +110,22 @@ class SensorBoard:
         if self._has_lasers and request.sensors & LASER:
             context["laser_count"] = _keep_laser(context)
         pos_data.keep(state, constants, self._clock, rows, request.sensors)
-        computers, motors = self.batteries.told(state, constants, rows, at_s)
+        computers, motors = self.batteries.voltage_bytes(state, constants, rows, at_s)
         context["computer_battery"], context["motor_battery"] = computers, motors
         context["board_ms"] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
         context.put_data(states)
         return states
 
     def _measure(self, context: RequestContext, good: BoolArray) -> None:
-        """Measure with those instruments that the programs' masks ask for."""
+        """Measure with the instruments that the programs' masks select."""
         for has, read, sensor, group in (
             (self._has_infrared, self.infrared.read, timers.INFRARED, mask.INFRARED),
             (self._has_compasses, self.compasses.read, timers.COMPASS, mask.COMPASS),
             (self._has_lasers, self.lasers.read, timers.LASER, mask.LASER),
         ):
             if has:
-                asked = good & _is_asked(context, group)
-                read_on_request(context, read, sensor, asked)
+                requested = good & _is_requested(context, group)
+                read_on_request(context, read, sensor, requested)
 
     def look(
         self,
@@ -135,17 +135,17 @@ class SensorBoard:
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[Int32Array, Int32Array]:
-        """Return what the instruments would measure without any error from somewhere else.
+        """Measure with the instruments without errors from other poses.
 
         Args:
-            state: tells where all things are; keeps what lasers see for the pages.
+            state: has the poses of all objects; stores what lasers see for the pages.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: which robots, k of them.
+            rays: casts rays.
+            rows: the robots, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
         Returns:
-            what infrared sensors tell, shape (k, 16), and how many laser readings there are, (k,).
+            the infrared readings, shape (k, 16), and the number of laser readings, (k,).
         """
         infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
         has = constants.infrared[rows] >= 0
@@ -165,23 +165,23 @@ class SensorBoard:
 
 
 def _keep_laser(context: RequestContext) -> Int32Array:
-    """Keep what lasers saw for the pages; return how many readings each robot has, (k,)."""
+    """Store the lasers' scans for the pages; return the number of readings of each, (k,)."""
     laser_state, mine = context.state.laser, context.constants.laser[context.rows]
     width = _LASER_WIDTHS.get(context.request.code)
-    asked = mine >= 0
+    requested = mine >= 0
     if width is None:
-        asked &= _is_asked(context, mask.LASER)
-    mine = mine[asked]
+        requested &= _is_requested(context, mask.LASER)
+    mine = mine[requested]
     mode = laser_state.mode[mine]
     widths = laser.widths(mode) if width is None else np.full(len(mine), width, np.int32)
     points = np.where(laser.is_on(mode), laser_state.points[mine], 0)
     laser.keep(context.state, laser_state.told, mine, widths, (points, laser_state.seen[mine]))
     counts = np.zeros(len(context), dtype=np.int32)
-    counts[asked] = laser_state.told.count[mine]
+    counts[requested] = laser_state.told.count[mine]
     return counts
 
 
-def _is_asked(context: RequestContext, group: slice) -> BoolArray:
-    """Return which programs' masks have one of the bits of a group, (k,)."""
+def _is_requested(context: RequestContext, group: slice) -> BoolArray:
+    """Return which programs' masks have any bit of a group, (k,)."""
     bits = context.state.mask[context.rows, group].view(np.int8)
     return np.asarray((bits > 0).any(axis=1))

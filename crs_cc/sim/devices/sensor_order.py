@@ -1,4 +1,4 @@
-"""The order of sensors that `conf_sn` and `conf_ir` hand over.
+"""The order of sensors that is passed to `conf_sn` and `conf_ir`.
 
 It ends with its last element, or before the first 255 (vendor header `Nclient.h` 1.29).
 
@@ -27,13 +27,13 @@ def orders(
     """Return the orders of some requests.
 
     Args:
-        count: the length of each, (k,).
-        content: the bytes of each, (k, bytes).
-        most: how many sensors a robot can have; they are numbered from 0.
+        count: their lengths, (k,).
+        content: their bytes, (k, bytes).
+        most: maximum number of sensors, which are numbered from 0.
 
     Returns:
         sensor numbers, shape (k, most); which of them belong to the order, the first ones, shape
-        (k, most); and whether each order names none but sensors that there can be, shape (k,).
+        (k, most); and whether each order contains only valid sensor numbers, shape (k,).
     """
     order = content[:, :most].astype(np.intp)
     given = np.arange(most) < np.clip(count, 0, most)[:, None]

@@ -1,9 +1,9 @@
-"""The serial line between host and robot: how long commands and replies are on their way.
+"""The serial line between host and robot: transmission times of commands and replies.
 
-A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
-its reply have says the robot's definition; one that is not named there takes no time. What only a
-simulator does, and what devices of `crs.h` do, goes over the network instead, which takes the same
-time for all; so do the commands to a robot whose definition names none.
+A byte is ten bits on the line: a start bit, eight of data, a stop bit. The robot's definition has
+the numbers of bytes of commands and replies; a command that is missing there takes no time.
+Requests to the simulator only, and to devices of `crs.h`, use the network instead, with the same
+time for all; so do all commands to a robot whose definition names none.
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ _ON_LINE: Final = np.array([request and request.link == "serial" for request in 
 
 
 class SerialLine:
-    """The lines to all robots of a world."""
+    """The serial lines to all robots of a world."""
 
     def __init__(self, world: WorldModel) -> None:
-        """Reads the definitions.
+        """Create the lines of a world's robots.
 
         Args:
             world: the world.
@@ -44,7 +44,7 @@ class SerialLine:
         self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
         self._network_s = np.array([link.network_s for link in links])
         self._has_line = np.array([bool(link.byte_counts) for link in links])
-        # One row more than there are codes stands for all others.
+        # One additional row is for all other codes.
         self._byte_count = np.zeros((len(kinds), _CODES + 1), dtype=np.int64)
         for link, kind in kinds.items():
             for name, count in link.byte_counts:
@@ -53,16 +53,16 @@ class SerialLine:
     def time_s(
         self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
     ) -> FloatArray:
-        """Return how long requests and their replies are on the line, or on the network [s].
+        """Return the transmission time of requests and replies on the line or network [s].
 
         Args:
-            state: the speeds.
+            state: has the lines' speeds.
             codes: the requests' codes.
-            robots: whose they are.
+            robots: their robots.
             sizes: bytes of their data.
 
         Returns:
-            the times, in the shape that the three give when they are broadcast.
+            the times, in the broadcast shape of the three arguments.
         """
         code, robot = np.asarray(codes), np.asarray(robots)
         code = np.where((code >= 0) & (code < _CODES), code, _CODES)
@@ -76,13 +76,13 @@ class SerialLine:
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:
-    """Set the speed of lines; a speed that no line has changes nothing."""
+    """Set the speed of lines; ignore a speed that no line has."""
     known = np.isin(baud, _SPEEDS_BAUD)
     state.link.baud[rows[known]] = baud[known]
 
 
 def conf_ser(context: RequestContext) -> BoolArray:
-    """Set the speed of the line, whatever the port: which one is the host's, nothing tells."""
+    """Set the speed of the line for any port, as it is unknown which one is the host's."""
     baud = context["baud"]
     set_speed(context.state, context.rows, baud)
     return np.isin(baud, _SPEEDS_BAUD)

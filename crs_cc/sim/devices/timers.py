@@ -1,15 +1,14 @@
-"""Sensors that measure by a timer of their own, whether anybody asks or not.
+"""Sensors that measure by a timer of their own, independently of requests.
 
 The CRS report (4.2) has periodic sensors, each with an event timer, and others that measure when
-the program asks. Here a sensor is one or the other as its definition says (`period`), or as the
-program says (`crs_period`). With a timer it measures at
+the program requests it. Here the definition (`period`) or the program (`crs_period`) selects one
+of these. With a timer a sensor measures at
 
     start + n * period
 
-to the exact multiple, wherever that falls in a timestep, from the place where the robot is then;
-`start` is the start of the run, the instant at which the robot joined, or that of `crs_period`.
-Whoever asks is told what was measured last, and may ask how old that is (`crs_age`). The sensor's
-rate is the shortest period.
+at the exact multiple, anywhere in a timestep, from the robot's pose at that time; `start` is the
+time at which the run started, the robot joined, or `crs_period` was called. Requests return the
+last measurement; `crs_age` returns its age. The sensor's rate limits the period.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ _NEVER: Final = -1
 
 
 Read: TypeAlias = "Callable[[EnvState, RobotConstants, RayCaster, IndexArray, FloatArray], None]"
-"""Lets sensors measure, those whose time has come: of which robots that have one, and when."""
+"""The function that measures with sensors of the given robots at the given times."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,11 +44,11 @@ class Timed:
     """A kind of sensor that can have a timer.
 
     Attributes:
-        read: lets it measure.
-        numbers: from the constants: the number of each robot among those that have one, -1 for the
+        read: measures with it.
+        numbers: from the constants: the number of each robot among those with one, -1 for the
             others, (robots,).
-        measured_s: from the state: when each measured last; below 0 for never, (n,).
-        interval_s: the least time between two measurements of each, (n,).
+        measured_s: from the state: time of each one's last measurement; below 0 for never, (n,).
+        interval_s: minimum time between two measurements of each, (n,).
     """
 
     read: Read
@@ -62,7 +61,7 @@ class Timers:
     """The timers of all robots."""
 
     def __init__(self, sensors: Mapping[int, Timed]) -> None:
-        """Makes them.
+        """Create the timers.
 
         Args:
             sensors: the kinds of sensors, by their numbers in `crs.h`.
@@ -72,13 +71,13 @@ class Timers:
     def fire(
         self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> None:
-        """Measure with those sensors of robots whose timers fire first.
+        """Measure with the sensors whose timers expire first.
 
         Args:
-            state: changed in place; axes were turned to the timers' instants.
+            state: changed in place; axes were turned to the timers' times.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: robots that have a timer, k of them.
+            rays: casts rays.
+            rows: robots with a timer, k of them.
         """
         timers = state.timers
         soonest_s = timers.soonest_s[rows]
@@ -91,7 +90,7 @@ class Timers:
                 timers.go_on(mine, sensor, begin_s)
 
     def set_period(self, context: RequestContext) -> BoolArray:
-        """Answer PERIOD; refuse sensors that the robot does not have, and times below 0."""
+        """Answer PERIOD; refuse missing sensors and times below 0."""
         good = self._has(context)
         periods_ms = context["period_ms"].tolist()
         for place in np.flatnonzero(good).tolist():
@@ -128,14 +127,14 @@ class Timers:
 
 
 def read_on_request(context: RequestContext, read: Read, sensor: int, which: BoolArray) -> None:
-    """Measure with those sensors that have no timer, as a request asks for a reading.
+    """Measure with the sensors that have no timer, for a request.
 
     Args:
         context: the requests.
-        read: makes sensors measure.
+        read: measures with sensors.
         sensor: their number in `crs.h`.
-        which: which of the robots are asked, (k,).
+        which: the requests that the robot does not refuse, (k,).
     """
-    asked = which & context.state.timers.on_request(context.rows, sensor)
-    rows, at_s = context.rows[asked], context.at_s[asked]
+    requested = which & context.state.timers.on_request(context.rows, sensor)
+    rows, at_s = context.rows[requested], context.at_s[requested]
     read(context.state, context.constants, context.rays, rows, at_s)

@@ -1,4 +1,4 @@
-"""The vendor's `State[45]`: what a robot tells its host, in the vendor's indices and units.
+"""The vendor's `State[45]`: what a robot reports to its host, in the vendor's indices and units.
 
 Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout does not have
 (infrared, turret, laser, compass) is 0.
@@ -38,7 +38,7 @@ CONF_TURRET: Final = 37  # [0.1 deg], 0 to 3599
 VEL_RIGHT: Final = 38  # [0.1 in/s]; of a synchro drive the translation
 VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
-MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, be it in vain
+MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, even if stalled
 
 LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
@@ -49,7 +49,7 @@ _FULL_TURN: Final = 3600
 
 
 def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
-    """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
+    """Return `State` of robots at the time to which their axes were turned, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
@@ -71,17 +71,17 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
 
 
 def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
-    """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
+    """Return the part of `State` with positions and speeds, shape (k, 7)."""
     odometry = state.odometry
     speed, unit = traction.speed(state, constants, rows), take(constants.drives.unit, rows)
     now_s = state.drive.clock_s[rows]
     speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
-    told = np.zeros((len(rows), CONFIGURATION))
-    told[:, 0] = m_to_tenths_inch(odometry.x_m[rows])
-    told[:, 1] = m_to_tenths_inch(odometry.y_m[rows])
-    told[:, 2] = rad_to_tenths_deg(odometry.heading_rad[rows])
-    told[:, 3] = rad_to_tenths_deg(odometry.turret_rad[rows])
-    np.divide(speed, unit, out=told[:, 4:], where=unit > 0.0)
-    whole = np.maximum(np.minimum(np.rint(told), LARGEST), -LARGEST).astype(np.int32)
+    reported = np.zeros((len(rows), CONFIGURATION))
+    reported[:, 0] = m_to_tenths_inch(odometry.x_m[rows])
+    reported[:, 1] = m_to_tenths_inch(odometry.y_m[rows])
+    reported[:, 2] = rad_to_tenths_deg(odometry.heading_rad[rows])
+    reported[:, 3] = rad_to_tenths_deg(odometry.turret_rad[rows])
+    np.divide(speed, unit, out=reported[:, 4:], where=unit > 0.0)
+    whole = np.maximum(np.minimum(np.rint(reported), LARGEST), -LARGEST).astype(np.int32)
     whole[:, 2:4] %= _FULL_TURN
     return whole

@@ -1,8 +1,8 @@
-"""Requests that are answered later: a wait ends at an instant, and then its request is answered.
+"""Requests that are answered later, at the end of a wait.
 
-The instant follows from what is known already: axes that run come to a stop, a message that is on
-its way arrives, the time is up. A robot that waits gives no commands, so that its axes can be
-turned on to the end of its wait as soon as that lies in the current cycle.
+The end of a wait is known in advance: running axes stop, a message in transit arrives, or the wait
+times out. A waiting robot receives no commands, so that its axes can be advanced to the end of its
+wait as soon as that is in the current cycle.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Wait:
-    """How robots wait for one kind of request.
+    """The wait of one kind of request.
 
     Attributes:
         ends_s: returns when the waits of robots end as far as is known now, infinite for never;
-            not before the instants to which the robots have come, shape (k,).
+            not before the times that the robots have reached, shape (k,).
         finish: answers the requests when the waits have ended.
     """
 
@@ -46,17 +46,17 @@ def settle(
     """End the waits of robots that end before a limit.
 
     Args:
-        waits: how robots wait for each kind of request.
+        waits: the wait of each kind of request.
         state: changed in place.
         constants: the robots' constants.
-        rows: robots that wait, k of them.
+        rows: the waiting robots, k of them.
         limit_s: the end of the current cycle.
 
     Returns:
-        the instant at which each wait ended, infinite for those that go on, shape (k,).
+        the time at which each wait ended, infinite for those that go on, shape (k,).
     """
     ends_s = when(waits, state, rows)
-    # The time without a command may be up before; then the axes stand earlier than it seemed.
+    # The command timeout may expire before; then the axes stop earlier than predicted.
     deadline_s = state.drive.deadline_s[rows]
     cut = (deadline_s < ends_s) & (deadline_s < limit_s)
     if cut.any():

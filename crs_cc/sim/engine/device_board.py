@@ -1,7 +1,7 @@
-"""All devices of all robots that have random numbers, timers or constants of their own.
+"""All devices with random numbers, timers or constants of their own, of all robots.
 
-A new one is made here; its requests are entered into `handlers.handlers_of`, and one that can have
-a timer into the timers.
+A new device is created here; its requests are added to `handlers.handlers_of`, and one that can
+have a timer to the timers.
 """
 
 from __future__ import annotations
@@ -43,23 +43,23 @@ class DeviceBoard:
 
     Attributes:
         sonars: the sonars.
-        sensor_board: what the vendor's sensor board reads.
-        handling: what takes hold of things.
-        messenger: what carries messages from robot to robot.
+        sensor_board: the devices read by the vendor's sensor board.
+        handling: the grippers and arms.
+        messenger: the communication between robots.
         cameras: the cameras.
         lights: the light sensors.
         microphones: the microphones.
-        sensors: those of the device registry.
-        timers: the timers of all that can measure by themselves.
+        sensors: the sensors of the device registry.
+        timers: the timers of all sensors that can have one.
     """
 
     def __init__(self, world: WorldModel, seed: int, log: EventLog) -> None:
-        """Set up the devices.
+        """Create the devices.
 
         Args:
             world: the world.
-            seed: decides their errors.
-            log: takes what happens to them.
+            seed: seed of their random errors.
+            log: receives their events.
         """
         self.log = log
         self.sonars = SonarRing(world, seed)
@@ -108,7 +108,7 @@ class DeviceBoard:
 
     @property
     def fans(self) -> list[Fan]:
-        """The beams of all devices that measure distances."""
+        """Return the beams of the devices that measure distances."""
         own = [*self.cameras.fans, *self.handling.grippers.fans]
         own += [*self.lights.fans, *self.microphones.fans]
         return [*self.sonars.fans, *self.sensor_board.fans, *own]
@@ -126,8 +126,8 @@ class DeviceBoard:
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: whose: robots that are there from the start, or that join.
+            rays: casts rays.
+            rows: robots that are present from the start, or that join.
             now_s: the start of the current cycle.
         """
         self.sonars.begin(state, constants, rays, rows, now_s)
@@ -141,15 +141,15 @@ class DeviceBoard:
         rows: IndexArray,
         to_s: FloatArray,
     ) -> None:
-        """Advance timers and sonars of robots to instants of the current cycle.
+        """Advance the devices with timers to a time in the current cycle.
 
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: whose, k of them.
-            to_s: until when, for each, (k,); what falls on the cycle's end belongs to the next one,
-                when the bodies are where they got to.
+            rays: casts rays.
+            rows: the robots, k of them.
+            to_s: the time for each, (k,); the cycle's end belongs to the next cycle, when the
+                bodies have moved.
         """
         to_s = np.minimum(to_s, constants.last_instant_s(state.cycle))
         while True:
@@ -166,13 +166,13 @@ class DeviceBoard:
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, from_s: float, to_s: float
     ) -> None:
-        """Run the devices that work once in a cycle, at its end.
+        """Do the devices' work at the end of a cycle.
 
         Args:
-            state: changed in place; the bodies are where they got to.
-            constants: what stands where.
-            from_s: when the cycle began.
-            to_s: when it ends.
+            state: changed in place; the bodies have moved.
+            constants: the objects of the world.
+            from_s: start of the cycle.
+            to_s: its end.
         """
         self.messenger.end_cycle(state, constants, self.log, from_s=from_s, to_s=to_s)
 

@@ -14,7 +14,7 @@ from crs_cc.sim.engine.world_data import WorldData
 
 
 class Dispatcher:
-    """Answers the requests of all robots of a world.
+    """The dispatcher of the requests of all robots of a world.
 
     Attributes:
         served: the requests that were answered in this cycle, in order.
@@ -62,7 +62,7 @@ class Dispatcher:
         return goes_on_s.copy()
 
     def end_waits(self) -> tuple[IndexArray, FloatArray, Records]:
-        """Answers the waits that end in the cycle that begins."""
+        """Answer the waits that end in the cycle that begins."""
         waits = self._data.state.waits
         waiting = np.flatnonzero(waits.code)
         if not len(waiting):
@@ -81,9 +81,9 @@ class Dispatcher:
         return rows, at_s, messages
 
     def _wait(self, request: Request, rows: IndexArray, messages: Records) -> FloatArray:
-        """Begin to wait; return when those go on that do so in this cycle, else infinity.
+        """Start to wait; return the ends of the waits that end in this cycle, else infinity.
 
-        Answers these, in place.
+        Answer those that end, in place.
         """
         self._data.state.waits.begin(request.code, rows, messages)
         goes_on_s = self._settle_waits(rows)
@@ -96,7 +96,7 @@ class Dispatcher:
     def _finish(
         self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
     ) -> None:
-        """Do what is done when waits have ended, whose messages become the replies."""
+        """Finish waits that have ended: turn their messages into the replies."""
         self._data.devices.advance(
             self._data.state, self._data.constants, self._data.rays, rows, at_s
         )
@@ -106,7 +106,7 @@ class Dispatcher:
             messages["result"][~verdict] = 0
 
     def _settle_waits(self, rows: IndexArray) -> FloatArray:
-        """End the waits that end in this cycle; devices work on the way to their ends."""
+        """End the waits that end in this cycle, with the devices advanced to their ends."""
         if not len(rows):
             return np.zeros(0)
         state, constants = self._data.state, self._data.constants
@@ -125,7 +125,7 @@ class Dispatcher:
     def _handle(
         self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
     ) -> BoolArray:
-        """Do what connected robots ask; return which requests were good."""
+        """Execute the requests of connected robots; return which requests were good."""
         messages["result"] = 1
         if request.needs_connection:
             good = self._data.state.connected[rows]
@@ -152,7 +152,7 @@ class Dispatcher:
         *,
         arguments: Int32Array,
     ) -> None:
-        """Complete replies, and note for traces what was answered."""
+        """Complete replies, and record them for traces."""
         messages["result"][~good] = 0
         states = None
         if request.replies_state:

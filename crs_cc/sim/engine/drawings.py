@@ -1,7 +1,7 @@
-"""What programs draw, as shapes in the world frame: for pictures, viewers and recordings.
+"""The marks that programs draw, as shapes in the world frame: for pictures, viewers and recordings.
 
 Modes and colours are those of the vendor's header (`Nclient.h` 1.29): a copied mark stays, and one
-that is combined by exclusive or goes away when it is drawn a second time. Where the header is
+that is combined by exclusive or disappears when it is drawn a second time. Where the header is
 silent, chosen by us: angles are in 0.1 degree, an arc runs from its first angle to its second one,
 counter-clockwise from the x axis, and the rectangle around it reaches right and down from its
 corner, as y goes up in the world.
@@ -33,7 +33,7 @@ ROBOT: Final = 0
 LINE: Final = 1
 ARC: Final = 2
 ARROW: Final = 3
-"""The small arrow that `draw_robot` leaves in mode 2; no program asks for it alone."""
+"""The small arrow that `draw_robot` leaves in mode 2; programs cannot draw it alone."""
 
 BLACK: Final = "Black"
 COLOURS: Final = (
@@ -46,7 +46,7 @@ COLOURS: Final = (
 _COPY: Final = {ROBOT: 3, LINE: 1, ARC: 1, ARROW: 3}
 _LAST_BLACK: Final = {ROBOT: 3, LINE: 2, ARC: 2, ARROW: 3}
 _TURN: Final = 3600
-_POINTS: Final = 48  # of a whole turn
+_POINTS: Final = 48  # of a full turn
 _ARROW: Final = 0.4  # of the robot's radius
 
 
@@ -57,10 +57,10 @@ class Drawing:
     Attributes:
         robot: whose program drew it.
         kind: ROBOT, LINE, ARC or ARROW.
-        numbers: where, as the program said it [0.1 in, 0.1 deg]: x, y, heading, turret of a robot
-            or an arrow; both ends of a line; left, top, width, height, both angles of an arc.
+        numbers: its geometry, as given by the program [0.1 in, 0.1 deg]: x, y, heading, turret of a
+            robot or an arrow; both ends of a line; left, top, width, height, both angles of an arc.
         colour: its name in the vendor's header.
-        xor: whether it goes away when it is drawn a second time.
+        xor: whether it disappears when it is drawn a second time.
     """
 
     robot: int
@@ -71,14 +71,14 @@ class Drawing:
 
     @classmethod
     def of(cls, robot: int, mark: Sequence[int]) -> Self:
-        """Return the mark of a good DRAW request: shape, six numbers, mode."""
+        """Return the mark for the arguments of a valid request DRAW: kind, six numbers, mode."""
         kind, *numbers, mode = mark
         last = _LAST_BLACK[kind]
         colour = BLACK if mode <= last else COLOURS[mode - last - 1]
         return cls(robot, kind, tuple(numbers), colour, mode != _COPY[kind])
 
     def strokes_m(self, radius_m: float) -> list[FloatArray]:
-        """Return the lines that make up the mark, in the world frame [m], shape (points, 2) each.
+        """Return the lines of the mark, in the world frame [m], shape (points, 2) each.
 
         Args:
             radius_m: the radius of the robot whose program drew it.
@@ -113,7 +113,7 @@ def is_xor(kind: int, mode: int) -> bool:
 
 
 def drawings_in(state: DrawingState) -> list[Drawing]:
-    """Return all that is drawn, the later above the earlier."""
+    """Return all marks, later ones on top."""
     pairs = zip(state.robots.tolist(), state.marks.tolist(), strict=True)
     return [Drawing.of(robot, mark) for robot, mark in pairs]
 
@@ -121,7 +121,7 @@ def drawings_in(state: DrawingState) -> list[Drawing]:
 def _bow(
     middle: tuple[float, float], half: tuple[float, float], begin: int, end: int
 ) -> FloatArray:
-    """Return a part of an ellipse from one angle to another [0.1 deg], at most once around."""
+    """Return an arc of an ellipse from one angle to another [0.1 deg], at most a full turn."""
     sweep = max(-_TURN, min(end - begin, _TURN))
     count = max(2, math.ceil(abs(sweep) / _TURN * _POINTS) + 1)
     angle = tenths_deg_to_rad(np.linspace(begin, begin + sweep, count))

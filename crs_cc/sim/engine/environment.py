@@ -1,10 +1,10 @@
 """The environment: the world as it changes, cycle after cycle, for all robots at once.
 
-A cycle [k dt, (k + 1) dt) goes like this. First the session hands over what the programs ask for
-(`serve`), each request at its own instant: the wheels of that robot are turned on to the instant,
-then the command changes their motion or the sensors are read. Then `step` ends the cycle: all
-wheels are turned on to its end, which makes each robot's slice of the cycle; the physics moves the
-bodies along these slices; contacts press bumpers; time goes on.
+In a cycle [k dt, (k + 1) dt), the session first passes on the programs' requests (`serve`), each
+with its own time: the wheels of that robot are advanced to that time, then the command changes
+their motion or the sensors are read. Then `step` ends the cycle: all wheels are advanced to its
+end, which completes each robot's slice of the cycle; the physics moves the bodies along these
+slices; contacts press bumpers; time advances.
 
 >>> from crs_cc.requests import CODES, MESSAGE
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -33,7 +33,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.engine.dispatch import Dispatcher
-from crs_cc.sim.engine.falls import tell_falls
+from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.step import Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
@@ -43,14 +43,14 @@ from crs_cc.sim.state.env_state import EnvState
 
 
 class Environment:
-    """A world while it runs."""
+    """A running world."""
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         """Set up a world before its first cycle.
 
         Args:
             world: the world.
-            seed: decides all that is random; not negative.
+            seed: the random seed; not negative.
 
         Raises:
             ValueError: the seed is negative.
@@ -67,11 +67,11 @@ class Environment:
 
         Args:
             codes: the requests' codes.
-            robots: whose they are.
+            robots: their robots.
             sizes: bytes of their data.
 
         Returns:
-            the times, in the shape that the three give when they are broadcast.
+            the times, in the broadcast shape of the three arguments.
         """
         return self._data.line.time_s(self.state.link, codes, robots, sizes)
 
@@ -80,17 +80,17 @@ class Environment:
     ) -> FloatArray:
         """Answer one kind of request of all robots that posted it.
 
-        What is asked may be nonsense: it is refused (result 0) or brought within limits.
+        Invalid requests are refused (result 0) or clipped to the limits.
 
         Args:
             code: the request's code.
-            robots: who asks, rising, k of them.
-            messages: what each asks, of dtype `MESSAGE`; changed in place into the replies.
+            robots: the robots, in ascending order, k of them.
+            messages: their requests, of dtype `MESSAGE`; changed in place into the replies.
             clock_s: when each request reaches the robot, within the current cycle.
 
         Returns:
-            when each program goes on, shape (k,): at once, or at the end of a wait that ends in
-            this cycle, or infinite for a wait that goes on (`step` says when it ends).
+            the time at which each program continues, shape (k,): at once, or at the end of a wait
+            that ends in this cycle, or infinite for a longer wait (`step` returns its end).
         """
         return self._dispatcher.serve(code, robots, messages, clock_s)
 
@@ -101,22 +101,22 @@ class Environment:
         data.advance_to(present, np.full(len(present), end_s))
         data.rolling.add(state, data.constants)
         slices, contacts = self._move()
-        # Motors that lack force are limp from the next cycle on.
+        # Motors without power are limp from the next cycle on.
         worked = data.devices.sensor_board.batteries.drain(state, self.timestep_s)
         data.let_go_if_empty(worked, end_s)
-        # Contacts number things as they still are: whoever comes or goes below changes that.
+        # Contacts use the numbers of objects before robots join or leave below.
         before = state.bumpers.pressed
         began = data.bumpers.touch(state, data.constants, contacts, end_s)
         now, names = state.bumpers.pressed, data.names
         pressed, released = now & ~before, before & ~now
-        # Degradations that begin are told before the devices that work at the end.
+        # Degradations that begin are logged before the devices' work at the end of the cycle.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._dispatcher.served)
         if state.degradation.next_s < end_s:
-            self.degradations.tell(end_s)
+            self.degradations.log_changes(end_s)
         data.devices.end_cycle(state, data.constants, time_s, end_s)
         traffic = take(state.messages)
         self._begin_cycle()
-        # In the next cycle already: waits that end in it, and who comes or goes at its start.
+        # Part of the next cycle: waits that end in it, and robots that join or leave at its start.
         ended, at_s, messages = self._dispatcher.end_waits()
         if data.is_anybody_due():
             data.come_and_go()
@@ -143,14 +143,14 @@ class Environment:
         handling, pull = data.devices.handling, traction.pull(state, constants)
         pull = handling.pull(state, constants, pull, self.end_s)
         contacts = data.physics.step(state.bodies, pull)
-        # Wheels that were held up have not turned; only then is known what the robots did.
+        # Wheels that were held up have not turned; only now the robots' true motion is known.
         went_m = state.bodies.position_m[: len(before_m)] - before_m
-        traction.feel(state, constants, went_m)
+        traction.apply_contacts(state, constants, went_m)
         slices = slices_of(state, data.axes, self.timestep_s)
-        tell_falls(constants, data.log, self.end_s, before_m, went_m)
+        log_falls(constants, data.log, self.end_s, before_m, went_m)
         state.distance_m += traction.ways_m(constants, before_m, went_m)
         drive.face(state, constants)
-        # Hands close on what is there now; what is held makes other bodies.
+        # Hands grasp what is there now; held objects change the bodies.
         if handling.end_cycle(state, constants, contacts, self.end_s):
             data.physics.start_from(state.bodies)
         return slices, contacts
@@ -163,11 +163,11 @@ class Environment:
         state.drive.facing_rad[:] = state.heading_rad
         self._dispatcher.served = []
 
-    # -- what there is -------------------------------------------------------------------------
+    # -- contents ------------------------------------------------------------------------------
 
     @property
     def state(self) -> EnvState:
-        """All that changes; to be read by others, changed only here."""
+        """The mutable state; to be read by others, changed only here."""
         return self._data.state
 
     @property
@@ -177,22 +177,22 @@ class Environment:
 
     @property
     def world_now(self) -> WorldModel:
-        """The world with what programs have put into it and taken out of it."""
+        """The world with the obstacles that programs have added and removed."""
         return self._data.world_now
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names of all things: contacts number things by them."""
+        """The names of all objects: contacts refer to objects by index into them."""
         return self._data.names
 
     @property
     def pushables(self) -> tuple[str, ...]:
-        """The names of what can be pushed, in the order of the bodies behind the robots."""
+        """The names of pushable objects, in the order of the bodies after the robots."""
         return self._data.pushables
 
     @property
     def things(self) -> tuple[Robot | Solid, ...]:
-        """All things in the order of their names; the ground has a name only."""
+        """All objects in the order of their names; the ground has a name only."""
         return self._data.constants.scene.things
 
     def outlines(self) -> tuple[Outlines, Outlines]:
@@ -202,12 +202,12 @@ class Environment:
 
     @property
     def degradations(self) -> DegradationControl:
-        """What is wrong with devices, to be read and changed between two steps."""
+        """The degradations of devices, to be read and changed between two steps."""
         return DegradationControl(self._data, self._data.log)
 
     @property
     def communication(self) -> CommunicationControl:
-        """The links of messages, to be shut and opened between two steps, and counts."""
+        """The communication links, to be shut and opened between two steps, and counts."""
         return CommunicationControl(self._data)
 
     @property
@@ -227,11 +227,11 @@ class Environment:
 
     @property
     def awaits(self) -> bool:
-        """Whether robots are still to join, at a time that has not come yet."""
+        """True if robots are still to join in the future."""
         return self._data.awaits
 
     def charges(self, number: int) -> tuple[float, float]:
-        """Return what is left in the batteries of a robot's computers and motors, 0 to 1."""
+        """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""
         return self._data.charges(number)
 
     # -- changes between two steps: see `WorldData` --------------------------------------------
@@ -249,31 +249,31 @@ class Environment:
         self._data.dismiss_robot(number)
 
     def carry(self, name: str, place: Pose) -> None:
-        """Move a robot, or something that can be pushed, to another pose."""
+        """Move a robot or a pushable object to another pose."""
         self._data.carry(name, place)
 
     def take_away(self, name: str) -> None:
-        """Remove a thing that a robot can run into."""
+        """Remove an obstacle."""
         self._data.take_away(name)
 
     def charge(self, number: int, share: float) -> None:
-        """Set the state of charge of the battery of a robot's motors, 0 to 1."""
+        """Set the state of charge of a robot's motor battery, 0 to 1."""
         self._data.charge(number, share)
 
     def warm(self, name: str, heat: float) -> None:
-        """Set the heat of a robot or a thing, 0 or more."""
+        """Set the heat of a robot or an object, 0 or more."""
         self._data.warm(name, heat)
 
     # -- snapshots -----------------------------------------------------------------------------
 
     def snapshot(self) -> Snapshot:
-        """Return all that is needed to come back to this instant."""
+        """Return all that is needed to come back to this time."""
         return self._data.snapshot(self._dispatcher.served)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to a snapshot of an environment with the same world and seed.
 
-        Robots that had been added when it was made are there again, others are not.
+        Robots that had been added before the snapshot are present again, later ones are not.
         """
         self._data.restore(snapshot)
         self._dispatcher.served = list(snapshot.served)

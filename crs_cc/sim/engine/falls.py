@@ -1,7 +1,7 @@
-"""Falls: robots whose ground drops away under their middle.
+"""Falls: robots whose ground drops away under their centre.
 
-A robot falls when its middle gets lower in a cycle by more than its step and the slope under it
-account for. Nothing breaks; the event log tells of it.
+A robot falls when its centre gets lower in a cycle by more than its step and the slope under it
+account for. Nothing breaks; the event log reports it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.events import EventLog
 
 
-def tell_falls(
+def log_falls(
     constants: RobotConstants,
     log: EventLog,
     time_s: float,
@@ -28,10 +28,10 @@ def tell_falls(
 
     Args:
         constants: the robots' constants.
-        log: takes it.
+        log: receives the events.
         time_s: the end of the cycle.
-        before_m: where the robots were at its start, (robots, 2).
-        went_m: where they went from there, (robots, 2).
+        before_m: positions of the robots at its start, (robots, 2).
+        went_m: their displacements, (robots, 2).
     """
     if constants.inclines is None:
         return

@@ -1,16 +1,16 @@
-"""What a robot does for each request: one small function each, for all robots that posted it.
+"""The handlers of requests: one small function each, for all robots that posted it.
 
 A handler changes the state, writes the results, and returns for each robot whether the request was
-good. Before, wheels have been turned and timers have fired up to the instant of the request. Where
-the reply is all of `State`, the sensor board writes it afterwards.
+good. Before, wheels have been turned and timers have fired up to the time of the request. If the
+reply is all of `State`, the sensor board writes it afterwards.
 
-What a robot does not have it refuses: a request that is about one device, to read it or to command
-it, changes nothing on a robot without it, and its result is 0. The same holds for parts that it
-does not have: a sonar in an order, a mode. `State` comes with the reply all the same. Requests
-about all of the robot, like GS, are answered by each.
+A robot refuses requests for devices that it does not have: a request that reads or commands one
+device changes nothing on a robot without it, and its result is 0. The same holds for missing parts:
+a sonar in an order, a mode. The reply contains `State` nevertheless. Every robot answers requests
+about the whole robot, like GS.
 
-The table has the same codes as `requests.REQUESTS`, without those of the host; a test holds them
-together.
+The table has the same codes as `requests.REQUESTS`, except those of the host; a test keeps them in
+step.
 """
 
 from __future__ import annotations
@@ -54,13 +54,13 @@ if TYPE_CHECKING:
 
 
 def connect(context: RequestContext) -> None:
-    """Connect; whatever the number, a program's robot is the one that it runs in."""
+    """Connect; a program's robot is the one that it runs in, for any number."""
     serial_link.set_speed(context.state, context.rows, context["baud"])
     create(context)
 
 
 def create(context: RequestContext) -> None:
-    """Connect to the robot, which is there already."""
+    """Connect to the robot, which exists already."""
     context.state.connected[context.rows] = True
     context["model"] = context.constants.vendor_model[context.rows]
 
@@ -68,25 +68,25 @@ def create(context: RequestContext) -> None:
 def disconnect(context: RequestContext) -> None:
     """End the connection, or the simulator for this program.
 
-    The wheels go on as they were told (vendor source `Ndirect.c` 2.7).
+    The wheels continue their motion (vendor source `Ndirect.c` 2.7).
     """
     context.state.connected[context.rows] = False
 
 
 def acknowledge(_context: RequestContext) -> None:
-    """Change nothing: all is in the reply's `State`, or the robot is as it is asked to be."""
+    """Change nothing: the reply's `State` is the answer, or there is nothing to change."""
 
 
 def refuse(context: RequestContext) -> BoolArray:
-    """Refuse what this robot, or its simulator, cannot do.
+    """Refuse requests that this robot, or its simulator, cannot execute.
 
-    There is no real robot, no window to point at, and nobody who knows packets of the user's own.
+    There is no real robot, no window to point at, and no interpreter of user-defined packets.
     """
     return np.zeros(len(context), dtype=np.bool_)
 
 
 def ct(context: RequestContext) -> BoolArray:
-    """Set which parts of `State` the program wants; refuse a mask that is not whole."""
+    """Set which parts of `State` the program requests; refuse an incomplete mask."""
     state = context.state
     good: BoolArray = context["count"] == NUM_MASK
     rows = context.rows[good]
@@ -182,9 +182,9 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
 
 
 def waits_of(devices: DeviceBoard) -> Mapping[int, Wait]:
-    """Return how robots wait for each request that `REQUESTS` says makes them wait."""
+    """Return the wait of each request that waits according to `REQUESTS`."""
     return {
-        CODES["WS"]: Wait(drive.stands_s, acknowledge),
-        CODES["ZR"]: Wait(drive.stands_s, drive.zeroed),
-        CODES["RECEIVE"]: Wait(messenger.heard_s, devices.messenger.receive),
+        CODES["WS"]: Wait(drive.rest_s, acknowledge),
+        CODES["ZR"]: Wait(drive.rest_s, drive.zeroed),
+        CODES["RECEIVE"]: Wait(messenger.receive_ends_s, devices.messenger.receive),
     }

@@ -1,4 +1,4 @@
-"""The colours by which pictures tell robots apart.
+"""The colours that distinguish robots in pictures.
 
 >>> colour(0), colour(7)
 ('#0072b2', '#2f2b8c')

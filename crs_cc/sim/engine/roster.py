@@ -1,14 +1,14 @@
 """Robots that join and leave while the world runs.
 
-They come and go between two cycles, at the first one that begins at or after the instant that the
-world file names (or whoever calls `Environment.add_robot` and `remove_robot`): first those leave
-whose time it is, then the others join, in the order of the world. A robot joins as it would begin a
-run: switched on that moment, resting at its start, its odometry at 0, its sonars having fired
-around just before. Where anything stands in its place it waits, and tries again each cycle.
+They join and leave between two cycles, before the first one that begins at or after the time given
+by the world file (or the call of `Environment.add_robot` and `remove_robot`): robots leave first,
+then others join, in the order of the world. A robot joins as it would start a run: switched on at
+that time, at rest at its start, its odometry at 0, all sonars having fired just before. If its
+place is occupied it waits, and tries again each cycle.
 
-Until it joins and when it has left, a robot keeps its row in all arrays, but nothing else: it is
-no body, nothing sees or hears it, and its row does not change. What another robot reads or does
-never depends on it, nor does noise: each robot's comes from streams of its own number.
+Before it joins and after it has left, a robot keeps only its row in all arrays: it is no body,
+nothing sees or hears it, and its row does not change. Other robots' readings and motion never
+depend on it, nor does noise: each robot's comes from streams of its own number.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ EDGE: Final = "the edge of the world"
 
 
 class Timetable:
-    """When the robots of a world are to join and to leave."""
+    """The times at which the robots of a world join and leave."""
 
     def __init__(self, world: WorldModel) -> None:
         self._robots = world.robots
@@ -47,16 +47,16 @@ class Timetable:
         self._leave_s = np.array([robot.leave_s for robot in world.robots])
 
     def due_s(self, presence: PresenceState) -> float:
-        """Return when the next robot joins or leaves, infinite for never."""
+        """Return the time of the next join or leave, infinite for never."""
         join_s = self._join_s[_expected(presence)].min(initial=np.inf)
         return float(self._leave_s[np.isinf(presence.left_s)].min(initial=join_s))
 
     def is_anybody_due(self, presence: PresenceState, after_s: float) -> bool:
-        """Return whether any robot is to join after an instant."""
+        """Return whether any robot is to join after a time."""
         return bool((self._join_s[_expected(presence)] > after_s + ROUNDING_S).any())
 
     def leave(self, state: EnvState, now_s: float, log: EventLog) -> IndexArray:
-        """Remove the robots whose time it is to leave; return which."""
+        """Remove the robots whose time to leave has come; return which."""
         over = (self._leave_s <= now_s + ROUNDING_S) & np.isinf(state.presence.left_s)
         rows = np.flatnonzero(over)
         leave(state, rows, now_s, log)
@@ -65,7 +65,7 @@ class Timetable:
     def join(
         self, state: EnvState, constants: RobotConstants, now_s: float, log: EventLog
     ) -> IndexArray:
-        """Add the robots whose time it is to join and whose place is free; return which."""
+        """Add the robots whose time to join has come and whose place is free; return which."""
         due = (self._join_s <= now_s + ROUNDING_S) & _expected(state.presence)
         joined = []
         for robot in np.flatnonzero(due).tolist():
@@ -75,14 +75,14 @@ class Timetable:
                 join(state, constants, robot, now_s, log)
                 joined.append(robot)
             elif now_s - self._join_s[robot] < self._timestep_s - ROUNDING_S:
-                log.say(now_s, "join", f"had to wait: {thing} was in its place", robot)
+                log.say(now_s, "join", f"had to wait: place occupied by {thing}", robot)
         return np.array(joined, dtype=np.intp)
 
 
 def join(
     state: EnvState, constants: RobotConstants, robot: int, now_s: float, log: EventLog
 ) -> None:
-    """Add a robot to the world; its devices start when the world has been furnished with it."""
+    """Put a robot into the world; its devices are started later, with the world's new scene."""
     presence, here = state.presence, np.arange(len(state.presence.present)) == robot
     presence.present = presence.present | here
     presence.joined_s = np.where(here, now_s, presence.joined_s)
@@ -92,7 +92,7 @@ def join(
 
 
 def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> None:
-    """Remove robots from the world: what was in motion stops, what was awaited never comes."""
+    """Remove robots from the world: their motion stops and their waits never end."""
     presence, gone = state.presence, np.zeros(len(state.presence.present), dtype=np.bool_)
     gone[rows] = True
     presence.present = presence.present & ~gone
@@ -113,14 +113,14 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
 def in_the_way(
     state: EnvState, constants: RobotConstants, place: Pose, radius_m: float, robot: int = -1
 ) -> str:
-    """Return what occupies a robot's place, in words; empty for nothing.
+    """Return the name of what a robot would overlap at a place; empty for nothing.
 
     Args:
-        state: tells where everything is.
-        constants: the shapes of all things.
-        place: where it would stand.
-        radius_m: how large it is.
-        robot: its number, if it is somewhere else in this world already.
+        state: has the poses of all objects.
+        constants: the shapes of all objects.
+        place: its pose there.
+        radius_m: its radius.
+        robot: its number, if it is elsewhere in this world already.
     """
     area, reach_m = constants.world.area, radius_m - TOLERANCE_M
     if not (
@@ -140,24 +140,24 @@ def in_the_way(
 
 
 def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
-    """Return why a robot cannot be added to a world, wherever things are; empty if it can.
+    """Return why a robot cannot be added to a world, overlaps aside; empty if it can.
 
     Args:
         robot: the robot.
-        names: the names of all things in the world.
+        names: the names of all objects in the world.
         now_s: the time.
     """
     start = robot.start
     if wrong := object_ids.complaint(robot.id):
         return f"its id: {wrong}"
     if robot.id in names:
-        return "there is a thing with this id"
+        return "its id is in use"
     if not all(map(math.isfinite, (start.x_m, start.y_m, start.heading_rad, robot.join_s))):
-        return "its start or its time to join is not finite"
+        return "its start or join time is not finite"
     if abs(start.heading_rad) > ANGLE.limit:
         return "its heading is too large"
     if not (0.0 <= robot.heat <= HEAT.limit and robot.spread_m > 0.0):
-        return f"its heat must be 0 to {HEAT.limit:g}, and spread farther than 0"
+        return f"its heat must be 0 to {HEAT.limit:g}, and its spread above 0"
     if not robot.leave_s > max(robot.join_s, now_s):
         return "it leaves before it joins"
     return ""

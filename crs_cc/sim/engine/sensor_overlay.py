@@ -1,8 +1,8 @@
-"""What sensors told last, for pictures: echoes of sonars, and what cameras saw.
+"""The last readings of sensors, for pictures: echoes of sonars, and what cameras saw.
 
-Of each sonar that heard something the beam up to its echo; of each camera a line to what each
-column shows, in its colour. They are seen from where the robots are now, so what a camera saw
-longer ago than `FRESH_S`, from another place, is left out.
+For each sonar with an echo, the beam up to the echo; for each camera, a line to what each column
+shows, in its colour. They are drawn from the robots' current poses, so camera pictures older than
+`FRESH_S`, which were taken from other poses, are omitted.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 
 FRESH_S: Final = 0.25  # chosen by us
-_ARC: Final = 9  # points of the end of a beam
+_ARC: Final = 9  # points of the arc at the end of a beam
 
 
 @dataclass(frozen=True, slots=True)
 class Beam:
-    """What one sensor tells of one direction.
+    """The reading of one sensor in one direction.
 
     Attributes:
         outline: a polygon for a beam with a width, or both ends of a line [m], (points, 2); the
@@ -41,13 +41,13 @@ class Beam:
 def sights(
     state: EnvState, world: WorldModel, time_s: float, only: int | None = None
 ) -> list[Beam]:
-    """Return the last readings of the sensors.
+    """Return the last readings of sensors.
 
     Args:
         state: the world's state.
         world: the world.
         time_s: the time.
-        only: the number of the robot whose sensors are asked; None for all.
+        only: the number of the robot whose sensors are included; None for all.
     """
     found: list[Beam] = []
     camera_row = 0
@@ -76,7 +76,7 @@ def sights(
 
 
 def _cone(sonar: Sonar, echo_m: float) -> FloatArray:
-    """Return a beam up to its echo, as seen from the robot."""
+    """Return a beam up to its echo, in the robot's frame."""
     half_rad = sonar.half_angle_rad
     angles = sonar.direction_rad + np.linspace(-half_rad, half_rad, _ARC)
     start = np.array([[sonar.x_m, sonar.y_m]])
@@ -86,7 +86,7 @@ def _cone(sonar: Sonar, echo_m: float) -> FloatArray:
 
 
 def _line(camera: Camera, column: int, range_m: float) -> FloatArray:
-    """Return the line from a camera to what a column shows, as seen from the robot."""
+    """Return the line from a camera to what a column shows, in the robot's frame."""
     step_rad = camera.field_of_view_rad / camera.columns
     angle = camera.direction_rad + ((camera.columns - 1) / 2 - column) * step_rad
     start = np.array([camera.x_m, camera.y_m])

@@ -1,7 +1,7 @@
-"""What happened in one cycle: for the session, for traces, for viewers.
+"""The record of one cycle: for the session, for traces, for viewers.
 
-`Step` holds arrays over robots; `describe_slice` gives one robot's part as plain values: which
-command ran, which slice of it this was, how far the axes went, and which requests were answered.
+`Step` holds arrays over robots; `describe_slice` returns one robot's part as plain values: which
+command ran, which slice of it this was, how far the axes moved, and which requests were answered.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _BUMPERS: Final = ("bumper", slice(BUMPER, BUMPER + 1))
 _POSE: Final = ("pose", slice(CONF_X, CONF_X + 3))
 _SPEEDS: Final = ("speed", slice(VEL_RIGHT, VEL_RIGHT + 2))
 _MOTORS: Final = ("motors", slice(MOTOR_STATUS, MOTOR_STATUS + 1))
-_MOST_CYCLES: Final = 2**53  # a motion of more never ends; doubles count no further
+_MOST_CYCLES: Final = 2**53  # longer motions count as endless; doubles are exact up to here
 _ANSWERS: Final = {
     CODES["GS"]: (_SONARS, _BUMPERS, _POSE, _SPEEDS, _MOTORS),
     CODES["GET_SN"]: (_SONARS,),
@@ -46,7 +46,7 @@ _ANSWERS: Final = {
     CODES["GET_RV"]: (_SPEEDS,),
 }
 
-_TEXT: Final = 40  # so much of a text is shown
+_TEXT: Final = 40  # maximum length of a text that is shown
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,11 +55,11 @@ class Served:
 
     Attributes:
         code: the request's code.
-        robots: who asked, rising.
-        clock_s: when each program went on.
+        robots: the robots, in ascending order.
+        clock_s: the time at which each program continued.
         arguments: the integer arguments, shape (k, 8).
         results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
-        states: `State` as it was told, shape (k, 45), for requests answered with it; else None.
+        states: `State` as reported, shape (k, 45), for requests answered with it; else None.
         told: the whole replies, of dtype `requests.MESSAGE`, for requests that are `traced`; else
             None.
     """
@@ -79,12 +79,12 @@ class Slices:
 
     Attributes:
         axes: the names of each robot's axes.
-        command: code of the command, 0 when the axes stood and nothing ran, (robots,).
+        command: code of the command, 0 when the axes were at rest, (robots,).
         number: which slice of the command it was, from 1, (robots,).
-        count: how many there are in all, 0 for a command without an end, (robots,).
-        way: way of each axis in this cycle [m or rad], (robots, 3).
-        travelled: the same since the command, (robots, 3).
-        total: what the command asks for; NaN for a command without an end, (robots, 3).
+        count: number of all its slices, 0 for a command without an end, (robots,).
+        way: motion of each axis in this cycle [m or rad], (robots, 3).
+        travelled: its motion since the command, (robots, 3).
+        total: the commanded motion; NaN for a command without an end, (robots, 3).
         waiting: whether the robot waits (`ws`, `crs_receive`), (robots,).
         present: whether the robot was in the world, (robots,).
     """
@@ -106,20 +106,20 @@ class Step:
 
     Attributes:
         cycle: its number, from 0.
-        time_s: when it began.
-        robots: robots whose wait ends in the cycle that begins now, rising.
-        at_s: when in that cycle it ends.
+        time_s: its start.
+        robots: robots whose wait ends in the next cycle, in ascending order.
+        at_s: the time at which it ends.
         messages: the replies, of dtype `requests.MESSAGE`.
         contacts: contacts that began in the cycle.
         pressed: the switches of bumpers that are pressed at its end and were not at its beginning,
             bit by bit as in `State[33]`, (robots,).
         released: those that were and are not any more, (robots,).
-        names: what `contacts.other` counts: robots, things, walls.
-        slices: what the axes did in the cycle.
+        names: names of what `contacts.other` refers to: robots, objects, walls.
+        slices: the motion of the axes in the cycle.
         served: the requests that were answered in the cycle, in order.
-        events: what else happened in it, in order.
-        traffic: what happened to messages, by time, of dtype `states.messages.TRAFFIC`;
-            `messages.traffic.events` puts it into words.
+        events: the other events in it, in order.
+        traffic: the log of messages, by time, of dtype `state.messages.TRAFFIC`;
+            `comms.message_log.events` describes it.
     """
 
     cycle: int
@@ -138,7 +138,7 @@ class Step:
 
     @property
     def drawings(self) -> tuple[Drawing, ...]:
-        """What programs drew in the cycle, in order; what is erased is in `served`."""
+        """The marks that programs drew in the cycle, in order; erasures are in `served`."""
         return tuple(
             Drawing.of(robot, mark)
             for served in self.served
@@ -156,12 +156,12 @@ class Answer:
 
     Attributes:
         name: the request's name in `REQUESTS`.
-        clock_s: when the program went on.
-        arguments: its integer arguments, as many as it has.
+        clock_s: the time at which the program continued.
+        arguments: its integer arguments.
         result: 0 refused, else 1 or what the request counts (results in `REQUESTS`).
-        values: what a sensor request told, in the vendor's units: `sonar_in`, `infrared` (0 to 15),
-            `compass` (0.1 deg), `bumper`, `pose` (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s
-            right, left), `motors`; and `told`, all that other requests told, by their results in
+        values: the result of a sensor request, in the vendor's units: `sonar_in`, `infrared` (0 to
+            15), `compass` (0.1 deg), `bumper`, `pose` (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s
+            right, left), `motors`; and `told`, the results of all other requests, by their names in
             `REQUESTS`.
     """
 
@@ -177,10 +177,10 @@ class AxisSlice:
     """One axis' part of a cycle: in metres, or in radians for `steering` and `turret`.
 
     Attributes:
-        name: what the axis is called: `right`, `left`, `translation`, `steering`, `turret`.
-        way: its way in this cycle.
-        travelled: its way since the command.
-        total: the way that the command asks for; None when it has no end.
+        name: name of the axis: `right`, `left`, `translation`, `steering`, `turret`.
+        way: its motion in this cycle.
+        travelled: its motion since the command.
+        total: the commanded motion; None when it has no end.
     """
 
     name: str
@@ -196,10 +196,10 @@ class RobotSlice:
     Attributes:
         command: name of the motion command that ran, empty for none.
         number: which slice of it this was, from 1.
-        count: how many there are in all; None when it has no end.
-        axes: what each axis did.
+        count: number of all its slices; None when it has no end.
+        axes: the motion of each axis.
         waiting: whether the robot waits (`ws`, `crs_receive`).
-        answers: the requests that were answered, by rising clock.
+        answers: the requests that were answered, by ascending time.
     """
 
     command: str
@@ -211,7 +211,7 @@ class RobotSlice:
 
 
 def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
-    """Return the slices of a cycle, whole when the axes have been turned to its end."""
+    """Return the slices of a cycle, complete when the axes have been turned to its end."""
     end_s = state.drive.axes.end_s()
     end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
     endless = end_s > _MOST_CYCLES * timestep_s
@@ -238,7 +238,7 @@ def describe_slice(step: Step, robot: int) -> RobotSlice:
 
 
 def slice_of(slices: Slices, robot: int, answers: tuple[Answer, ...] = ()) -> RobotSlice:
-    """Return what one robot's axes did as plain values, with the requests that were answered."""
+    """Return the motion of one robot's axes as plain values, with the answered requests."""
     code, count = int(slices.command[robot]), int(slices.count[robot])
     rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
     ways = zip(*(row.tolist() for row in rows), strict=True)
@@ -276,7 +276,7 @@ def _answers(step: Step, robot: int) -> tuple[Answer, ...]:
 
 
 def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]]:
-    """Return what a request told one robot."""
+    """Return the results of a request of one robot."""
     if served.states is not None:
         state = served.states[row].tolist()
         return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
@@ -290,7 +290,7 @@ def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]
 
 
 def _data(message: np.void, field: Field) -> tuple[int | str, ...]:
-    """Return a reply's data: numbers where the table says so, or else text."""
+    """Return a reply's data: numbers if the table says so, else text."""
     data = message["data"][: max(int(message["size"]), 0)]
     if field.data_type == "int32":
         return tuple(data[: len(data) // 4 * 4].view("<i4").tolist())

@@ -1,7 +1,7 @@
-"""Robots and things that are taken up and put down somewhere else, in the middle of a run.
+"""Robots and objects that are moved to another pose in the middle of a run.
 
-Whatever is put down rests there. Its wheels' commands go on, as nobody told its motors otherwise;
-what it holds stays behind; what it touches next is a new contact.
+They are at rest there. The commands of a robot's wheels continue, as its motors received no other
+ones; what it holds stays behind; what it touches next is a new contact.
 """
 
 from __future__ import annotations
@@ -34,15 +34,15 @@ def put_robot(
     base_rad: float,
     turret_rad: float,
 ) -> None:
-    """Move a robot to a place that is free, without its odometry.
+    """Put a robot down at a free place, without a change of its odometry.
 
     Args:
         state: changed in place.
-        constants: the constants of all things.
+        constants: the constants of all objects.
         robot: its number.
-        place: where, and where its wheels point.
-        base_rad: where its base points.
-        turret_rad: where its turret points; of use if it has one.
+        place: its position, and the direction of its wheels.
+        base_rad: the direction of its base.
+        turret_rad: the direction of its turret, ignored if it has none.
     """
     drive = state.drive
     state.bodies.position_m[robot] = place.x_m, place.y_m
@@ -61,7 +61,7 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
     """Move a robot to a pose, turned as a whole, if the place is free.
 
     Returns:
-        what stands in the way, in words; empty when the robot is there now.
+        the name of what it would overlap; empty if it was moved.
     """
     radius_m = float(constants.radius_m[robot])
     if thing := in_the_way(state, constants, place, radius_m, robot):
@@ -74,16 +74,16 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
 
 
 def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
-    """Move something that can be pushed to a pose, if the place is free.
+    """Move a pushable object to a pose, if the place is free.
 
     Args:
         state: changed in place.
-        constants: the constants of all things.
+        constants: the constants of all objects.
         body: its number among the bodies.
-        place: where.
+        place: the pose.
 
     Returns:
-        what stands in the way, in words; empty when the thing is there now.
+        the name of what it would overlap; empty if it was moved.
     """
     thing = constants.scene.pushables[body - constants.scene.robots]
     if wrong := _obstacle(state, constants, body, replace(thing, pose=place)):
@@ -98,13 +98,13 @@ def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Po
 
 
 def _part(state: EnvState, constants: RobotConstants, body: int) -> None:
-    """Forget what touched a body where it was."""
+    """Forget the contacts of a body at its former pose."""
     robot, thing = np.divmod(state.contacts_before, len(constants.scene.names))
     state.contacts_before = state.contacts_before[(robot != body) & (thing != body)]
 
 
 def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thing) -> str:
-    """Return what occupies a thing's place, in words; empty for nothing."""
+    """Return the name of what an object would overlap; empty for nothing."""
     things, area, scene = constants.shapes, constants.world.area, constants.scene
     low, high = _extent_m(wanted)
     if (low < np.array([area.x_min_m, area.y_min_m]) - TOLERANCE_M).any():
@@ -125,7 +125,7 @@ def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thi
 
 
 def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
-    """Return a thing where it is; a robot as the cylinder that it is."""
+    """Return an object at its pose; for a robot its cylinder."""
     if isinstance(thing, Wall):
         return thing
     place = Pose(*pose.tolist())
@@ -135,7 +135,7 @@ def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
 
 
 def _extent_m(thing: Thing) -> FloatArray:
-    """Return the lower left and the upper right corner of what a thing covers, (2, 2)."""
+    """Return the lower left and the upper right corner of an object's bounding box, (2, 2)."""
     if isinstance(thing, Cylinder):
         middle = np.array([thing.pose.x_m, thing.pose.y_m])
         return np.array([middle - thing.radius_m, middle + thing.radius_m])

@@ -1,8 +1,8 @@
-"""A world's state with all that follows from it, made anew when that changes.
+"""A world's state with all that is derived from it, rebuilt when that changes.
 
-The state is all that there is to save. What follows from which robots there are (their constants
-and devices), and from which things stand where (outlines, physics), is made again when a robot
-joins or leaves, a program puts up an obstacle, or a snapshot is restored.
+A snapshot contains only the state. What is derived from the set of robots (their constants and
+devices), and from the poses of objects (outlines, physics), is rebuilt when a robot joins or
+leaves, a program adds an obstacle, or a snapshot is restored.
 
 >>> from crs_cc.sim.model.world import Pose, Robot
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -15,7 +15,7 @@ joins or leaves, a program puts up an obstacle, or a snapshot is restored.
 [False, True]
 >>> data.add_robot(Robot("later", scout, Pose(2.1, 0.0)))
 Traceback (most recent call last):
-ValueError: robot 'later' cannot join: 'late' is in its place
+ValueError: robot 'later' cannot join: it would overlap 'late'
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ from crs_cc.sim.state.snapshot_codec import Packed, packed
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """Everything that an environment needs to go on from an instant; never changed."""
+    """Everything that an environment needs to continue from a time; never changed."""
 
     world: WorldModel
     state: Packed
@@ -67,17 +67,17 @@ class WorldData:
 
     Attributes:
         world: the world; it changes only when a robot is added.
-        state: all that changes.
-        log: takes what happens besides requests.
-        constants: the constants of all robots and things.
+        state: the mutable state.
+        log: receives all events besides requests.
+        constants: the constants of all robots and objects.
         devices: the robots' devices.
-        handlers: what answers each request, by code.
-        waits: how robots wait for requests, by code.
+        handlers: the handler of each request, by code.
+        waits: the waits of requests, by code.
         bumpers: the switches of the robots' bumpers.
-        rolling: how wheels differ from what is believed of them.
+        rolling: random errors of the wheels.
         line: the serial lines between hosts and robots.
         axes: the names of each robot's axes.
-        names: the names of all things: contacts number things by them.
+        names: the names of all objects: contacts refer to objects by index into them.
         physics: moves the bodies.
         rays: casts the rays of all sensors.
     """
@@ -87,7 +87,7 @@ class WorldData:
 
         Args:
             world: the world.
-            seed: decides all that is random; not negative.
+            seed: the random seed; not negative.
 
         Raises:
             ValueError: the seed is negative.
@@ -103,12 +103,12 @@ class WorldData:
 
     @property
     def world_now(self) -> WorldModel:
-        """The world with what programs have put into it and taken out of it."""
+        """Return the world with the obstacles that programs have added and removed."""
         return self.state.obstacles.world_now(self.world)
 
     @property
     def pushables(self) -> tuple[str, ...]:
-        """The names of what can be pushed, in the order of the bodies behind the robots."""
+        """Return the names of pushable objects, in the order of the bodies after the robots."""
         first = len(self.world.robots)
         return self.names[first : len(self.state.bodies.angle_rad)]
 
@@ -118,22 +118,22 @@ class WorldData:
 
     @property
     def timestep_s(self) -> float:
-        """The length of a cycle [s]."""
+        """Return the length of a cycle [s]."""
         return self.world.timestep_s
 
     @property
     def time_s(self) -> float:
-        """The start of the current cycle [s]."""
+        """Return the start of the current cycle [s]."""
         return self.state.cycle * self.timestep_s
 
     @property
     def end_s(self) -> float:
-        """The end of the current cycle [s], the start of the next."""
+        """Return the end of the current cycle [s], the start of the next."""
         return (self.state.cycle + 1) * self.timestep_s
 
     @property
     def awaits(self) -> bool:
-        """Whether robots are still to join, at a time that has not come yet."""
+        """Return whether robots are still to join in the future."""
         return self._timetable.is_anybody_due(self.state.presence, self.time_s)
 
     def add_robot(self, robot: Robot) -> int:
@@ -143,12 +143,12 @@ class WorldData:
             robot: the robot; it joins now, or at its time if that comes later.
 
         Raises:
-            ValueError: it cannot be there, or something stands in its place.
+            ValueError: it is invalid, or its place is occupied.
         """
         wrong = complaint(robot, self.names, self.time_s)
         if not wrong and robot.join_s <= self.time_s:
             thing = in_the_way(self.state, self.constants, robot.start, robot.model.radius_m)
-            wrong = f"{thing} is in its place" if thing else ""
+            wrong = f"it would overlap {thing}" if thing else ""
         if wrong:
             raise ValueError(f"robot {robot.id!r} cannot join: {wrong}")
         world = replace(self.world, robots=(*self.world.robots, robot))
@@ -158,37 +158,37 @@ class WorldData:
         return len(world.robots) - 1
 
     def remove_robot(self, number: int) -> None:
-        """Remove a robot from the world, or make sure that it never joins, between two cycles.
+        """Remove a robot from the world, or cancel its joining, between two cycles.
 
         Raises:
-            ValueError: there is no such robot, or it has left before.
+            ValueError: the robot does not exist, or has already left.
         """
         if not 0 <= number < len(self.world.robots):
-            raise ValueError(f"there is no robot number {number}")
+            raise ValueError(f"no robot number {number}")
         if np.isfinite(self.state.presence.left_s[number]):
-            raise ValueError(f"robot {self.world.robots[number].id!r} has left before")
+            raise ValueError(f"robot {self.world.robots[number].id!r} has already left")
         leave(self.state, np.array([number]), self.time_s, self.log)
         self.come_and_go()
 
     def dismiss_robot(self, number: int) -> None:
-        """Make a robot leave at the end of the current cycle; may be called at any point of it.
+        """Make a robot leave at the end of the current cycle; may be called at any time in it.
 
         Raises:
-            ValueError: it has left before.
+            ValueError: it has already left.
         """
         if np.isfinite(self.state.presence.left_s[number]):
-            raise ValueError(f"robot {self.world.robots[number].id!r} has left before")
+            raise ValueError(f"robot {self.world.robots[number].id!r} has already left")
         robots = list(self.world.robots)
         robots[number] = replace(robots[number], leave_s=self.end_s)
         self._equip(replace(self.world, robots=tuple(robots)))
 
     def carry(self, name: str, place: Pose) -> None:
-        """Move a robot, or something that can be pushed, to another pose.
+        """Move a robot or a pushable object to another pose.
 
-        A robot is turned as a whole, and its odometry does not notice; see `teleport`.
+        A robot is turned as a whole, without a change of its odometry; see `teleport`.
 
         Raises:
-            ValueError: it cannot be there, or is nothing that can be carried.
+            ValueError: the pose is not free, or the object cannot be moved.
         """
         number = self.names.index(name) if name in self.names else -1
         if number in range(len(self.world.robots)):
@@ -199,20 +199,20 @@ class WorldData:
                 raise ValueError(wrong)
             thing = carry_thing(self.state, self.constants, number, place)
         if thing:
-            raise ValueError(f"{name!r} cannot be there: {thing} is in its place")
+            raise ValueError(f"cannot move {name!r}: it would overlap {thing}")
         self.refurnish(moved=True)
 
     def take_away(self, name: str) -> None:
-        """Remove a thing that a robot can run into.
+        """Remove an obstacle from the world.
 
         Raises:
-            ValueError: there is no such thing, or it is the edge of the world or a robot.
+            ValueError: it does not exist, or is the edge of the world or a robot.
         """
         self.state.obstacles = without(self.state.obstacles, self.world, name)
         self.refurnish(moved=False)
 
     def charges(self, number: int) -> tuple[float, float]:
-        """Return the states of charge of a robot's computer and motor batteries, 0 to 1."""
+        """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""
         rows = np.array([number], dtype=np.intp)
         batteries = self.devices.sensor_board.batteries
         computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
@@ -222,18 +222,18 @@ class WorldData:
         """Set the state of charge of a robot's motor battery, 0 to 1.
 
         Raises:
-            ValueError: it lasts for ever, or the robot is not in the world.
+            ValueError: the battery is unlimited, or the robot is not in the world.
         """
         self._demand_presence(number)
         batteries = self.devices.sensor_board.batteries
         batteries.charge(self.state, number, self.time_s, share)
 
     def warm(self, name: str, heat: float) -> None:
-        """Set the heat of a robot or a thing, 0 or more."""
+        """Set the heat of a robot or an object, 0 or more."""
         self.state.heat.left[self.names.index(name)] = heat
 
     def snapshot(self, served: Sequence[Served]) -> Snapshot:
-        """Return all that is needed to come back to this instant.
+        """Return all that is needed to come back to this time.
 
         Args:
             served: the requests that were answered in this cycle.
@@ -243,9 +243,9 @@ class WorldData:
         return Snapshot(self.world, self._packed, physics, tuple(served), events)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Restore a snapshot of the same world and seed.
+        """Go back to a snapshot of an environment with the same world and seed.
 
-        Robots that had been added when it was made are there again, others are not.
+        Robots that had been added before the snapshot are present again, later ones are not.
         """
         self.state = snapshot.state.state()
         if snapshot.world is not self.world:
@@ -258,19 +258,19 @@ class WorldData:
         self.rays.forget()
 
     def advance_to(self, rows: IndexArray, to_s: FloatArray) -> None:
-        """Let timers fire and turn the wheels of robots, up to instants of this cycle.
+        """Fire timers and turn the wheels of robots, up to times in this cycle.
 
         Args:
             rows: which robots, rising, k of them.
-            to_s: up to when, not before the last time, (k,).
+            to_s: the time of each, not before the last one, (k,).
         """
-        # Sensors measure on the way that wheels turn, so before they are turned on.
+        # Sensors measure during the motion of the wheels, so before that is advanced.
         self.devices.advance(self.state, self.constants, self.rays, rows, to_s)
         everybody = len(rows) == len(self.state.drive.clock_s)
         drive.advance(self.state, self.constants, slice(None) if everybody else rows, to_s)
 
     def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
-        """Take the motors' force from robots whose batteries are empty."""
+        """Make the axes of robots with empty batteries limp."""
         if not len(rows):
             return
         empty = rows[self.devices.sensor_board.batteries.empty(self.state, rows, at_s)]
@@ -282,17 +282,17 @@ class WorldData:
             raise ValueError(f"robot {self._robot_ids[number]!r} is not in the world")
 
     def _immovable(self, name: str) -> str:
-        """Return why a thing cannot be carried away; empty if it can."""
+        """Return why an object cannot be moved; empty if it can."""
         if name not in self.pushables:
-            return unknown("robot or movable thing", name, (*self._robot_ids, *self.pushables))
+            return unknown("robot or movable object", name, (*self._robot_ids, *self.pushables))
         number = self.pushables.index(name)
         if self.constants.scene.pushables[number].part_of:
-            return f"{name!r} is a part of {self.constants.scene.pushables[number].part_of!r}"
+            return f"{name!r} is part of {self.constants.scene.pushables[number].part_of!r}"
         holders = np.flatnonzero((self.state.bodies.holds.thing == number).any(axis=1)).tolist()
         return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
     def _equip(self, world: WorldModel) -> None:
-        """Rebuild all that follows from which robots there are."""
+        """Build all that is derived from the set of robots."""
         self.world = world
         self.constants = RobotConstants.of(world, self._seed)
         self.bumpers = Bumpers(world)
@@ -307,7 +307,7 @@ class WorldData:
         self._furnish(Scene(self.world_now, self.state.presence.present))
 
     def _furnish(self, scene: Scene) -> None:
-        """Rebuild all that follows from which things are where."""
+        """Build all that is derived from the scene."""
         self._furnished = self.state.obstacles, self.state.presence.present
         self.names = scene.names
         self.constants = replace(self.constants, scene=scene, shapes=ShapeTable.of(scene))
@@ -315,7 +315,7 @@ class WorldData:
         self.rays = RayCaster(scene, self.devices.fans)
 
     def refurnish(self, moved: bool) -> None:
-        """Rebuild what is outdated: things have come or gone, or a robot has been moved."""
+        """Rebuild it if objects were added or removed, or a robot was moved."""
         if self._is_furnished():
             if moved:
                 self.physics.start_from(self.state.bodies)
@@ -327,7 +327,7 @@ class WorldData:
         self._furnish(scene)
 
     def _is_furnished(self) -> bool:
-        """Return whether the same things are where they were last."""
+        """Return whether the scene still has the same objects."""
         obstacles, present = self._furnished
         same = np.array_equal(self.state.presence.present, present)
         return same and self.state.obstacles.same_as(obstacles)
@@ -337,7 +337,7 @@ class WorldData:
         return self.time_s >= self._due_s - ROUNDING_S
 
     def come_and_go(self) -> None:
-        """Remove and add the robots whose time it is to leave or to join."""
+        """Remove and add the robots whose time to leave or to join has come."""
         now_s = self.time_s
         self._timetable.leave(self.state, now_s, self.log)
         joined = self._timetable.join(self.state, self.constants, now_s, self.log)
@@ -346,6 +346,6 @@ class WorldData:
         self._due_s = self._timetable.due_s(self.state.presence)
 
     def _begin(self, rows: IndexArray) -> None:
-        """Start the devices of robots that are in the world from now on."""
+        """Start the devices of robots that are new in the world."""
         if len(rows):
             self.devices.begin(self.state, self.constants, self.rays, rows, self.time_s)

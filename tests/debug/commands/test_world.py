@@ -144,9 +144,11 @@ def test_invalid_changes_change_nothing(shell: Shell) -> None:
     said(shell, "tick 5")
     before = here(shell)
     assert said(shell, "move robot0 to 99 99") == [
-        "'robot0' cannot be there: the edge of the world is in its place"
+        "cannot move 'robot0': it would overlap the edge of the world"
     ]
-    assert said(shell, "degrade robot0 sonar.99 dead")[0].startswith("element: sonar has no '99'")
+    assert said(shell, "degrade robot0 sonar.99 dead")[0].startswith(
+        "element: unknown '99' of sonar"
+    )
     assert here(shell) == before
     with pytest.raises(DebugError):
         shell.debugger.edit_world("fly")

@@ -160,7 +160,7 @@ def test_an_unusable_port_is_refused(capsys: pytest.CaptureFixture[str]) -> None
     assert "Address already in use" in capsys.readouterr().err
     for wrong in ("65536", "tcp", "-1", ""):
         assert main(["debug", f"--dap={wrong}"]) == 2
-    assert "neither stdio nor the number of a port" in capsys.readouterr().err
+    assert "neither stdio nor a port number" in capsys.readouterr().err
 
 
 COPY = """\

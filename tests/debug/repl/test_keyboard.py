@@ -102,6 +102,7 @@ def test_terminal_session_with_completion_input_and_interrupt(session: Session) 
     session.type("print roun\t\r")
     session.wait_for("$1 = ")
     session.wait_for("(crs) ")
+    session.wait_until_it_waits()  # before that, Ctrl-C is not the prompt's
     session.type("contin\x03")
     session.wait_for('Type "quit" or Ctrl-D to end the debugger.')
     session.wait_for("(crs) ")

@@ -164,11 +164,11 @@ def memory(state, name: str) -> np.ndarray:
         (Degradation("robot0", "sonar", gain=True), "gain must be a number"),
         (Degradation("robot0", "sonar", dead=1), "dead must be True or False"),
         (Degradation("robot0", ["sonar"], dead=True), "must be strings"),
-        (Degradation("robot0", "sonar", dead=True, id=[1]), "must be a text"),
-        (Degradation("robot0", "sonar", dead=True, id=5), "must be a text"),
+        (Degradation("robot0", "sonar", dead=True, id=[1]), "must be a string"),
+        (Degradation("robot0", "sonar", dead=True, id=5), "must be a string"),
         (Degradation("robot0", "sonar"), "no fault given"),
         (Degradation("robot0", "sonar", dead=True, id="x" * 65), "at most 64"),
-        (Degradation("robot0", "sonar", dead=True, id="degradation0"), "a second degradation"),
+        (Degradation("robot0", "sonar", dead=True, id="degradation0"), "duplicate degradation"),
     ],
 )
 def test_what_cannot_be_is_refused_and_changes_nothing(degradation, why):
@@ -182,9 +182,9 @@ def test_what_cannot_be_is_refused_and_changes_nothing(degradation, why):
 
 def test_changes_of_what_cannot_change_are_refused():
     control = driver_of(SONAR).environment.degradations
-    with pytest.raises(ValueError, match="device, robot cannot change"):
+    with pytest.raises(ValueError, match="cannot change device, robot"):
         control.change("degradation0", robot="robot1", device="laser")
-    with pytest.raises(ValueError, match="has no colour"):
+    with pytest.raises(ValueError, match="unknown attribute of a degradation: colour"):
         control.change("degradation0", colour="red")
     with pytest.raises(ValueError, match="no fault given"):
         control.change("degradation0", stuck=None)

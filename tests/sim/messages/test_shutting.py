@@ -100,7 +100,7 @@ def test_invalid_outages_are_rejected():
         control.shut(channel="telepathy")
     with pytest.raises(ValueError, match="unknown robot 'z'"):
         control.shut(receiver="z")
-    with pytest.raises(ValueError, match="nothing is shut"):
+    with pytest.raises(ValueError, match="no such outage"):
         control.open(sender="a")
 
 
@@ -127,7 +127,7 @@ def test_monitor_counts_fates_and_events_describe_them():
     assert [event.text for event in traffic] == [
         "test message 0 of a to all, type 5, 3 bytes: sent",
         "test message 0 of b to c, type 0, 0 bytes: sent",
-        "test message 0 of a to c, type 5, 3 bytes: lost: the way was shut",
+        "test message 0 of a to c, type 5, 3 bytes: lost: link shut",
         "test message 0 of b to c, type 0, 0 bytes: lost: out of range",
         "test message 0 of a to b, type 5, 3 bytes: delivered",
     ]

@@ -30,9 +30,9 @@ class Altimeter:
     """An altimeter.
 
     Attributes:
-        rate_hz: how often it measures at most.
+        rate_hz: maximum rate of measurements.
         noise_m: standard deviation of the height's error.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        period_s: period of its timer; 0 to measure on request.
     """
 
     rate_hz: float = rate("20Hz")

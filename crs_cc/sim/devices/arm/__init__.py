@@ -1,18 +1,19 @@
-"""The arm: two links that turn in a plane, and a hand that takes things and lets them go.
+"""The arm: two links that turn in a plane, and a hand that grasps and releases objects.
 
-    joint angle = angle when told + what is left of the way, at most speed * time since
-    elbow       = shoulder place + upper * (cos s, sin s)
+    joint angle = angle at the command + rest of the turn, at most speed * time since
+    elbow       = shoulder position + upper * (cos s, sin s)
     tip         = elbow + fore * (cos (s + e), sin (s + e))      direction of the hand: s + e
 
-s and e are the angles of shoulder and elbow, counter-clockwise, 0 straight on; all in the frame of
-the mount. Joints turn with a constant speed, both at once, each until it is where it was told to
-go; what they are told beyond their limits is brought within.
+s and e are the angles of shoulder and elbow, counter-clockwise, 0 for straight; all in the frame of
+the mount. Both joints turn at the same time, each at a constant speed, until they reach their
+targets; targets beyond the limits are clipped.
 
-The arm moves above everything, and so does what is in its hand: it touches nothing, though beams
-see it. At the end of the cycle in which it is told to close, the hand takes the thing that can be
-pushed, is not too heavy, is held by nobody, and has its nearest point nearest to the tip, within
-the hand's reach; from then on it moves with the hand. Told to open, it lets go as soon as there is
-room below: the thing rests where it is. All of this was chosen by us.
+The arm moves above everything, and so does the object in its hand: it touches nothing, but beams
+see it. At the end of the cycle in which it receives the command to close, the hand grasps the
+pushable object that is not too heavy, not held by anybody, and has its nearest point nearest to the
+tip, within the reach of the hand; from then on the object moves with the hand. After the command to
+open, it releases the object as soon as the space below is free: the object is at rest there. All of
+this was chosen by us.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
 from crs_cc.requests import LARGEST
-from crs_cc.sim.devices.collision_free import has_room
+from crs_cc.sim.devices.collision_free import is_space_free
 from crs_cc.sim.devices.grasp_choice import can_be_taken, nearest
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.frames import compose, relative
@@ -59,7 +60,7 @@ class Arms:
         self._most_kg = np.array([arm.most_kg for arm in found])
 
     def move(self, context: RequestContext) -> BoolArray:
-        """Answer ARM: turn joints to angles, or on by angles; refuse robots that have no arm."""
+        """Answer ARM: turn joints to angles, or by angles; refuse robots without an arm."""
         state, arm = context.state, context.state.arm
         mine = context.constants.arm[context.rows]
         has = mine >= 0
@@ -76,7 +77,7 @@ class Arms:
         return np.asarray(has)
 
     def get_arm(self, context: RequestContext) -> BoolArray:
-        """Answer GET_ARM: the joints' angles, the tip's place, and what is in the hand."""
+        """Answer GET_ARM with joint angles, position of the tip and weight of the held object."""
         mine = context.constants.arm[context.rows]
         has = np.asarray(mine >= 0)
         which = mine[has]
@@ -93,7 +94,7 @@ class Arms:
         return has
 
     def hand(self, context: RequestContext) -> BoolArray:
-        """Answer HAND: close it or open it; refuse robots that have no arm, and nonsense."""
+        """Answer HAND: close or open it; refuse robots without an arm, and invalid values."""
         mine, close = context.constants.arm[context.rows], context["close"]
         good = (mine >= 0) & (close >= 0) & (close <= 1)
         which, closed, arm = mine[good], close[good] == 1, context.state.arm
@@ -102,9 +103,9 @@ class Arms:
         return np.asarray(good)
 
     def poses(self, state: EnvState, at_s: float) -> FloatArray:
-        """Gives where all robots' hands are in the frames of their mounts, (robots, 3).
+        """Return the poses of all robots' hands in the frames of their mounts, (robots, 3).
 
-        x, y [m] and direction [rad]; those of robots that have none are 0.
+        x, y [m] and direction [rad]; 0 for robots without an arm.
         """
         poses, which = np.zeros((len(state.heading_rad), 3)), np.arange(len(self._rows))
         angles_rad = self._angles_rad(state, which, np.full(len(which), at_s))
@@ -112,7 +113,7 @@ class Arms:
         return poses
 
     def end_cycle(self, state: EnvState, constants: RobotConstants, end_s: float) -> bool:
-        """Lets hands take things and let them go; tells whether any did."""
+        """Make hands grasp and release objects; return whether any did."""
         if not state.arm.acts.any():
             return False
         rows, arm = self._rows, state.arm
@@ -136,7 +137,7 @@ class Arms:
         )
 
     def _hands(self, which: IndexArray, angles_rad: FloatArray) -> FloatArray:
-        """Gives where hands are in the frames of the mounts, (k, 3)."""
+        """Return the poses of hands in the frames of the mounts, (k, 3)."""
         nothing = np.zeros(len(which))
         upper, fore = (np.column_stack([each, nothing, nothing]) for each in self._link_m[which].T)
         shoulders = np.column_stack([self._shoulder_m[which], angles_rad[:, 0]])
@@ -147,7 +148,7 @@ class Arms:
     def _close(
         self, state: EnvState, constants: RobotConstants, closing: IndexArray, end_s: float
     ) -> bool:
-        """Lets hands take what is at their tips; of two hands at one thing the first takes it."""
+        """Grasp the objects at the hands' tips; of two hands at one object the first gets it."""
         scene, robots = constants.scene, len(state.heading_rad)
         if not len(closing) or not scene.pushables:
             return False
@@ -173,10 +174,10 @@ class Arms:
         return bool(taken)
 
     def _open(self, state: EnvState, constants: RobotConstants, which: int, end_s: float) -> bool:
-        """Lets a hand let go if there is room below; tells whether it did."""
+        """Release a hand's object if the space below is free; return whether it did."""
         row, scene = self._rows[which], constants.scene
         thing = int(state.bodies.holds.thing[row, HAND])
-        if not has_room(constants, state.bodies, thing):
+        if not is_space_free(constants, state.bodies, thing):
             return False
         state.bodies.holds.drop(self._rows[[which]], HAND)
         state.arm.acts[which] = False
@@ -184,7 +185,7 @@ class Arms:
         return True
 
     def _in_world(self, state: EnvState, at_s: float) -> FloatArray:
-        """Gives where the hands of all arms are in the world, at the end of a cycle, (n, 3)."""
+        """Return the world poses of the hands of all arms at the end of a cycle, (n, 3)."""
         rows = self._rows
         mounts = np.column_stack([state.bodies.position_m[rows], state.mount_rad[rows]])
         return compose(mounts, self.poses(state, at_s)[rows])

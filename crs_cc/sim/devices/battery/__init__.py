@@ -1,25 +1,25 @@
-"""The batteries: how they drain, what they tell, and what happens when they are empty.
+"""The batteries: discharge, reported voltages, and the effect of an empty battery.
 
     energy used = power * time + work / efficiency + stall power * time held back
     work        = sum over the axes of  friction * |way| + m / 2 * max(0, v1^2 - v0^2)
 
-in joules: friction all along the way, and in each cycle in which an axis got faster from v0 to v1
-what the mass m takes that it moves: the robot's, or half of it for each of two wheels. Of an axis
-that turns, a synchro drive's steering and turret, way and speed are those of a point on the robot's
-shell. Braking gives nothing back. The voltage is read from the
-definition's curve at the charge that is left. On the line goes a byte n with
+in joules: friction along the whole distance, and for each cycle in which an axis accelerates from
+v0 to v1 the kinetic energy of the mass m that it moves: the robot's, or half of it for each of two
+wheels. For an axis that turns, a synchro drive's steering and turret, distance and speed are those
+of a point on the robot's shell. Braking recovers nothing. The voltage is that of the definition's
+curve at the state of charge. On the line it is a byte n with
 
     volts = (2 + n * 3 / 255) * 12 / 5       for the computers' battery,
     volts = (2 + n * 3 / 255) * 12.85 / 5    for the motors' battery
 
-(vendor source `Ndirect.c` 2.7); what is beyond its range is its end. The vendor says that neither
-should drop below 10.8 V, not what happens then: here motors that have less than the definition's
-cut-off have no force any more, and the wheels roll out. When the computers' battery is empty
-nothing happens but that it says so. All numbers but those two formulas' are ours.
+(vendor source `Ndirect.c` 2.7), clipped to its range. The vendor says that neither should drop
+below 10.8 V, but not what happens then: here motors with less than the definition's cut-off have no
+force, and the wheels roll out. An empty computer battery has no effect except on its voltage. All
+numbers except those two formulas were chosen by us.
 
-Some drivers read the charge from bits 2 and 3 of the motors' status (ISR's driver of the Scout: 0
-low, 1 medium, 2 high), where the vendor's header has the turret's motor; a definition can ask for
-that. Degradation (`battery`) is that of the voltages; where nothing comes the byte is 0.
+Some drivers read the charge from bits 2 and 3 of the motor status (ISR's driver of the Scout: 0
+low, 1 medium, 2 high), where the vendor's header has the turret's motor; a definition can select
+that. Degradation (`battery`) applies to the voltages; a dropped value is byte 0.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 COMPUTERS: Final = 12.0 / 5
 MOTORS: Final = 12.85 / 5
-"""What the voltage on the sensor board is multiplied with (vendor source `Ndirect.c` 2.7)."""
+"""Factors of the voltages on the sensor board (vendor source `Ndirect.c` 2.7)."""
 
 _NOBODY: Final = np.zeros(0, dtype=np.intp)
 _STEPS: Final = 1_000  # of charge, in the tables
@@ -68,10 +68,10 @@ class Batteries:
         self._lasts = not any(np.isfinite(battery.capacity_j) for battery in motors)
 
     def drain(self, state: EnvState, timestep_s: float) -> IndexArray:
-        """Takes what moving used in a cycle whose axes were turned to its end.
+        """Drain the motor batteries by a cycle whose axes have been turned to its end.
 
         Returns:
-            which robots' motors worked.
+            which robots' motors were working.
         """
         held_back = state.bodies.slipping
         if self._lasts or not (state.drive.slice.any() or held_back.any()):
@@ -86,7 +86,7 @@ class Batteries:
         return np.flatnonzero(way_m.any(axis=1) | held_back)
 
     def empty(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> BoolArray:
-        """Tells whose motors have no force any more, shape (k,)."""
+        """Return which robots' motor batteries are empty, shape (k,)."""
         if self._lasts:
             return np.zeros(len(rows), dtype=np.bool_)
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
@@ -94,7 +94,7 @@ class Batteries:
         return np.asarray(charge < self._least_charge[rows])
 
     def left(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> FloatArray:
-        """Gives the shares of their energy that computers' and motors' batteries have, (k, 2)."""
+        """Return the state of charge of computers' and motors' batteries, 0 to 1, (k, 2)."""
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
         moved_j = state.battery.moved_j[rows]
         return np.column_stack(
@@ -102,22 +102,22 @@ class Batteries:
         )
 
     def charge(self, state: EnvState, robot: int, at_s: float, share: float) -> None:
-        """Lets a share of its energy be left in the battery of a robot's motors.
+        """Set the state of charge of a robot's motor battery, 0 to 1.
 
         Raises:
-            ValueError: it lasts for ever.
+            ValueError: the battery is unlimited.
         """
         motors, kind = self._motors, self._kind[robot]
         if not np.isfinite(motors.capacity_j[kind]):
-            raise ValueError("the battery of its motors lasts for ever")
+            raise ValueError("the motor battery is unlimited")
         for_s = at_s - float(state.presence.joined_s[robot])
         used_j = (motors.start[kind] - share) * motors.capacity_j[kind]
         state.battery.moved_j[robot] = used_j - motors.power_w[kind] * for_s
 
-    def told(
+    def voltage_bytes(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
     ) -> tuple[Int32Array, Int32Array]:
-        """Gives the bytes of the computers' and of the motors' battery, shape (k,) each."""
+        """Return the bytes of the computers' and of the motors' battery, shape (k,) each."""
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
         charges = (
             self._computers.charge(kinds, for_s, 0.0),
@@ -130,11 +130,11 @@ class Batteries:
             return computers, motors
         volts = np.column_stack([supply.volts(kinds, charge) for supply, charge in pairs])
         volts = constants.degradations.alter(state, "battery", rows, volts, at_s)
-        told = np.where(np.isnan(volts), 0.0, volts)
-        return _byte(told[:, 0], COMPUTERS), _byte(told[:, 1], MOTORS)
+        reported = np.where(np.isnan(volts), 0.0, volts)
+        return _byte(reported[:, 0], COMPUTERS), _byte(reported[:, 1], MOTORS)
 
     def status(self, state: EnvState, rows: IndexArray, at_s: FloatArray) -> Int32Array | None:
-        """Gives bits 2 and 3 of the motors' status, None if no robot has its charge there."""
+        """Return bits 2 and 3 of the motors' status, None if no robot reports its charge there."""
         asks = self._in_status[rows]
         if not asks.any():
             return None
@@ -145,13 +145,13 @@ class Batteries:
 
 
 def _levers(model: RobotModel) -> tuple[float, float, float]:
-    """Gives the way [m] for each unit of each axis' way."""
+    """Return the distance [m] per unit of each axis' motion."""
     turns = model.drive.steering is not None
     return (1.0, model.radius_m, model.radius_m) if turns else (1.0, 1.0, 0.0)
 
 
 def _moved_kg(model: RobotModel) -> float:
-    """Gives the mass that an axis moves."""
+    """Return the mass that an axis moves."""
     return model.mass_kg if model.drive.steering is not None else model.mass_kg / 2
 
 
@@ -168,17 +168,17 @@ class _Supply:
     def charge(
         self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float
     ) -> FloatArray:
-        """Gives the share of its energy that each has left, on for some time."""
+        """Return the state of charge of each after some time in use, 0 to 1."""
         used_j = self.power_w[kinds] * for_s + moved_j
         left = self.start[kinds] - used_j / self.capacity_j[kinds]
         return np.asarray(np.maximum(left, 0.0))
 
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:
-        """Gives what goes on the line for charges."""
+        """Return the bytes that are sent for states of charge."""
         return np.asarray(self._bytes[kinds, (charge * _STEPS + 0.5).astype(np.intp)])
 
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
-        """Gives the voltages at charges."""
+        """Return the voltages at states of charge."""
         curves = ((self._curve_v[kind], share) for kind, share in zip(kinds, charge, strict=True))
         return np.array([np.interp(x, _places(curve_v), curve_v) for curve_v, x in curves])
 
@@ -192,7 +192,7 @@ def _byte(volts: FloatArray, factor: float) -> Int32Array:
 
 
 def _bytes(curve_v: tuple[float, ...], factor: float) -> Int32Array:
-    """Gives the byte for each step of charge from empty to full.
+    """Return the byte for each step of charge from empty to full.
 
     >>> _bytes((12.0, 13.0), COMPUTERS)[[0, 500]].tolist(), round((2 + 234 * 3 / 255) * MOTORS, 1)
     ([255, 255], 12.2)
@@ -202,7 +202,7 @@ def _bytes(curve_v: tuple[float, ...], factor: float) -> Int32Array:
 
 
 def _least_charge(battery: MotorBattery) -> float:
-    """Gives the smallest charge whose voltage is not below the cut-off; above 1 for none.
+    """Return the smallest charge whose voltage is not below the cut-off; above 1 for none.
 
     >>> from crs_cc.sim.model.sensors import MotorBattery
     >>> _least_charge(MotorBattery(curve_v=(10.0, 12.0), cutoff_v=10.5))

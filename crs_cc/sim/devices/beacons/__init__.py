@@ -1,7 +1,6 @@
-"""Lamps and speakers: how bright and how loud robots are, from the instant they are told to be.
+"""Lamps and speakers: brightness and level of robots, effective at the time of the command.
 
-What is told beyond what the lamp or speaker can is brought within. Who senses it is in
-`sensors.light` and `sensors.sound`.
+Values beyond the limits of the lamp or speaker are clipped. They are sensed by `light` and `sound`.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def light(context: RequestContext) -> BoolArray:
-    """Set the brightness of lamps; refuse robots that have none."""
+    """Set the brightness of lamps; refuse robots without one."""
     rows, brightest = context.rows, context.constants.brightest[context.rows]
     wanted = _within(context, "lamp", rows, context["brightness"], most=brightest)
     context.state.beacons.brightness[rows] = wanted
@@ -26,7 +25,7 @@ def light(context: RequestContext) -> BoolArray:
 
 
 def sound(context: RequestContext) -> BoolArray:
-    """Set level and tone of speakers; refuse robots that have none, and unknown tones."""
+    """Set level and tone of speakers; refuse robots without one, and unknown tones."""
     tone, beacons = context["tone"], context.state.beacons
     good = (context.constants.loudest[context.rows] > 0.0) & (tone >= 0) & (tone < TONES)
     rows, tone = context.rows[good], tone[good]
@@ -37,10 +36,15 @@ def sound(context: RequestContext) -> BoolArray:
 
 
 def _within(
-    context: RequestContext, device: str, rows: IndexArray, asked: Int32Array, *, most: FloatArray
+    context: RequestContext,
+    device: str,
+    rows: IndexArray,
+    requested: Int32Array,
+    *,
+    most: FloatArray,
 ) -> FloatArray:
-    """Return what becomes of the strengths that robots ask for, (k,)."""
-    wanted = np.clip(asked.astype(np.float64), 0.0, most)
+    """Return the requested strengths after degradation and clipping, (k,)."""
+    wanted = np.clip(requested.astype(np.float64), 0.0, most)
     altered = context.constants.degradations.alter(
         context.state, device, rows, wanted[:, None], context.state.drive.clock_s[rows]
     )[:, 0]

@@ -2,16 +2,15 @@
 
     pressed when -span / 2 <= bearing of the contact - bearing of the switch < span / 2
 
-with bearings from ahead, counter-clockwise, as seen from the middle of the robot. So where switches
-follow each other without a gap, each contact presses one; between switches with gaps it presses
-none, where their spans overlap it presses both. Which bit of `State[33]` a switch sets is said by
-the robot definition (vendor header `Nclient.h` 1.29 names no layout, and every known Scout program
-asks for "not 0" only). Source of the geometry: Player's driver of the Nomad 200, whose 20 switches
-lie 18 degrees apart.
+with bearings counter-clockwise from the front, at the centre of the robot. So where switches are
+adjacent without a gap, each contact presses one; in a gap it presses none, and where spans overlap
+both. The robot definition specifies which bit of `State[33]` a switch sets (vendor header
+`Nclient.h` 1.29 has no layout, and every known Scout program only tests for "not 0"). Source of the
+geometry: Player's driver of the Nomad 200, whose 20 switches are 18 degrees apart.
 
-A switch is pressed at a cycle's start when something touched it in the cycle before, whether or not
-the wheels turn. Degradation (`bumper`): a switch is 1 when it is pressed, else 0, and told as
-pressed when 0.5 or more comes of that.
+A switch is pressed at a cycle's start if something touched it in the cycle before, whether or not
+the wheels turn. Degradation (`bumper`): a switch is 1 when it is pressed, else 0, and reported as
+pressed if the degraded value is at least 0.5.
 """
 
 from __future__ import annotations
@@ -43,7 +42,7 @@ class Bumpers:
     """The switches of all robots of a world.
 
     >>> from crs_cc.sim.files.world_xml import empty_world
-    >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first one ahead
+    >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first in front
     >>> bumpers.pressed(np.array([0, 0, 0]), np.array([0.0, math.pi / 2, -0.3])).tolist()
     [1, 4, 1]
     """
@@ -53,18 +52,18 @@ class Bumpers:
         kinds = list(dict.fromkeys(models))
         self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
         most = max((len(model.bumpers) for model in kinds), default=0)
-        table = np.zeros((len(kinds), most, 3))  # robots with fewer switches have some without span
+        table = np.zeros((len(kinds), most, 3))  # robots with fewer switches get some of width 0
         for row, model in zip(table, kinds, strict=True):
             row[: len(model.bumpers)] = _switches(model)
         self._bearing_rad, self._span_rad = table[..., 0], table[..., 1]
         self._bit = table[..., 2].astype(np.int32)
 
     def pressed(self, robots: IndexArray, bearing_rad: FloatArray) -> Int32Array:
-        """Gives the bits of the switches that contacts press, shape (k,).
+        """Return the bits of the switches that contacts press, shape (k,).
 
         Args:
-            robots: which robot each contact is of, k of them.
-            bearing_rad: where it touches that robot, shape (k,).
+            robots: the robot of each contact, k of them.
+            bearing_rad: its bearing from that robot's heading, shape (k,).
         """
         kinds = self._kind[robots]
         span_rad = self._span_rad[kinds]
@@ -75,16 +74,16 @@ class Bumpers:
     def touch(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> Contacts:
-        """Presses switches and counts collisions at the end of a cycle.
+        """Press switches and count collisions at the end of a cycle.
 
         Args:
             state: changed in place.
-            constants: the constants of all things.
-            contacts: all of the cycle.
+            constants: the constants of all objects.
+            contacts: those of the cycle.
             end_s: its end.
 
         Returns:
-            the contacts that were none in the cycle before.
+            the contacts that did not exist in the cycle before.
         """
         robot = contacts.robot
         before = state.bumpers.pressed
@@ -99,7 +98,7 @@ class Bumpers:
         bearing_rad -= state.base_rad[robot]
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
-        pressed = self.told(state, constants, pressed, end_s)
+        pressed = self.degraded(state, constants, pressed, end_s)
         state.bumpers.pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
         if len(hit):
@@ -112,14 +111,14 @@ class Bumpers:
             contacts.torn,
         )
 
-    def told(
+    def degraded(
         self,
         state: EnvState,
         constants: RobotConstants,
         pressed: Int32Array,
         at_s: float,
     ) -> Int32Array:
-        """Gives what becomes of the switches that are pressed at an instant, (robots,)."""
+        """Return the pressed switches at a time after degradation, (robots,)."""
         if not constants.degradations.concern(state, "bumper"):
             return pressed
         robots, places = np.arange(len(pressed)), np.arange(_BITS)
@@ -132,7 +131,7 @@ class Bumpers:
 
 
 def get_bp(context: RequestContext) -> BoolArray:
-    """Answer GET_BP with the switches, in `State`; refuse robots that have no bumpers.
+    """Answer GET_BP with the switches, in `State`; refuse robots without bumpers.
 
     Switches are pressed and released at the end of a cycle.
     """

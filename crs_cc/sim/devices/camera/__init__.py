@@ -56,7 +56,7 @@ class Cameras:
 
     Attributes:
         fans: the beams of each kind of camera.
-        interval_s: the least time between two looks of each.
+        interval_s: minimum time between two pictures of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -77,12 +77,12 @@ class Cameras:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Lets cameras look whose time has come.
+        """Take pictures with the cameras that may take one again.
 
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
+            rays: casts rays.
             rows: robots that have a camera, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
@@ -106,7 +106,7 @@ class Cameras:
         kind: int,
         at_s: FloatArray,
     ) -> None:
-        """Lets the cameras of one kind look."""
+        """Take pictures with the cameras of one kind."""
         camera, mine = state.camera, constants.camera[rows]
         model, fan = self._kinds[kind], self.fans[kind]
         poses = mount_poses(state, constants, rows)
@@ -124,7 +124,7 @@ class Cameras:
         camera.range[mine, : model.columns] = np.where(seen, tenths, -1)
 
     def take_picture(self, context: RequestContext) -> BoolArray:
-        """Answer CAMERA with how many pixels, or blobs, there are; refuse robots without one."""
+        """Answer CAMERA with the number of pixels or blobs; refuse robots without a camera."""
         camera, mine = context.state.camera, context.constants.camera[context.rows]
         has = np.asarray(mine >= 0)
         read_on_request(context, self.read, CAMERA, has)
@@ -134,15 +134,15 @@ class Cameras:
             colour = camera.colour[number, : model.columns]
             range_ = camera.range[number, : model.columns]
             if context["blobs"][place]:
-                camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
+                camera.told.keep(number, _BLOB, _blob_rows(model, colour, range_))
             else:
                 camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
             context.put("count", camera.told.count[number], place)
         return has
 
 
-def _told_blobs(model: Camera, colour: Int32Array, range_: Int32Array) -> Int32Array:
-    """Gives angle and width [0.1 deg], colour and range [0.1 in] of blobs, shape (blobs, 4)."""
+def _blob_rows(model: Camera, colour: Int32Array, range_: Int32Array) -> Int32Array:
+    """Return angle and width [0.1 deg], colour and range [0.1 in] of blobs, (blobs, 4)."""
     found = blobs(colour, range_)
     step = float(rad_to_tenths_deg(model.field_of_view_rad / model.columns))
     first, after = found[:, 0], found[:, 1]

@@ -18,11 +18,11 @@ from crs_cc.core.arrays import Int32Array
 
 
 def blobs(colours: npt.NDArray[np.integer], ranges: npt.NDArray[np.integer]) -> Int32Array:
-    """Gives the runs of columns that show one colour of something.
+    """Return the runs of adjacent columns with one colour.
 
     Args:
-        colours: of each column, from the left to the right, (columns,).
-        ranges: how far away that is, below 0 where there is nothing, (columns,).
+        colours: the colour of each column, from left to right, (columns,).
+        ranges: the range of each, below 0 where there is nothing, (columns,).
 
     Returns:
         first column, column after the last one, colour and least range of each, (blobs, 4).

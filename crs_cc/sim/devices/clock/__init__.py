@@ -2,10 +2,10 @@
 
     reading = floor(floor(t / tick) * tick in ms)  modulo 2^32
 
-with t the simulated time since the robot is in the world, and what the clock showed then. The
-vendor's header `Nclient.h` 1.29 gives the unit (ms), the tick of 16.4 ms, and that it starts at
-zero when the robot is switched on and flows over after 49 days, which are 2^32 ms. When a robot was
-switched on is a parameter of its definition. No degradation.
+with t the simulated time that the robot has been in the world, plus the initial time of its clock.
+The vendor's header `Nclient.h` 1.29 specifies the unit (ms), the tick of 16.4 ms, and that it
+starts at zero when the robot is switched on and overflows after 49 days, which are 2^32 ms. The
+time for which a robot has been on is a parameter of its definition. No degradation.
 
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> BoardClock(empty_world()).ms(np.array([0, 0]), np.array([0.0164, 1.0])).tolist()
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 _WRAP: Final = 2.0**32
-_ROUNDING: Final = 1e-9  # ticks; an instant that is meant to be on a tick is
+_ROUNDING: Final = 1e-9  # ticks; a time that is on a tick but for rounding counts as on it
 
 
 class BoardClock:
@@ -37,11 +37,11 @@ class BoardClock:
         self._tick_s = np.array([board.tick_s for board in boards])
 
     def ms(self, rows: IndexArray, since_s: FloatArray) -> FloatArray:
-        """Gives what clocks show [ms], whole numbers from 0 to 2^32 - 1.
+        """Return the clocks' times [ms], whole numbers from 0 to 2^32 - 1.
 
         Args:
             rows: which robots, k of them.
-            since_s: how long each has been in the world, shape (k,).
+            since_s: time that each has been in the world, shape (k,).
         """
         tick_s = self._tick_s[rows]
         ticks = np.floor((self._start_s[rows] + since_s) / tick_s + _ROUNDING)

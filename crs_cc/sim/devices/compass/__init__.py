@@ -52,7 +52,7 @@ class Compasses:
     """The compasses of all robots that have one.
 
     Attributes:
-        interval_s: the least time between two measurements of each.
+        interval_s: minimum time between two measurements of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -71,7 +71,7 @@ class Compasses:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Lets the compasses of robots measure, those that are on and whose time has come.
+        """Measure with the compasses that are on and may measure again.
 
         Args:
             state: changed in place.
@@ -94,21 +94,21 @@ class Compasses:
         angle_rad = constants.degradations.alter(
             state, "compass", rows, angle_rad[:, None], at_s[due]
         )[:, 0]
-        told = np.isfinite(angle_rad)
-        tenths = np.rint(rad_to_tenths_deg(angle_rad[told])).astype(np.int32)
-        compass.reading[mine[told]] = tenths % _FULL_TURN
+        reported = np.isfinite(angle_rad)
+        tenths = np.rint(rad_to_tenths_deg(angle_rad[reported])).astype(np.int32)
+        compass.reading[mine[reported]] = tenths % _FULL_TURN
         compass.count[mine] += 1
         compass.measured.note(mine, at_s[due], configuration(state, constants, rows))
 
     def get_cp(self, context: RequestContext) -> BoolArray:
-        """Answer GET_CP: measure, for `State`; refuse robots that have no compass."""
+        """Answer GET_CP: measure, for `State`; refuse robots without a compass."""
         has = np.asarray(context.constants.compass[context.rows] >= 0)
         read_on_request(context, self.read, timers.COMPASS, has)
         return has
 
 
 def conf_cp(context: RequestContext) -> BoolArray:
-    """Switch the compass; refuse modes that there are not."""
+    """Switch the compass on or off; refuse unknown modes."""
     state, constants = context.state, context.constants
     mode, mine = context["mode"], constants.compass[context.rows]
     good: BoolArray = (mine >= 0) & (mode >= OFF) & (mode <= CALIBRATE)

@@ -1,6 +1,6 @@
-"""Who changes degradations while a world runs, and tells of them: for programs that run worlds.
+"""Control of degradations in a running world, for programs that run worlds.
 
-What goes in and comes out is plain data (`Degradation`). Every change is an event of the kind
+Arguments and results are plain data (`Degradation`). Every change is an event of the kind
 `degradation`: one is added, changed or removed, it began, faded, ended.
 
 >>> from crs_cc.sim.engine.environment import Environment
@@ -48,21 +48,21 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.running_world import Running
 
 PHASES: Final = {WAITS: "waits", ACTS: "acts", FADES: "fades", OVER: "over"}
-"""What the phases are called."""
+"""The names of the phases."""
 
 _TURNS: Final = {ACTS: "began", FADES: "began to fade", OVER: "ended"}
 _LONGEST_ID: Final = 64
 
 
 class DegradationControl:
-    """The degradations of a world that runs, to be asked and changed between two of its steps."""
+    """The degradations of a running world, to be read and changed between two steps."""
 
     def __init__(self, running: Running, log: EventLog) -> None:
-        """Makes one.
+        """Create the control.
 
         Args:
             running: the world; its state is changed.
-            log: takes the events.
+            log: receives the events.
         """
         self._running, self._log = running, log
 
@@ -79,31 +79,31 @@ class DegradationControl:
         return [robot.id for robot in self._running.world.robots]
 
     def all(self) -> tuple[Degradation, ...]:
-        """Gives all degradations, in the order in which they work."""
+        """Return all degradations, in the order in which they apply."""
         return tuple(map(self._degradation, self._state.table))
 
     def phase(self, name: str) -> str:
-        """Gives how far a degradation has come: one of `PHASES`.
+        """Return the phase of a degradation: one of `PHASES`.
 
         Raises:
-            ValueError: there is none of that name.
+            ValueError: the degradation does not exist.
         """
         return PHASES[int(self._state.table["phase"][self._place(name)])]
 
     def add(self, degradation: Degradation) -> str:
-        """Adds a degradation; an onset that is past means now.
+        """Add a degradation; an onset in the past means now.
 
         Returns:
             its name.
 
         Raises:
-            ValueError: it cannot be, and why.
+            ValueError: it is invalid; the message says why.
         """
         if not isinstance(degradation.id, str):
-            raise ValueError("an id must be a text")  # noqa: TRY004 - as all that cannot be
+            raise ValueError("a degradation's id must be a string")  # noqa: TRY004 - as all others
         names = set(self._state.table["id"].tolist())
         if degradation.id in names:
-            raise ValueError(f"a second degradation with the id {degradation.id!r}")
+            raise ValueError(f"duplicate degradation {degradation.id!r}")
         if not degradation.id:
             free = next(n for n in range(len(names) + 1) if f"degradation{n}" not in names)
             degradation = replace(degradation, id=f"degradation{free}")
@@ -118,30 +118,32 @@ class DegradationControl:
         return degradation.id
 
     def change(self, name: str, **changes: Any) -> Degradation:
-        """Changes some of the attributes of a degradation; it forgets what it remembers.
+        """Change some attributes of a degradation, and clear its memory of past values.
 
-        Its onset stays as it was, unless that is changed; then the degradation begins anew.
+        A new onset starts the degradation again.
 
         Args:
             name: its name.
-            changes: new values of attributes of `Degradation`, `id`, `robot` and `device` apart.
+            changes: new values of attributes of `Degradation`, except `id`, `robot` and `device`.
 
         Returns:
-            what it is now.
+            the changed degradation.
 
         Raises:
-            ValueError: there is none of that name, or it cannot be so, and why.
+            ValueError: it does not exist, or the change is invalid; the message says why.
         """
         place = self._place(name)
         fixed = {"id", "robot", "device"} & changes.keys()
         if fixed:
-            raise ValueError(f"{', '.join(sorted(fixed))} cannot change: remove it, add another")
+            names = ", ".join(sorted(fixed))
+            raise ValueError(f"cannot change {names}: remove the degradation and add another")
         old = self._state.table[place]
         try:
             degradation = replace(self._degradation(old), **changes)
         except TypeError:
             unknown = changes.keys() - set(Degradation.__dataclass_fields__)
-            raise ValueError(f"a degradation has no {', '.join(sorted(unknown))}") from None
+            names = ", ".join(sorted(unknown))
+            raise ValueError(f"unknown attribute of a degradation: {names}") from None
         self._check(degradation)
         if "onset_s" in changes:
             degradation = replace(degradation, onset_s=max(degradation.onset_s, self._time_s))
@@ -154,18 +156,18 @@ class DegradationControl:
         return degradation
 
     def remove(self, name: str) -> None:
-        """Removes a degradation, and with it at once what it does.
+        """Remove a degradation; its effect ends at once.
 
         Raises:
-            ValueError: there is none of that name.
+            ValueError: the degradation does not exist.
         """
         place = self._place(name)
         row = self._state.table[place].copy()
         self._state.remove(place)
         self._say(self._time_s, "removed", row)
 
-    def tell(self, until_s: float) -> None:
-        """Says which degradations begin, fade or are over before an instant."""
+    def log_changes(self, until_s: float) -> None:
+        """Log the degradations that begin, fade or end before some time."""
         if self._state.next_s >= until_s:
             return
         table, said = self._state.table, []
@@ -198,14 +200,14 @@ class DegradationControl:
         if degradation.robot not in self._robots:
             raise ValueError(unknown("robot", str(degradation.robot), self._robots))
         if len(degradation.id) > _LONGEST_ID:
-            raise ValueError(f"an id has at most {_LONGEST_ID} characters")
+            raise ValueError(f"a degradation's id has at most {_LONGEST_ID} characters")
         wrong = complaint(degradation, self._model(degradation.robot))
         if wrong:
             raise ValueError(wrong)
 
     def _make_room(self, row: Any) -> None:
         if len(self._state.memory) + len(empty_memory(row)) > MAX_MEMORY:
-            raise ValueError("too many degradations to remember what they need")
+            raise ValueError("too many degradations")
 
     def _say(self, time_s: float, what: str, row: Any) -> None:
         degradation = self._degradation(row)
@@ -215,7 +217,7 @@ class DegradationControl:
 
 
 def _phase(row: Any, at_s: float) -> int:
-    """Gives the phase of a degradation at an instant at which it has been told of all before."""
+    """Return the phase of a degradation at a time up to which all changes were logged."""
     end_s = float(row["onset_s"] + row["duration_s"])
     over_s = end_s + float(row["recovery_s"])
     if at_s <= row["onset_s"]:

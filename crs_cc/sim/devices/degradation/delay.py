@@ -1,7 +1,7 @@
-"""Delayed values: what degradations with a delay remember of the past, and how it is found again.
+"""Delayed values: the memory of past values of degradations with a delay.
 
-Each element has a ring of instants and values, and keeps values at least `delay / (depth - 2)`
-apart; so the ring always reaches back beyond the delay.
+Each element has a ring buffer of times and values, and stores values at least `delay / (depth - 2)`
+apart; so the buffer always reaches back beyond the delay.
 """
 
 from __future__ import annotations
@@ -16,22 +16,22 @@ from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.pipeline import Pass
 from crs_cc.sim.state.degradation import width_of
 
-_SPARE: Final = 2  # so many more values are kept than a delay needs
-_LEAST_S: Final = 1e-3  # the shortest time over which a speed of long ago is taken
+_SPARE: Final = 2  # values kept in addition to those that a delay needs
+_LEAST_S: Final = 1e-3  # minimum time over which a delayed speed is averaged
 
 
 @dataclass(frozen=True, slots=True)
 class _Rings:
-    """Where the past of some values is kept: of m rows with w elements, `depth` each.
+    """Views of the ring buffers of past values: m rows with w elements, `depth` each.
 
     Attributes:
-        memory: what all degradations remember.
-        count_at: where it is kept how many values each element has had, (m, w).
-        sum_at: where its sum of ways is kept, (m, w).
-        times_at: where the instants are kept, (m, w, depth).
-        values_at: where the values are, (m, w, depth).
-        touched: which elements are meant, (m, w).
-        apart_s: how long after a value the next one is kept, (m, 1).
+        memory: the memory of all degradations.
+        count_at: index of each element's number of values so far, (m, w).
+        sum_at: index of its sum of distances, (m, w).
+        times_at: indices of the times, (m, w, depth).
+        values_at: indices of the values, (m, w, depth).
+        touched: which elements are affected, (m, w).
+        apart_s: minimum time between two values that are kept, (m, 1).
     """
 
     memory: FloatArray
@@ -44,7 +44,7 @@ class _Rings:
 
     @classmethod
     def of(cls, passing: Pass, some: IndexArray, depth: int) -> Self:
-        """Gives the rings of some rows."""
+        """Return the ring buffers of some rows."""
         width = width_of(passing.row["device"][some], passing.row["element"][some])[:, None]
         begin, slot = passing.of("begin")[some], passing.slot[some]
         times_at = (begin + 3 * width + slot * depth)[..., None] + np.arange(depth)
@@ -60,11 +60,11 @@ class _Rings:
 
     @property
     def begin(self) -> BoolArray:
-        """Tells which elements have no past yet."""
+        """Return which elements have no past values yet."""
         return np.asarray(self.touched & (self.memory[self.count_at] == 0.0))
 
     def keep(self, values: FloatArray, at_s: FloatArray, which: BoolArray) -> None:
-        """Keeps values with their instants, unless the last ones that were kept are too near."""
+        """Store values with their times, unless the last stored ones are too recent."""
         depth = self.times_at.shape[2]
         count = self.memory[self.count_at].astype(np.intp)
         last = ((count - 1) % depth)[..., None]
@@ -78,9 +78,9 @@ class _Rings:
         self.memory[self.count_at[keeps]] += 1.0
 
     def find(self, at_s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Gives instants and values of what was kept last until, and first after, some instants.
+        """Return times and values of the last stored at or before, and the first after, times.
 
-        What there is not has an infinite instant, and the value of another one.
+        A missing one has an infinite time and the value of another one.
         """
         times_s = self.memory[self.times_at]
         since = times_s <= at_s[..., None]
@@ -101,27 +101,27 @@ class _Rings:
 
 
 def delayed(passing: Pass, values: FloatArray) -> FloatArray:
-    """Gives readings of as long ago as the delay says, and remembers these."""
-    told = values.copy()
+    """Return the readings of `delay` ago, and store these."""
+    reported = values.copy()
     for some, depth in _by_depth(passing):
         rings = _Rings.of(passing, some, depth)
         rings.keep(values[some], passing.at_s[some], rings.touched)
         wanted_s = passing.at_s[some] - passing.of("delay_s")[some] + ROUNDING_S
         lower_s, lower, upper_s, upper = rings.find(wanted_s)
         first = np.where(np.isfinite(upper_s), upper, values[some])
-        told[some] = np.where(np.isfinite(lower_s), lower, first)
-    return told
+        reported[some] = np.where(np.isfinite(lower_s), lower, first)
+    return reported
 
 
 def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
-    """Gives the speeds of as long ago as the delay says, and remembers these.
+    """Return the speeds of `delay` ago, and store these.
 
     Args:
-        passing: the speeds' way; its instant is the end of the time for which they count.
+        passing: the filter pass; its time is the end of the interval of the speeds.
         speeds: the speeds, (m, w).
-        from_s: the beginning of that time, (m,).
+        from_s: the start of that interval, (m,).
     """
-    told = speeds.copy()
+    reported = speeds.copy()
     for some, depth in _by_depth(passing):
         to_s, since_s = passing.at_s[some], from_s[some, None]
         rings = _Rings.of(passing, some, depth)
@@ -134,12 +134,12 @@ def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> Flo
             rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
         for_s = np.maximum(to_s - since_s, _LEAST_S)
         ago_s = to_s - passing.of("delay_s")[some]
-        told[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
-    return told
+        reported[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
+    return reported
 
 
 def _sum(rings: _Rings, at_s: FloatArray) -> FloatArray:
-    """Gives the sums of ways at instants, along straight lines between those that were kept."""
+    """Return the sums of distances at times, linearly interpolated between the stored ones."""
     lower_s, lower, upper_s, upper = rings.find(at_s)
     between = np.isfinite(lower_s) & np.isfinite(upper_s)
     with np.errstate(invalid="ignore"):

@@ -1,6 +1,6 @@
-"""The law of degradation: what becomes of values on their way from a sensor or to an actuator.
+"""The filter of degradations: what happens to values from a sensor or to an actuator.
 
-Of each degradation, with its severity s at the instant of the value:
+For each degradation, with its severity s at the time of the value:
 
     1. gain, bias, noise:  v = v * (1 + s * (gain - 1)) + s * bias + s * noise * normal deviate
     2. step:               v = the nearest multiple of s * step
@@ -11,18 +11,18 @@ Of each degradation, with its severity s at the instant of the value:
     s = 0 before the onset, 1 for the duration, then 1 - (time since) / recovery, then 0
 
 so that all effects fade together: those with a size get smaller, those without get rarer. Several
-degradations of an element work one after the other, in the order of the world file, then in that in
-which they were added; each gets what the one before it gave.
+degradations of an element apply in sequence, in the order of the world file, then in that in which
+they were added; each gets the result of the one before it.
 
-What it is stuck at is the last value from before the onset, or the first one if there was none, or
-the one that was given. A delayed value is the last one that was measured at least `delay` before,
-or the first one that there is; values are kept at least a 62nd of the delay apart (of all points
-of a laser, a sixth). A direction mixes the shorter way around. Where there was nothing to measure,
-such as no echo, steps 1 and 2 leave that. A magnitude beyond 10^6 is 10^6.
+The stuck value is the last value from before the onset, or the first one if there was none, or the
+specified one. A delayed value is the last one that was measured at least `delay` before, or the
+first one of all; values are stored at least a 62nd of the delay apart (of all points of a laser, a
+sixth). A direction is mixed along the shorter arc. Where there was nothing to measure, such as no
+echo, steps 1 and 2 have no effect. A magnitude above 10^6 is 10^6.
 
-Readings have an instant each. Motions (`MOTIONS`) are speeds all along a time, for which s is the
-mean of the severity; their deviates are drawn once in a timestep, however often it is cut; a
-delayed motion is the one of `delay` before, exactly as long; one that is lost stands still for the
+Readings have a time each. Motions (`MOTIONS`) are speeds over an interval, for which s is the mean
+severity; their deviates are drawn once in a timestep, however often it is divided; a delayed motion
+is that of `delay` before, over an equally long interval; a dropped one is no motion for the
 timestep.
 
 Each degradation draws from a stream of its own: the robot's, numbered by the order of its
@@ -62,11 +62,11 @@ _FINEST: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class _Layer:
-    """One degradation of a device of each robot that has so many.
+    """The n-th degradation of a device, for each robot that has that many.
 
     Attributes:
-        place: the place in the table for each robot, -1 for none, (robots,).
-        draws: what is random in them, one stream for each.
+        place: the row of the table for each robot, -1 for none, (robots,).
+        draws: their random numbers, one stream for each.
         stream: the number of each robot's stream, -1 for none, (robots,).
     """
 
@@ -76,7 +76,7 @@ class _Layer:
 
 
 class Degradations:
-    """What is wrong with the devices of all robots; where it is kept is `EnvState.degradation`."""
+    """The filter of all robots' degradations; their state is `EnvState.degradation`."""
 
     def __init__(self, seed: int) -> None:
         self._seed = seed
@@ -84,7 +84,7 @@ class Degradations:
         self._layers: dict[int, list[_Layer]] = {}
 
     def concern(self, state: EnvState, device: str) -> bool:
-        """Tells whether there is anything wrong with a device of any robot."""
+        """Return whether any robot has a degradation of a device."""
         return bool(state.degradation.present[number_of(device)])
 
     def alter(
@@ -97,21 +97,21 @@ class Degradations:
         *,
         elements: IndexArray | None = None,
     ) -> FloatArray:
-        """Gives what becomes of readings, or of what actuators are told at instants.
+        """Return readings, or actuators' commands, after degradation.
 
-        To be called once for each value that is measured.
+        Call it exactly once for each measured value.
 
         Args:
-            state: remembers what is needed.
+            state: changed in place: the memory of past values.
             device: the device's name in `degradables()`.
-            rows: which robots, none twice, k of them.
-            values: the values [SI unit of the device], not finite for nothing, shape (k, width).
-            at_s: the instant of each robot, shape (k,).
-            elements: which element each row of `values` has, which is then (k, 1); by default the
+            rows: the robots, each at most once, k of them.
+            values: the values [SI unit of the device], not finite for no value, (k, width).
+            at_s: the time of each robot, shape (k,).
+            elements: the element of each row of `values`, which is then (k, 1); by default the
                 columns are the elements, from 0 on.
 
         Returns:
-            other values, NaN for none, shape (k, width); `values` itself where all is well.
+            the values, NaN for none, shape (k, width); `values` itself without degradations.
         """
         number, kept = number_of(device), state.degradation
         if not kept.present[number]:
@@ -152,46 +152,46 @@ class Degradations:
         to_s: FloatArray,
         limit: FloatArray | None = None,
     ) -> FloatArray:
-        """Gives what becomes of the ways of axes between two instants.
+        """Return the motions of axes between two times after degradation.
 
         Args:
-            state: remembers what is needed.
+            state: changed in place: the memory of past values.
             device: one of `MOTIONS`.
-            rows: which robots, none twice, k of them.
-            ways: the way of each axis, shape (k, 3).
-            from_s: the first instant of each robot, (k,).
-            to_s: the second one, (k,).
-            limit: the fastest that the axes of each robot can run, (robots, 3); None for no limit.
+            rows: the robots, each at most once, k of them.
+            ways: the motion of each axis, shape (k, 3).
+            from_s: the start of each robot's interval, (k,).
+            to_s: its end, (k,).
+            limit: maximum speed of the axes of each robot, (robots, 3); None for no limit.
 
         Returns:
-            other ways, shape (k, 3); `ways` itself where all is well.
+            the motions, shape (k, 3); `ways` itself without degradations.
         """
         if not state.degradation.present[number_of(device)]:
             return ways
         robots = np.arange(len(state.degradation.made))[rows]
         for_s = (to_s - from_s)[:, None]
         runs = np.flatnonzero(for_s[:, 0] > 0.0)
-        asked = ways[runs] / for_s[runs]
+        commanded = ways[runs] / for_s[runs]
         instants = (from_s[runs], to_s[runs])
-        speeds = self._speeds(state, device, robots[runs], asked.copy(), instants, writes=True)
+        speeds = self._speeds(state, device, robots[runs], commanded.copy(), instants, writes=True)
         if limit is not None:
             speeds = np.clip(speeds, -limit[robots[runs]], limit[robots[runs]])
         other = ways.copy()
-        # What nothing is wrong with stays as it was to the last bit.
-        other[runs] = np.where(speeds == asked, ways[runs], speeds * for_s[runs])
+        # Elements without a degradation stay the same to the last bit.
+        other[runs] = np.where(speeds == commanded, ways[runs], speeds * for_s[runs])
         return other
 
     def speeds(
         self, state: EnvState, device: str, rows: IndexArray, speeds: FloatArray, at_s: FloatArray
     ) -> FloatArray:
-        """Gives what becomes of the speeds of axes, of which nothing is remembered.
+        """Return the speeds of axes after degradation, without storing them.
 
         Args:
-            state: has what is remembered.
+            state: has the memory of past values.
             device: one of `MOTIONS`.
-            rows: which robots, none twice, k of them.
+            rows: the robots, each at most once, k of them.
             speeds: the speed of each axis, shape (k, 3).
-            at_s: when, for each robot, (k,).
+            at_s: the time of each robot, (k,).
         """
         if not state.degradation.present[number_of(device)]:
             return speeds
@@ -229,7 +229,7 @@ class Degradations:
         return speeds
 
     def _of_device(self, kept: DegradationState, number: int) -> list[_Layer]:
-        """Gives the layers of a device; makes them anew when the table has changed."""
+        """Return the layers of a device; rebuild them when the table has changed."""
         if kept.present is not self._of:
             self._of = kept.present
             self._layers = {}
@@ -268,7 +268,7 @@ class Degradations:
 
 
 def severity(row: Any, at_s: FloatArray) -> FloatArray:
-    """Gives how much of their effect degradations have at instants, 0 to 1, shape (m,)."""
+    """Return the severity of degradations at times, 0 to 1, shape (m,)."""
     since_s = at_s - row["onset_s"] + ROUNDING_S
     beyond_s = since_s - row["duration_s"]
     fades = row["recovery_s"] > 0.0
@@ -278,16 +278,16 @@ def severity(row: Any, at_s: FloatArray) -> FloatArray:
 
 
 def mean_severity(row: Any, from_s: FloatArray, to_s: FloatArray) -> FloatArray:
-    """Gives the mean of it between two instants, at the second one where they are the same."""
+    """Return the mean severity between two times, or that at the second if they are equal."""
     for_s = to_s - from_s
     total_s = _so_far_s(row, to_s) - _so_far_s(row, from_s)
     mean = np.divide(total_s, for_s, out=severity(row, to_s), where=for_s > ROUNDING_S)
-    # What rounding makes of 0 and 1 must not leave a trace of what is over.
+    # Rounding errors near 0 and 1 must not leave an effect of a degradation that is over.
     return np.asarray(np.where(mean < _FINEST, 0.0, np.where(mean > 1.0 - _FINEST, 1.0, mean)))
 
 
 def _so_far_s(row: Any, at_s: FloatArray) -> FloatArray:
-    """Gives the integral of the severity until instants."""
+    """Return the integral of the severity up to times."""
     since_s = np.maximum(at_s - row["onset_s"], 0.0)
     whole_s = np.minimum(since_s, row["duration_s"])
     fading_s = np.clip(since_s - row["duration_s"], 0.0, row["recovery_s"])

@@ -1,4 +1,4 @@
-"""Values on their way through degradations, and all that happens to them but delay."""
+"""The effects of degradations on values, except delay."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ _TURN: Final = 2 * np.pi
 
 @dataclass(slots=True)
 class Pass:
-    """Values on their way through one layer; m rows of w elements.
+    """One pass of values through one layer; m rows of w elements.
 
     Attributes:
-        kept: what all degradations remember.
+        kept: the memory of all degradations.
         row: the record of each, (m,).
         slot: the number of each element in the memory, (m, w).
-        touched: which elements are meant, (m, w).
+        touched: which elements are affected, (m, w).
         s: the severity, (m, 1).
-        at_s: the instant, (m, 1).
-        writes: whether anything is remembered.
+        at_s: the time, (m, 1).
+        writes: whether the memory is updated.
     """
 
     kept: DegradationState
@@ -41,7 +41,7 @@ class Pass:
     writes: bool
 
     def of(self, name: str) -> Any:
-        """Gives a column of the records, (m, 1)."""
+        """Return a column of the records, (m, 1)."""
         return self.row[name][:, None]
 
 
@@ -54,15 +54,15 @@ def pass_of(
     *,
     writes: bool = True,
 ) -> Pass:
-    """Sends values through one layer.
+    """Return the pass of values through one layer.
 
     Args:
-        kept: what all degradations remember.
+        kept: the memory of all degradations.
         row: the record of each, (m,).
         columns: the element of each value, (m, w).
         s: the severity, (m,).
-        at_s: the instant, (m,).
-        writes: whether anything is remembered.
+        at_s: the time, (m,).
+        writes: whether the memory is updated.
     """
     whole = (row["element"] == ALL_ELEMENTS)[:, None]
     touched = whole | (columns == row["element"][:, None])
@@ -71,7 +71,7 @@ def pass_of(
 
 
 def distorted(passing: Pass, values: FloatArray, normal: FloatArray) -> FloatArray:
-    """Gives values with gain, bias, noise and rounding; what is not finite stays."""
+    """Return values with gain, bias, noise and rounding; values that are not finite stay."""
     with np.errstate(invalid="ignore"):
         new = values * (1.0 + passing.s * (passing.of("gain") - 1.0))
         new += passing.s * passing.of("bias") + passing.s * passing.of("noise") * normal
@@ -84,7 +84,7 @@ def distorted(passing: Pass, values: FloatArray, normal: FloatArray) -> FloatArr
 
 
 def stuck_at(passing: Pass, values: FloatArray, before: BoolArray, number: int) -> FloatArray:
-    """Lets values be stuck; `before` tells which are from before the onset, (m, 1)."""
+    """Freeze stuck values; `before` marks the rows from before the onset, (m, 1)."""
     stuck = passing.of("stuck")
     if not stuck.any():
         return values
@@ -100,7 +100,7 @@ def stuck_at(passing: Pass, values: FloatArray, before: BoolArray, number: int) 
 
 
 def mix(s: FloatArray, values: FloatArray, others: FloatArray, number: int) -> FloatArray:
-    """Gives what lies between two values, of directions the shorter way around."""
+    """Return the interpolation of two values, for directions along the shorter arc."""
     if _is_circular(number):
         others = values + (others - values + np.pi) % _TURN - np.pi
     with np.errstate(invalid="ignore"):

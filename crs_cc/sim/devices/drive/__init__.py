@@ -3,26 +3,26 @@
 On a differential drive (Scout) axis 1 of a command is the right wheel, axis 2 the left one, axis 3
 is not used; on a synchro drive (Nomad 200) they are translation, steering and turret (vendor header
 `Nclient.h` 1.29, which calls the speeds STATE_VEL_TRANS and STATE_VEL_RIGHT, and so on). Units on
-the interface: 0.1 in or 0.1 deg, those by the second, and by the second squared. `hardware` turns
-commands into slices; here they are understood:
+the interface: 0.1 in or 0.1 deg, also per second and per second squared. `motion_profile` turns
+commands into slices; here they are interpreted:
 
-- speeds and accelerations beyond the limits of the robot definition are the limits; `ac` and `sp`
+- speeds and accelerations are clipped to the limits of the robot definition; `ac` and `sp`
   take the magnitude (the vendor's library sends it without sign), and at least 1 unit; both count
   for the commands that follow;
 - a command that comes while another runs replaces it, from the speed reached;
-- `conf_tm`: when no command came for so long, the axes brake to a standstill;
-- `ws` gives up after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
+- `conf_tm`: when no command arrives for this time, the axes brake to a standstill;
+- `ws` ends after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
   robot definition says;
 - `zr` sets the odometry of a differential drive to 0 at once. A synchro drive stops, turns steering
   and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
   waits, 120 s at most, and `conf_tm` is off.
 
-`traction` has what contacts do, `rolling` how wheels differ from what is believed of them.
+`traction` has the effect of contacts, `rolling` the errors of the wheels.
 
-Degradation has three places, each with the speeds of the axes: `drive` is what the motors make of
-what they are told, and the encoders see it; `wheels` is what that does on the floor, and they do
-not see it (a wheel that slips); `odometry` is what they count. A dead motor holds its wheel. The
-motor controller is told nothing: a move ends when it would have ended, wherever the wheels are.
+Degradation applies to the speeds of the axes at three places: `drive` is the motors' response to
+commands, which the encoders measure; `wheels` is its effect on the floor, which they do not measure
+(a wheel that slips); `odometry` is what they count. A dead motor holds its wheel. The motor
+controller does not notice: a move ends at its nominal time, wherever the wheels are.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ SPEED: Final = 5
 
 _AXES: Final = ("axis1", "axis2", "axis3")
 _BYTE: Final = 255  # timeouts are unsigned chars [s]
-_ZERO_TIMEOUT_S: Final = 120.0  # so long the vendor's client waits (`Ndirect.c` 2.7)
+_ZERO_TIMEOUT_S: Final = 120.0  # the vendor's client waits this long (`Ndirect.c` 2.7)
 _TURN: Final = 2 * math.pi
 
 
@@ -67,13 +67,13 @@ _TURN: Final = 2 * math.pi
 def advance(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
-    """Lets the axes turn on to an instant, and stop in between where the time for it is up.
+    """Advance the axes to a time, stopping those whose command timeout expires before.
 
     Args:
         state: changed in place.
         constants: the robots' constants.
         rows: which robots, k of them.
-        to_s: the instant of each, not before the last one, shape (k,).
+        to_s: the time of each, not before the last one, shape (k,).
     """
     late = state.drive.deadline_s[rows] < to_s
     if late.any():
@@ -87,21 +87,21 @@ def advance(
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:
-    """Lets the time without a command begin at the instant to which the axes have been turned."""
+    """Restart the command timeout at the time to which the axes have been turned."""
     state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
 
 
-def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    """Gives when the axes that robots wait for will stand, or the time is up.
+def rest_s(state: EnvState, rows: IndexArray) -> FloatArray:
+    """Return when the axes that robots wait for will be at rest, or the wait times out.
 
-    If the time without a command is up before, they stand earlier.
+    If the command timeout expires before, they stop earlier.
     """
     end_s = state.drive.axes.end_s(rows)
-    # A move that is held up is not done when it should be.
+    # A move that is held up is not complete at its nominal end.
     late = state.drive.hindered[rows, None] & (state.drive.axes.limit[rows] > 0.0)
     end_s = np.where(late, np.inf, end_s)
-    stands_s = np.where(state.waits.axes[rows], end_s, -np.inf).max(axis=1)
-    end_s = np.minimum(stands_s, state.waits.until_s[rows])
+    rest_s = np.where(state.waits.axes[rows], end_s, -np.inf).max(axis=1)
+    end_s = np.minimum(rest_s, state.waits.until_s[rows])
     return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
 
 
@@ -136,7 +136,7 @@ def _turn(
 
 
 def face(state: EnvState, constants: RobotConstants) -> None:
-    """Ends a cycle: robots face where their axes were turned to."""
+    """End a cycle: set the robots' headings to where their axes were turned."""
     state.heading_rad = state.drive.facing_rad % _TURN
     if constants.drives.synchro.any():
         state.base_rad = np.where(constants.drives.synchro, state.base_rad, state.heading_rad)
@@ -174,7 +174,7 @@ def vm(context: RequestContext) -> None:
 
 
 def mv(context: RequestContext) -> BoolArray:
-    """Command each axis in a mode of its own; refuse modes that the vendor's client refuses."""
+    """Command each axis in a mode of its own; refuse the modes that the vendor's client refuses."""
     state, constants = context.state, context.constants
     modes = context.columns("mode1", "mode2", "mode3")
     values = context.columns("value1", "value2", "value3")
@@ -201,18 +201,18 @@ def st(context: RequestContext) -> None:
 
 
 def lp(context: RequestContext) -> None:
-    """Make the axes go limp: the wheels roll out, what turns stops."""
+    """Make the axes limp: the wheels roll out, steering and turret stop."""
     go_limp(context.state, context.constants, context.rows)
 
 
 def go_limp(state: EnvState, constants: RobotConstants, rows: IndexArray) -> None:
-    """Make the axes of robots go limp, as `lp` does."""
+    """Make the axes of robots limp, as `lp` does."""
     _let_go(state, constants, rows)
     _note_command(state, rows, CODES["LP"])
 
 
 def ws(context: RequestContext) -> None:
-    """Begin to wait until the chosen axes stand still."""
+    """Start to wait until the selected axes are at rest."""
     state, rows = context.state, context.rows
     state.waits.axes[rows] = context.columns(*_AXES) != 0
     timeout_s = (context["timeout_s"] & _BYTE).astype(np.float64)
@@ -222,7 +222,7 @@ def ws(context: RequestContext) -> None:
 
 
 def zr(context: RequestContext) -> None:
-    """Begin to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
+    """Start to turn steering and turret to their zero marks, the shorter way; see `zeroed`.
 
     The marks are where wheels and turret point ahead of the base. A differential drive has none.
     """
@@ -249,7 +249,7 @@ def zr(context: RequestContext) -> None:
 
 
 def zeroed(context: RequestContext) -> None:
-    """Set the odometry of robots to 0; fail for those that did not get to their zero marks."""
+    """Set the odometry to 0; fail for robots that have not reached their zero marks."""
     state, rows = context.state, context.rows
     stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
     done = stands | ~context.constants.drives.synchro[rows]
@@ -259,7 +259,7 @@ def zeroed(context: RequestContext) -> None:
 
 
 def conf_tm(context: RequestContext) -> None:
-    """Set the time without a command after which the axes stop, 0 for never."""
+    """Set the command timeout, after which the axes stop, 0 for none."""
     timeout_s = (context["timeout_s"] & _BYTE).astype(np.float64)
     timeout_s = np.where(timeout_s > 0.0, timeout_s, np.inf)
     context.state.drive.timeout_s[context.rows] = timeout_s
@@ -324,12 +324,12 @@ def _stop(
 
 
 def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: FloatArray) -> None:
-    """Lets turrets go a way, whatever speed `sp` has set; the other axes go on.
+    """Turn turrets by an angle, independently of the speed set by `sp`; other axes go on.
 
     Args:
         state: changed in place.
         rows: robots that have a turret, k of them.
-        way_rad: the way, counter-clockwise.
+        way_rad: the angle, counter-clockwise.
         speed_radps: the speed of each, shape (k,).
     """
     turret = np.arange(AXES) == AXES - 1
@@ -343,7 +343,7 @@ def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: 
 def _take_up(
     state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool
 ) -> None:
-    """Lets motors take up limp wheels again, at the speed with which these roll."""
+    """Engage the motors of limp wheels again, at the speed at which these roll."""
     limp = state.drive.limp[rows] & which
     if limp.any():
         speed = state.drive.axes.speed

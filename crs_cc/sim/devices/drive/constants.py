@@ -25,7 +25,7 @@ from crs_cc.sim.model.axis import STILL
 from crs_cc.sim.model.robot import Drive, Odometry
 from crs_cc.sim.model.world import WorldModel
 
-_FINEST: Final = 1e-12  # what an encoder counts in that counts everything
+_FINEST: Final = 1e-12  # resolution of an ideal encoder
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,24 +33,24 @@ class Drives:
     """Constants of all drives; arrays have shape (robots,), or (robots, 3) for three axes.
 
     Attributes:
-        unit: size of the vendor's unit of each axis, 0.1 in [m] or 0.1 deg [rad]; 0 for an axis
-            that is not there, so that every command to it means 0.
-        speed_limit: the fastest that an axis can run; 1 for one that is not there.
-        ramp_limit: the fastest that its speed can change; 1 for one that is not there.
-        forward: way of the robot for each unit of each axis' way.
-        turn: by how much the wheels' direction turns for each unit of each axis' way [rad].
-        true_forward: the way that the robot truly goes for it, see `actuators.rolling`.
-        true_turn: the angle by which it truly turns.
-        count: the way of each axis for one count of its encoder.
+        unit: size of the vendor's unit of each axis, 0.1 in [m] or 0.1 deg [rad]; 0 for a
+            missing axis, so that every command to it means 0.
+        speed_limit: maximum speed of an axis; 1 for a missing one.
+        ramp_limit: maximum acceleration of an axis; 1 for a missing one.
+        forward: distance of the robot per unit of each axis' motion.
+        turn: turn of the wheels' direction per unit of each axis' motion [rad].
+        true_forward: the true distance per unit, with errors of the wheels, see `rolling`.
+        true_turn: the true turn per unit.
+        count: motion of each axis per count of its encoder.
         rolls: 1 for the axes whose wheels roll when the robot is moved along them, else 0.
         yields: whether the motors are weaker than the wheels' grip, so that they stall.
-        roll_out_mps2: how fast limp wheels lose their speed.
-        step_m: the highest step that the wheels take.
-        give_up_s: how long the motors stall before they stop.
-        waits_forever: whether `ws` with a timeout of 0 waits without end.
+        roll_out_mps2: deceleration of limp wheels.
+        step_m: maximum height of a step that the wheels can climb.
+        give_up_s: time that the motors stall before they stop.
+        waits_forever: whether `ws` with a timeout of 0 waits indefinitely.
         synchro: whether the robot has a synchro drive, whose base never turns.
         turret: whether it has a turret of its own.
-        turrets: whether any robot has.
+        turrets: whether any robot has one.
     """
 
     unit: FloatArray
@@ -73,7 +73,7 @@ class Drives:
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
-        """Gives the drives of a world's robots."""
+        """Return the drives of a world's robots."""
         drives = [robot.model.drive for robot in world.robots]
         errors = [robot.model.odometry for robot in world.robots]
         both = list(zip(drives, errors, strict=True))
@@ -100,8 +100,8 @@ class Drives:
 
 
 def weighted(ways: FloatArray, weights: FloatArray) -> FloatArray:
-    """Gives the sum of each row's numbers, each times its weight; both of shape (k, n)."""
-    # Column by column: fast, and to the same bits for one robot as for a thousand.
+    """Return the weighted sum of each row; both arguments of shape (k, n)."""
+    # Column by column: fast, and bitwise equal for one robot and a thousand.
     total = ways[:, 0] * weights[:, 0]
     for column in range(1, ways.shape[1]):
         total += ways[:, column] * weights[:, column]
@@ -129,7 +129,7 @@ def _turn(drive: Drive, wrong: Odometry) -> list[float]:
 
 
 def _wheels(wrong: Odometry) -> tuple[float, float]:
-    """Gives how much larger than believed the right and the left wheel are."""
+    """Return the factors by which the right and the left wheel are larger than nominal."""
     left = 2 / (wrong.diameters + 1)
     return wrong.scale * wrong.diameters * left, wrong.scale * left
 

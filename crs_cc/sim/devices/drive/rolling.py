@@ -1,4 +1,4 @@
-"""Rolling: how wheels differ from what odometry believes of them.
+"""Rolling: differences between the true motion of wheels and that assumed by odometry.
 
     true way  = sum of the axes' ways, each with its true weight (`drives`), + random way
     true turn = the same with the weights of turning                        + random turn
@@ -34,7 +34,7 @@ _TURN: Final = 2 * math.pi
 
 
 class RollingNoise:
-    """What is random in the ways of all robots of a world."""
+    """Random errors of the motion of all robots of a world."""
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         errors = [robot.model.odometry for robot in world.robots]
@@ -45,7 +45,7 @@ class RollingNoise:
         self._noise = Noise(seed, ROLLING, 2, len(world.robots) if len(self._robots) else 0)
 
     def add(self, state: EnvState, constants: RobotConstants) -> None:
-        """Adds a cycle's share to where the axes, turned to its end, took the robots."""
+        """Add a cycle's errors to the motion of robots whose axes were turned to its end."""
         robots = self._robots
         if not len(robots):
             return

@@ -1,24 +1,25 @@
-"""Traction: what contacts do to the wheels of a robot, and so to its encoders.
+"""Traction: the effect of contacts on a robot's wheels and so on its encoders.
 
 When something holds a robot up, or pushes it, along its wheels:
 
-- motors that are weaker than the wheels' grip stall or are overrun: the encoders count what the
-  wheels really roll. A relative move goes on until it is done; until then its motors are at work;
-- wheels whose grip is weaker than the motors slip: the encoders count as if nothing were there;
-- a robot that stands and is held (`st`) gives way to a push stronger than its grip, with wheels
+- motors that are weaker than the wheels' grip stall or are overrun: the encoders count the
+  true rolling of the wheels. A relative move continues, with its motors working, until it is
+  complete;
+- wheels whose grip is weaker than the motors slip: the encoders count as without a contact;
+- a robot that is at rest and held (`st`) yields to a push stronger than its grip, with wheels
   that do not turn;
 - limp wheels (`lp`) roll with any push stronger than their friction, and their encoders count.
 
-The force of the motors grows with how far the wheels lag behind, so at the end of a relative move,
-where little is left to go, it is less than what it takes to push a box, or to slide along a wall.
-So a move that has stalled for a while, as near to its goal as two units of the interface, is done.
+The force of the motors grows with the lag of the wheels, so at the end of a relative move, where
+the rest is small, it is less than what is needed to push a box, or to slide along a wall. So a move
+that has stalled for a while, within two units of the interface of its goal, is complete.
 
 Across the wheels everything slips. Motors that have stalled for the time `give-up` of the robot
 definition stop, as if the program had called `st`.
 
-What is left of the motion during a cycle is known at its end only; until then the encoders count
-as if it went on as in the cycle before. All of this was chosen by us: no source tells how the
-vendor's motor controller behaves when a robot is held up.
+The true motion in a cycle is known only at its end; until then the encoders count as if it
+continued as in the cycle before. All of this was chosen by us: no source describes how the vendor's
+motor controller behaves when a robot is held up.
 """
 
 from __future__ import annotations
@@ -40,20 +41,20 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_SAME_M: Final = 1e-9  # smaller differences of ways are rounding errors
-_STANDS_MPS: Final = 0.005  # slower wheels stand; ours
-_ARRIVED_S: Final = 0.5  # a move that stalls for so long,
-_ARRIVED_UNITS: Final = 2  # and so near to its goal, is done; ours
+_SAME_M: Final = 1e-9  # smaller differences of distances are rounding errors
+_STANDS_MPS: Final = 0.005  # slower wheels are at rest; chosen by us
+_ARRIVED_S: Final = 0.5  # a move that stalls for this time
+_ARRIVED_UNITS: Final = 2  # within this distance of its goal is complete; chosen by us
 
 
 def pull(state: EnvState, constants: RobotConstants) -> Pull:
-    """Gives what the drives do in a cycle to whose end all axes have been turned."""
+    """Return the drives' action in a cycle to whose end all axes have been turned."""
     facing_rad = (state.heading_rad + state.drive.facing_rad) / 2
     return Pull(state.drive.moved_m, facing_rad, is_limp(state, constants))
 
 
 def is_limp(state: EnvState, constants: RobotConstants) -> BoolArray:
-    """Tells which robots roll freely: all their wheels are limp, (robots,)."""
+    """Return which robots roll freely, with all wheels limp, (robots,)."""
     limp = state.drive.limp
     return np.asarray(limp[:, 0] & (limp[:, 1] | constants.drives.synchro))
 
@@ -65,17 +66,17 @@ def turned(
     way: FloatArray,
     for_s: FloatArray,
 ) -> FloatArray:
-    """Gives what the encoders of robots count while their motors turn the axes.
+    """Return the motion that encoders count while the motors turn the axes.
 
     Args:
         state: changed in place.
         constants: the robots' constants.
         rows: which robots, k of them.
-        way: how far the motors turn each axis, shape (k, 3).
-        for_s: how long that takes, shape (k,).
+        way: motion of each axis by the motors, shape (k, 3).
+        for_s: duration of it, shape (k,).
 
     Returns:
-        the way that counts, shape (k, 3).
+        the counted motion, shape (k, 3).
     """
     if not state.drive.hindered.any():
         return way
@@ -87,7 +88,7 @@ def turned(
 
 
 def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Gives the speeds of robots' axes as their encoders tell them, shape (k, 3)."""
+    """Return the speeds of robots' axes as measured by their encoders, shape (k, 3)."""
     now_s, driven = state.drive.clock_s[rows], take(state.drive.axes.speed, rows)
     driven = constants.degradations.speeds(state, "drive", rows, driven, now_s)
     if not state.drive.hindered.any():
@@ -97,28 +98,28 @@ def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Float
     return np.asarray(driven - lag_mps[:, None] * constants.drives.rolls[rows])
 
 
-def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
-    """Ends a cycle: takes what contacts have done to the robots into their axes and encoders.
+def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None:
+    """End a cycle: apply the effect of contacts on robots to their axes and encoders.
 
     Args:
         state: changed in place; its headings are still those of the cycle's start.
         constants: the robots' constants.
-        went_m: how far each robot really went, world frame, (robots, 2).
+        went_m: true displacement of each robot, world frame, (robots, 2).
     """
     off_m = went_m - state.drive.moved_m
     if np.abs(off_m).max(initial=0.0) <= _SAME_M and not state.drive.hindered.any():
         return
-    felt = (np.abs(off_m) > _SAME_M).any(axis=1)
+    held_up = (np.abs(off_m) > _SAME_M).any(axis=1)
     drives, limp = constants.drives, is_limp(state, constants)
-    felt &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
-    rows = np.flatnonzero(felt | state.drive.hindered)
+    held_up &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
+    rows = np.flatnonzero(held_up | state.drive.hindered)
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
     ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
     longer = np.ones(len(rows))
     if constants.inclines is not None:
         before_m = state.bodies.position_m[rows] - went_m[rows]
         longer = constants.inclines.longer(before_m, ahead)
-    short_m = np.where(felt[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
+    short_m = np.where(held_up[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
     counted = (state.drive.ahead_m[rows] - short_m)[:, None] * drives.rolls[rows]
     odometry.count_turns(state, constants, rows, counted)
     state.drive.slice[rows] += counted
@@ -126,9 +127,9 @@ def feel(state: EnvState, constants: RobotConstants, went_m: FloatArray) -> None
     now_s = state.drive.clock_s[rows]
     motion_profile.fall_short(state.drive.axes, rows, now_s, short_m[:, None] * drives.rolls[rows])
     forward_mps = weighted(state.bodies.velocity_mps[rows], ahead) * longer
-    state.drive.hindered[rows] = felt[rows]
-    state.drive.forward_mps[rows] = np.where(felt[rows], forward_mps, 0.0)
-    stalled = felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
+    state.drive.hindered[rows] = held_up[rows]
+    state.drive.forward_mps[rows] = np.where(held_up[rows], forward_mps, 0.0)
+    stalled = held_up[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
     _arrive(state, constants, rows[stalled])
     _give_up(state, constants, rows, stalled)
 
@@ -144,12 +145,12 @@ def _arrive(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Non
 
 
 def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
-    """Gives how long the ways are that robots went, along the ground [m], (robots,).
+    """Return the distances that robots moved along the ground [m], (robots,).
 
     Args:
         constants: the robots' constants.
-        before_m: where they were, (robots, 2).
-        went_m: where they went from there, (robots, 2).
+        before_m: their positions before, (robots, 2).
+        went_m: their displacements, (robots, 2).
     """
     way_m = np.hypot(went_m[:, 0], went_m[:, 1])
     if constants.inclines is None:
@@ -161,7 +162,7 @@ def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) 
 def _give_up(
     state: EnvState, constants: RobotConstants, rows: IndexArray, stalled: BoolArray
 ) -> None:
-    """Counts for how long motors have stalled, and stops those that have for too long."""
+    """Measure how long motors have stalled, and stop those that have for too long."""
     stalled_s = np.where(stalled, state.drive.stalled_s[rows] + constants.timestep_s, 0.0)
     tired = stalled_s >= constants.drives.give_up_s[rows] - _SAME_M
     state.drive.stalled_s[rows] = np.where(tired, 0.0, stalled_s)

@@ -27,9 +27,9 @@ class Gps:
     """A GPS receiver.
 
     Attributes:
-        rate_hz: how often it measures at most.
+        rate_hz: maximum rate of measurements.
         noise_m: standard deviation of the error along x and along y.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        period_s: period of its timer; 0 to measure on request.
     """
 
     rate_hz: float = rate("1Hz")

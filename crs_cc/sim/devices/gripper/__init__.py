@@ -1,17 +1,16 @@
-"""The gripper: two fingers that close on what is between them, and carry it.
+"""The gripper: two fingers that close on an object between them, and carry it.
 
-    distance of the fingers = distance when told + or - opening * time since / closing time
+    distance of the fingers = distance at the command + or - opening * time since / closing time
 
-`crs_gripper` returns at once; the fingers need their time. They are no bodies: they pass through
-everything. When, at the end of a cycle, they have got as near to each other as a thing between them
-is wide, they hold it: the nearest thing to the palm that can be pushed, is not too heavy, lies with
-all of its part between palm and tips within the opening, and is in nobody's hand. From then on it
-moves with the robot (`carrying`), and the distance of the fingers is its width. As soon as they are
-told to open, it lies at rest where it is.
+`crs_gripper` returns at once, while the fingers move. They are no bodies: they pass through
+everything. When, at the end of a cycle, their distance has reached the width of an object between
+them, they hold it: the nearest pushable object to the palm that is not too heavy, whose part
+between palm and tips is within the opening, and that is not in any hand. From then on it moves with
+the robot (`carrying`), and the distance of the fingers is its width. After the command to open, it
+is at rest where it is.
 
-A beam from finger to finger, half-way between palm and tips, tells whether anything is there. All
-of this was chosen by us, after the gripper of the Pioneer, whose fingers close in parallel and have
-such beams.
+A beam from finger to finger, half-way between palm and tips, detects objects. All of this was
+chosen by us, after the gripper of the Pioneer, whose fingers close in parallel and have such beams.
 """
 
 from __future__ import annotations
@@ -68,23 +67,23 @@ class Grippers:
         self.fans = [_beam(kind) for kind in kinds]
 
     def move(self, context: RequestContext) -> BoolArray:
-        """Answer GRIPPER: open or close; refuse robots that have none, and nonsense."""
+        """Answer GRIPPER: open or close; refuse robots without one, and invalid values."""
         mine, close = context.constants.gripper[context.rows], context["close"]
         good = (mine >= 0) & (close >= 0) & (close <= 1)
         which, at_s = mine[good], context.at_s[good]
         state, gripper = context.state, context.state.gripper
-        told = context.constants.degradations.alter(
+        commanded = context.constants.degradations.alter(
             state, "gripper", context.rows[good], close[good, None].astype(np.float64), at_s
         )[:, 0]
-        closing = told >= _CLOSE
-        new = (gripper.closing[which] != closing) & np.isfinite(told)
+        closing = commanded >= _CLOSE
+        new = (gripper.closing[which] != closing) & np.isfinite(commanded)
         which, at_s, closing = which[new], at_s[new], closing[new]
         gripper.from_m[which] = self._apart_m(state, which, at_s)
         gripper.since_s[which], gripper.closing[which] = at_s, closing
         return np.asarray(good)
 
     def get_gripper(self, context: RequestContext) -> BoolArray:
-        """Answer GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
+        """Answer GET_GRIPPER with the distance of the fingers, their beam and the weight."""
         mine = context.constants.gripper[context.rows]
         has = np.asarray(mine >= 0)
         which, rows = mine[has], context.rows[has]
@@ -98,7 +97,7 @@ class Grippers:
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> bool:
-        """Lets fingers take hold, let go, and lose things; tells whether any did."""
+        """Make grippers grasp, release and lose objects; return whether any did."""
         if not len(self._rows):
             return False
         held = state.bodies.holds.thing[self._rows, GRIPPER]
@@ -117,7 +116,7 @@ class Grippers:
         return bool(len(gone)) or taken
 
     def _apart_m(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
-        """Gives the distance between the fingers of grippers."""
+        """Return the distance between the fingers of grippers."""
         gripper = state.gripper
         way_m = (at_s - gripper.since_s[which]) * self._speed_mps[which]
         closing = gripper.closing[which]
@@ -143,7 +142,7 @@ class Grippers:
         apart_m: FloatArray,
         end_s: float,
     ) -> bool:
-        """Lets fingers that close take hold of what they have reached."""
+        """Grasp the objects that closing fingers have reached."""
         if not len(closing):
             return False
         bodies, scene, robots = state.bodies, constants.scene, len(state.heading_rad)
@@ -178,7 +177,7 @@ class Grippers:
         torn: BoolArray,
         end_s: float,
     ) -> None:
-        """Takes things out of fingers; they rest where they are."""
+        """Release objects from grippers; they rest where they are."""
         rows, bodies = self._rows[gone], state.bodies
         things = bodies.holds.thing[rows, GRIPPER].astype(np.intp)
         bodies.holds.drop(rows, GRIPPER)
@@ -194,7 +193,7 @@ class Grippers:
 
 
 def _weight_kg(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Gives what the grippers of robots bear; what several hold weighs on each the same."""
+    """Return the weights in the grippers; several that hold one object share it equally."""
     holds, pushables = state.bodies.holds, constants.scene.pushables
     held = holds.thing[rows, GRIPPER]
     together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]

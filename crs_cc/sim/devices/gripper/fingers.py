@@ -1,8 +1,8 @@
-"""What lies between the fingers of grippers, and how wide it is there.
+"""The objects between the fingers of grippers, and their widths there.
 
-Fingers are a strip of the floor, from the palm to their tips. The part of a thing that lies in the
-strip is bounded by its sides, clipped to the strip, and, for what is round, by a piece of a circle:
-so the lowest and the highest y of these are the thing's width between the fingers.
+The fingers span a strip of the floor, from the palm to their tips. The part of an object in the
+strip is bounded by its sides, clipped to the strip, and, if it is round, by an arc: so the lowest
+and the highest y of these bound the object's width between the fingers.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from crs_cc.sim.geometry.frames import relative
 from crs_cc.sim.geometry.scene import Outlines
 
 _Parts: TypeAlias = tuple[IndexArray, IndexArray, FloatArray, FloatArray, FloatArray]
-"""Gripper, thing, lowest and highest y, lowest x [m] of parts of outlines."""
+"""Gripper, object, lowest and highest y, lowest x [m] of parts of outlines."""
 
 
 @dataclass(frozen=True, slots=True)
 class Between:
-    """Things between fingers, one row for each gripper and thing, by rising gripper and thing.
+    """Objects between fingers, a row for each gripper and object, in ascending order of both.
 
     Attributes:
         gripper: the gripper.
-        thing: the thing, as in `Scene.names`.
-        right_m: how far to the left of the gripper's axis its right side is; mostly negative.
-        left_m: the same of its left side.
-        near_m: how far ahead of the mount's middle its nearest point between the fingers is.
+        thing: the object, as in `Scene.names`.
+        right_m: y of its right side in the gripper's frame; mostly negative.
+        left_m: y of its left side.
+        near_m: x of its nearest point between the fingers, from the mount's centre.
     """
 
     gripper: IndexArray
@@ -41,18 +41,18 @@ class Between:
 
     @property
     def width_m(self) -> FloatArray:
-        """How wide the things are between the fingers."""
+        """Return the objects' widths between the fingers."""
         return self.left_m - self.right_m
 
 
 def between(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatArray) -> Between:
-    """Gives what can be pushed and lies between the fingers of grippers, however wide it is.
+    """Return the pushable objects between the fingers of grippers, of any width.
 
     Args:
         moving: the outlines of the bodies.
-        robots: how many robots there are; they are not looked at.
+        robots: number of robots, which are ignored.
         mounts: x, y [m] and direction [rad] of the grippers' mounts, (k, 3).
-        strip_m: where palm and tips are, ahead of the mount's middle, (k, 2).
+        strip_m: x of palm and tips, from the mount's centre, (k, 2).
     """
     rows = [_sides(moving, mounts, strip_m), _circles(moving, robots, mounts, strip_m)]
     gripper, thing, right_m, left_m, near_m = map(np.concatenate, zip(*rows, strict=True))
@@ -66,7 +66,7 @@ def between(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatArr
 
 
 def _sides(moving: Outlines, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
-    """Gives the parts of sides in the strips."""
+    """Return the parts of sides in the strips."""
     sides = moving.segments
     middle_m = (sides[:, 0:2] + sides[:, 2:4]) / 2
     reach_m = float(strip_m[:, 1].max(initial=0.0) + sides[:, 4].max(initial=0.0) / 2)
@@ -76,7 +76,7 @@ def _sides(moving: Outlines, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
     with np.errstate(divide="ignore", invalid="ignore"):
         cuts = (strip_m[gripper] - start[:, [0]]) / along_m[:, None]
     low, high = cuts.min(axis=1), cuts.max(axis=1)
-    across = along_m == 0.0  # it lies across the strip: all of it is inside, or nothing
+    across = along_m == 0.0  # parallel to the y axis: inside as a whole, or not at all
     inside = (start[:, 0] >= strip_m[gripper, 0]) & (start[:, 0] <= strip_m[gripper, 1])
     low = np.where(across, np.where(inside, 0.0, 2.0), np.maximum(low, 0.0))
     high = np.where(across, 1.0, np.minimum(high, 1.0))
@@ -89,7 +89,7 @@ def _sides(moving: Outlines, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
 
 
 def _circles(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatArray) -> _Parts:
-    """Gives the same for what is round."""
+    """Return the parts of round objects in the strips."""
     round_ones = np.flatnonzero(moving.owners >= robots)
     circles = moving.circles[round_ones]
     reach_m = float(strip_m[:, 1].max(initial=0.0) + circles[:, 2].max(initial=0.0))
@@ -113,6 +113,6 @@ def _pairs(
 
 
 def _seen(points_m: FloatArray, mounts: FloatArray) -> FloatArray:
-    """Gives points in the frames of mounts, (k, 2)."""
+    """Return points in the frames of mounts, (k, 2)."""
     poses = np.column_stack([points_m, np.zeros(len(points_m))])
     return relative(mounts, poses)[:, :2]

@@ -37,13 +37,13 @@ def read(
     rows: IndexArray,
     at_s: FloatArray,
 ) -> None:
-    """Lets heat sensors measure.
+    """Measure with heat sensors.
 
     Args:
         state: changed in place.
         constants: the robots' constants.
-        rows: robots that have such a sensor, k of them.
-        at_s: when, for each, shape (k,).
+        rows: robots with such a sensor, k of them.
+        at_s: the time of each, shape (k,).
     """
     sensed = _heat(state, constants, rows)[:, None]
     sensed = constants.degradations.alter(state, "heat", rows, sensed, at_s)
@@ -64,7 +64,7 @@ def get_heat(context: RequestContext) -> BoolArray:
 
 
 def _heat(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Gives how much heat there is around robots, (k,)."""
+    """Return the heat around robots, (k,)."""
     robot, thing, distance_m = hot_things(state, constants, rows, constants.heat_range_m[rows])
     share = np.clip(1.0 - distance_m / constants.shapes.spread_m[thing], 0.0, 1.0)
     heat = np.bincount(robot, share * state.heat.left[thing], minlength=len(rows))
@@ -74,17 +74,17 @@ def _heat(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Float
 def hot_things(
     state: EnvState, constants: RobotConstants, rows: IndexArray, range_m: FloatArray
 ) -> tuple[IndexArray, IndexArray, FloatArray]:
-    """Gives pairs of a robot and a hot thing, other than itself, in its range.
+    """Return pairs of a robot and a hot object, other than itself, in its range.
 
     Args:
         state: the state.
-        constants: the robots' and the things' constants.
+        constants: the robots' and the objects' constants.
         rows: robots, k of them.
-        range_m: how far each looks, (k,).
+        range_m: maximum range of each, (k,).
 
     Returns:
-        the robot of each pair, as an index into `rows`, the thing, as in `Scene.names`, and how far
-        apart they are.
+        the robot of each pair, as an index into `rows`, the object, as in `Scene.names`, and
+            their distance.
     """
     hot = np.flatnonzero(state.heat.left > 0.0)
     if not len(hot):

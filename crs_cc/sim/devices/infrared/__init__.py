@@ -53,11 +53,11 @@ _TENTHS: Final = 10
 
 
 class InfraredRing:
-    """The infrared sensors of all robots that have some.
+    """The infrared rings of all robots that have one.
 
     Attributes:
         fans: the beams of each kind of ring.
-        interval_s: the least time between two measurements of each.
+        interval_s: minimum time between two measurements of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -84,12 +84,12 @@ class InfraredRing:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Lets the rings of robots measure, those whose time has come.
+        """Measure with the rings that may measure again.
 
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
+            rays: casts rays.
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
@@ -113,7 +113,7 @@ class InfraredRing:
         ring.measured.note(mine, at_s[due], configuration(state, constants, rows))
 
     def get_ir(self, context: RequestContext) -> BoolArray:
-        """Answer GET_IR: measure, for `State`; refuse robots that have no infrared sensors."""
+        """Answer GET_IR: measure, for `State`; refuse robots without infrared sensors."""
         has = np.asarray(context.constants.infrared[context.rows] >= 0)
         read_on_request(context, self.read, timers.INFRARED, has)
         return has
@@ -126,13 +126,13 @@ class InfraredRing:
         rows: IndexArray,
         poses: FloatArray,
     ) -> Int32Array:
-        """Gives what robots' rings would tell without any error if their mounts were elsewhere.
+        """Return the rings' readings without errors if their mounts were at other poses.
 
         Args:
-            state: tells where all things are.
+            state: has the poses of all objects.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: robots that have such a ring, k of them.
+            rays: casts rays.
+            rows: robots with such a ring, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
         Returns:
@@ -149,11 +149,11 @@ class InfraredRing:
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[FloatArray, FloatArray]:
-        """Gives what the sensors see from somewhere.
+        """Return the distances that the sensors see from poses.
 
         Returns:
-            how far away the things are, and which distance of such a surface makes 1 of a reading,
-            both of shape (k, 16).
+            the distances, and the distance of such a surface that changes the reading by 1, both
+            of shape (k, 16).
         """
         mine = constants.infrared[rows]
         distance_m = np.empty((len(rows), MAX_INFRARED))
@@ -172,19 +172,19 @@ class InfraredRing:
 
 
 def _steps(distance_m: FloatArray, step_m: FloatArray) -> FloatArray:
-    """Gives readings; black things are as far away as none, but where the sensor touches them."""
+    """Return readings; a black object reads as nothing, unless the sensor touches it."""
     none = np.where(distance_m > 0.0, np.inf, 0.0)
     return np.divide(distance_m, step_m, out=none, where=step_m > 0.0)
 
 
 def _brightest(world: WorldModel) -> float:
-    """Gives the largest share of light that any surface of a world is said to reflect."""
+    """Return the largest reflectance of any surface of a world."""
     things = (*world.solids(), *world.robots)
     return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
 
 
 def conf_ir(context: RequestContext) -> BoolArray:
-    """Set the share that stays and the sensors that measure; refuse sensors that cannot be."""
+    """Set the share of the previous level and the active sensors; refuse unknown sensors."""
     rows, ring = context.rows, context.state.infrared
     order, given, good = orders(context["count"], context["order"], MAX_INFRARED)
     mine = context.constants.infrared[rows]
@@ -200,7 +200,7 @@ def conf_ir(context: RequestContext) -> BoolArray:
 
 
 def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
-    """Gives beams that start on the shell and reach as far as a reading below the largest."""
+    """Return beams that start on the shell and reach as far as a reading below the largest."""
     range_m = FARTHEST * ring.step_m * math.sqrt(max(ring.reflectance, brightest))
     directions = [number * _TURN / MAX_INFRARED for number in range(MAX_INFRARED)]
     beams = (

@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 
 POINTS: Final = 2
 SEGMENTS: Final = 4
-"""Numbers of a reading."""
+"""Numbers per reading."""
 
 _ON: Final = 1
 _POINT_MODES: Final = (19, 51)
@@ -67,7 +67,7 @@ class Lasers:
 
     Attributes:
         fans: the beams of each kind of laser, with all its points.
-        interval_s: the least time between two looks of each.
+        interval_s: minimum time between two scans of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -89,14 +89,14 @@ class Lasers:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Lets lasers look that are on and whose time has come.
+        """Scan with the lasers that are on and may scan again.
 
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: which robots, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
+            rays: casts rays.
+            rows: the robots, k of them, whose axes were turned to `at_s`.
+            at_s: the time of each, shape (k,).
         """
         laser = state.laser
         mine = constants.laser[rows]
@@ -120,19 +120,19 @@ class Lasers:
         *,
         at_s: FloatArray | None = None,
     ) -> tuple[Int32Array, Int32Array, Int32Array]:
-        """Gives the points that the lasers of robots see from somewhere.
+        """Return the points that the lasers of robots see from poses.
 
         Args:
-            state: tells what the programs have set.
+            state: has what the programs have set.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: robots that have a laser, k of them.
+            rays: casts rays.
+            rows: robots with a laser, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
-            at_s: when, for each, shape (k,); None for what they would see without any error.
+            at_s: the time of each, shape (k,); None for a scan without errors.
 
         Returns:
-            how many points each sees, shape (k,); their x and y [0.1 in], shape (k, 964); and how
-            far away they are in each direction [0.1 in], -1 for none, shape (k, 482).
+            the number of points of each, shape (k,); their x and y [0.1 in], shape (k, 964); and
+            the range in each direction [0.1 in], -1 for none, shape (k, 482).
         """
         mine = constants.laser[rows]
         counts = np.zeros(len(rows), dtype=np.int32)
@@ -159,18 +159,18 @@ class Lasers:
         return counts, numbers, ranges
 
     def get_laser(self, context: RequestContext) -> BoolArray:
-        """Answer GET_LS and GET_SG: scan, for the pages; refuse robots that have no laser.
+        """Answer GET_LS and GET_SG: scan, for the pages; refuse robots without a laser.
 
-        The reply says how many readings there are, see `SensorBoard`.
+        The reply has the number of readings, see `SensorBoard`.
         """
         has = np.asarray(context.constants.laser[context.rows] >= 0)
         read_on_request(context, self.read, timers.LASER, has)
         return has
 
     def get_ranges(self, context: RequestContext) -> BoolArray:
-        """Answer LASER with how many ranges there are, which are kept for READINGS.
+        """Answer LASER with the number of ranges, which are kept for READINGS.
 
-        Refuse lasers that are off, or not there.
+        Refuse lasers that are off or missing.
         """
         laser = context.state.laser
         mine = context.constants.laser[context.rows]
@@ -203,12 +203,12 @@ class Lasers:
 
 
 def is_on(mode: npt.NDArray[np.integer]) -> BoolArray:
-    """Tells which modes are those of a laser that is on."""
+    """Return which modes are those of a laser that is on."""
     return np.asarray(mode & _ON != 0)
 
 
 def widths(mode: npt.NDArray[np.integer]) -> Int32Array:
-    """Gives the numbers of each reading that states tell in a mode."""
+    """Return the number of values per reading that replies report in a mode."""
     return np.where(np.isin(mode, _SEGMENT_MODES), SEGMENTS, POINTS).astype(np.int32)
 
 
@@ -216,14 +216,14 @@ def keep(
     state: EnvState, told: PagedReply, mine: IndexArray, width: Int32Array,
     seen: tuple[Int32Array, Int32Array],
 ) -> None:  # fmt: skip
-    """Keeps readings for the pages that the client will ask for.
+    """Store readings for the pages that the client will request.
 
     Args:
-        state: tells how segments are made.
-        told: where to keep them, changed in place.
+        state: has the parameters of segments.
+        told: their storage, changed in place.
         mine: which lasers, k of them.
-        width: what they tell, `POINTS` or `SEGMENTS`, shape (k,).
-        seen: what they have seen, as `look` gives it.
+        width: what they report, `POINTS` or `SEGMENTS`, shape (k,).
+        seen: the scan, as returned by `look`.
     """
     counts, numbers = seen
     told.width[mine], told.count[mine], told.numbers[mine] = width, counts, numbers
@@ -238,7 +238,7 @@ def keep(
 
 
 def page(context: RequestContext) -> BoolArray:
-    """Answer LASER_PAGE with readings that the last reply, or that of PREDICT, announced."""
+    """Answer LASER_PAGE with readings announced by the last reply, or that of PREDICT."""
     laser, mine = context.state.laser, context.constants.laser[context.rows]
     good = np.asarray(mine >= 0)
     first, predicted = context["first"].tolist(), context["predicted"].tolist()
@@ -250,7 +250,7 @@ def page(context: RequestContext) -> BoolArray:
 
 
 def conf_ls(context: RequestContext) -> BoolArray:
-    """Set the mode and how many points are looked for; refuse modes that report pixels."""
+    """Set the mode and the number of points; refuse modes that report pixels."""
     mode, mine = context["mode"], context.constants.laser[context.rows]
     known = ~is_on(mode) | np.isin(mode, _POINT_MODES + _SEGMENT_MODES)
     good: BoolArray = (mine >= 0) & known
@@ -260,12 +260,12 @@ def conf_ls(context: RequestContext) -> BoolArray:
     laser.mode[mine] = mode[good]
     laser.wanted[mine] = np.where(points == 0, most, np.minimum(points, most))
     laser.averaged[mine] = np.clip(context["averaged"][good].view(np.uint32), 1, NUM_LASER)
-    laser.measured.at_s[mine] = -np.inf  # what it is to see next is something else
+    laser.measured.at_s[mine] = -np.inf  # the next scan has other directions
     return good
 
 
 def conf_sg(context: RequestContext) -> BoolArray:
-    """Set how points become segments."""
+    """Set the parameters by which points become segments."""
     mine = context.constants.laser[context.rows]
     good = np.asarray(mine >= 0)
     wanted = context.columns("threshold", "min_points", "gap")[good].view(np.uint32)
@@ -274,6 +274,6 @@ def conf_sg(context: RequestContext) -> BoolArray:
 
 
 def _directions(laser: Laser, points: int) -> FloatArray:
-    """Gives where points are looked for, from the right to the left [rad]."""
+    """Return the directions of the points, from right to left [rad]."""
     places = np.arange(points) - (points - 1) / 2
     return np.asarray(places * (laser.field_of_view_rad / points))

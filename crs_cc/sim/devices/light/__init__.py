@@ -38,10 +38,10 @@ _TURN: Final = 2 * math.pi
 
 
 class LightRings:
-    """The light sensors of all robots that have some.
+    """The light sensors of all robots that have any.
 
     Attributes:
-        fans: the beam by which they look for lights.
+        fans: the beams that test for obstructions.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -68,14 +68,14 @@ class LightRings:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Lets rings measure.
+        """Measure with rings.
 
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: robots that have a ring, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
+            rays: casts rays.
+            rows: robots with a ring, k of them, whose axes were turned to `at_s`.
+            at_s: the time of each, shape (k,).
         """
         if not len(rows):
             return
@@ -89,7 +89,7 @@ class LightRings:
         ring.count[mine] += 1
 
     def get_light(self, context: RequestContext) -> BoolArray:
-        """Answer GET_LIGHT: how many sensors there are, and their readings as data."""
+        """Answer GET_LIGHT with the number of sensors, and their readings as data."""
         mine = context.constants.light[context.rows]
         has = np.asarray(mine >= 0)
         read_on_request(context, self.read, LIGHT, has)
@@ -101,7 +101,7 @@ class LightRings:
     def _light(
         self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> FloatArray:
-        """Gives how much light all sensors get that there can be, (k, 32)."""
+        """Return the light on each possible sensor of the rings, (k, 32)."""
         robots = len(state.heading_rad)
         lights = self._lights.with_robots(
             state.bodies.position_m[:robots], state.beacons.brightness

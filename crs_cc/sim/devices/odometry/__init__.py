@@ -1,18 +1,19 @@
-"""Odometry: where a robot believes to be, from the turns of its wheels.
+"""Odometry: the pose of a robot as computed from the motion of its wheels.
 
-A differential drive, with the ways of its right and left wheel:
+A differential drive, with the motion of its right and left wheel:
 
     turn = (right - left) / wheel base
     way  = (right + left) / 2
 
-A synchro drive tells way and turn by its axes 1 and 2. While the speeds of the axes keep, the robot
-runs along an arc; its chord is way * sinc(turn / 2), at half the turn from the old heading (exact:
-J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, gives the same with the
-chord taken for the arc). `actuators.traction` has what counts when a robot is held up.
+A synchro drive measures way and turn by its axes 1 and 2. While the speeds of the axes are
+constant, the robot drives along an arc; its chord is way * sinc(turn / 2), at half the turn from
+the old heading (exact: J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, has
+the same with the arc in place of the chord). `drive.traction` specifies what is counted when a
+robot is held up.
 
-Encoders count in steps: the way of an axis is told as a whole number of them. Units on the
-interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry takes the wheels for what
-they should be; `actuators.rolling` has what they are.
+Encoders count in steps: the motion of an axis is reported as a whole number of them. Units on the
+interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry assumes nominal wheels;
+`drive.rolling` has their errors.
 
 >>> quarter = np.array([math.pi / 2]), np.array([math.pi / 2])    # along a circle of radius 1
 >>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), *quarter)]
@@ -45,12 +46,12 @@ _FULL_TURN: Final = 3600  # [0.1 deg]
 def arc(
     heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Gives the change of a place along an arc.
+    """Return the displacement along an arc.
 
     Args:
         heading_rad: the heading before, shape (k,).
         way_m: length of the arc, shape (k,).
-        turn_rad: by how much the heading turns on it, shape (k,).
+        turn_rad: change of the heading on it, shape (k,).
 
     Returns:
         change of x and of y [m].
@@ -64,7 +65,7 @@ def arc(
 def count_turns(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> None:
-    """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
+    """Add the axes' motion since the last call to the odometry, in encoder counts."""
     way = _counted(state, constants, rows, way)
     heading_rad = state.odometry.heading_rad[rows]
     turn_rad = weighted(way, take(constants.drives.turn, rows))
@@ -82,11 +83,11 @@ def count_turns(
 def _counted(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> FloatArray:
-    """Gives the ways in whole counts; what is left over counts later."""
+    """Return the motion in whole counts; the remainder counts later."""
     shaft, count = take(state.odometry.shaft, rows) + way, take(constants.drives.count, rows)
-    told = np.rint(shaft / count) * count
-    whole = told - take(state.odometry.told, rows)
-    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, told
+    reported = np.rint(shaft / count) * count
+    whole = reported - take(state.odometry.told, rows)
+    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, reported
     return np.asarray(whole)
 
 
@@ -107,7 +108,7 @@ def da(context: RequestContext) -> None:
 
 
 def zero(state: EnvState, rows: IndexArray) -> None:
-    """Sets everything to 0."""
+    """Set everything to 0."""
     state.odometry.x_m[rows] = 0.0
     state.odometry.y_m[rows] = 0.0
     state.odometry.heading_rad[rows] = 0.0

@@ -4,10 +4,10 @@
               the reading
 
 in the units of `State` and in ms of the sensor board (vendor header `Nclient.h` 1.29); both times
-are the same here. A program asks with the bits of `Smask[0]` for kinds of sensors; replies that
-carry their readings carry these then: of sonars when each sent the ping that it heard, of bumpers
-the last hit, of the others when they measured last. What a robot does not have, and what has not
-been read yet, is 0. A copy of what the last reply told is kept, as the client gets it in pages.
+are equal here. A program requests them by the bits of `Smask[0]` for kinds of sensors; replies with
+readings of these then contain them: for sonars at the ping of each reading, for bumpers at the last
+hit, for the others at the last measurement. Entries of missing devices, and of those without a
+reading yet, are 0. A copy of the last reply is kept, as the client requests it in pages.
 
 No degradation.
 """
@@ -37,14 +37,14 @@ _PAGE: Final = 6
 def keep(
     state: EnvState, constants: RobotConstants, clock: BoardClock, rows: IndexArray, kinds: int
 ) -> None:
-    """Keep what a reply carries, for the pages.
+    """Store what a reply carries, for the pages.
 
     Args:
         state: changed in place.
         constants: the robots' constants.
         clock: the sensor boards' clocks.
-        rows: which robots, k of them.
-        kinds: whose readings the reply carries, the vendor's bits.
+        rows: the robots, k of them.
+        kinds: the kinds of sensors whose readings the reply carries, as the vendor's bits.
     """
     wanted = state.mask[rows, POS_DATA] & kinds
     if not wanted.any():
@@ -73,7 +73,7 @@ def page(context: RequestContext) -> None:
 def _read(
     state: EnvState, constants: RobotConstants, robots: IndexArray, kind: int
 ) -> tuple[FloatArray, Int32Array]:
-    """Gives when sensors were read, (k, s), below 0 for never, and from where, (k, s, 7)."""
+    """Return the times of sensors' readings, (k, s), below 0 for never, and poses, (k, s, 7)."""
     if kind == SONAR:
         return state.sonar.fired_s[robots], state.sonar.fired_from[robots]
     if kind == BUMPER:
@@ -86,7 +86,7 @@ def _read(
 
 
 def _last(moments: LastMeasurement, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
-    """Gives the last measurement of each robot; its number is -1 where the sensor is missing."""
+    """Return the last measurement of each robot, number -1 where the sensor is missing."""
     at_s = np.full((len(numbers), 1), -1.0)
     configuration = np.zeros((len(numbers), 1, moments.configuration.shape[1]), dtype=np.int32)
     has = numbers >= 0
@@ -106,8 +106,8 @@ def _copy(
     once = at_s >= 0.0
     since_s = np.where(once, at_s - state.presence.joined_s[robots, None], 0.0)
     ms = clock.ms(robots[:, None], since_s).astype(np.uint32).view(np.int32)
-    told = np.zeros((*at_s.shape, NUMBERS), dtype=np.int32)
-    told[..., : NUMBERS - 2] = configuration
-    told[..., NUMBERS - 2 :] = ms[..., None]
-    told[~once] = 0
-    state.pos_data.told[state.pos_data.row[robots], places] = told
+    reported = np.zeros((*at_s.shape, NUMBERS), dtype=np.int32)
+    reported[..., : NUMBERS - 2] = configuration
+    reported[..., NUMBERS - 2 :] = ms[..., None]
+    reported[~once] = 0
+    state.pos_data.told[state.pos_data.row[robots], places] = reported

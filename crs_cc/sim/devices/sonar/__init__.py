@@ -56,12 +56,12 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_ROBOTS_AT_ONCE: Final = 64  # whose sonars are all looked at: pings and what is near them
+_ROBOTS_AT_ONCE: Final = 64  # robots per batch when all sonars are computed, which bounds memory
 _RATES: Final = 256  # the rate is an unsigned char
 
 
 class SonarRing:
-    """The sonars of all robots of a world: constants, and random numbers that can be made again.
+    """The sonars of all robots of a world: constants and reproducible random numbers.
 
     Attributes:
         fans: the beams of each kind of robot.
@@ -82,9 +82,9 @@ class SonarRing:
         rows: IndexArray,
         now_s: float,
     ) -> None:
-        """Lets all sonars in the orders have fired just before robots begin to run."""
+        """Fire all sonars in the orders just before robots start."""
         sonar = state.sonar
-        heard_m = self.hear_now(state, constants, rays, rows, np.full(len(rows), now_s))
+        heard_m = self.ranges_now_m(state, constants, rays, rows, np.full(len(rows), now_s))
         row, turn = np.nonzero(np.arange(MAX_SONARS) < sonar.length[rows, None])
         robot = rows[row]
         number = sonar.order[robot, turn]
@@ -101,14 +101,14 @@ class SonarRing:
         rows: IndexArray,
         to_s: FloatArray,
     ) -> None:
-        """Lets the sonars of robots fire and hear until an instant.
+        """Fire and read the sonars of robots up to a time.
 
         Args:
             state: changed in place; wheels are turned on to the last firing.
             constants: the robots' constants.
-            rays: what there is to hear.
-            rows: which robots, k of them.
-            to_s: the instant of each, shape (k,).
+            rays: casts rays.
+            rows: the robots, k of them.
+            to_s: the time of each, shape (k,).
         """
         while True:
             due = state.sonar.next_s[rows] <= to_s
@@ -121,7 +121,7 @@ class SonarRing:
             self._fire(state, constants, rays, firing, at_s)
         state.sonar.hear(rows, to_s)
 
-    def hear_now(
+    def ranges_now_m(
         self,
         state: EnvState,
         constants: RobotConstants,
@@ -129,25 +129,25 @@ class SonarRing:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> FloatArray:
-        """Gives what all sonars of robots would tell if they fired at `at_s` [m], (k, 16)."""
+        """Return the ranges that all sonars would report if they fired at `at_s` [m], (k, 16)."""
         distance_m = self._around(state, rays, rows, *self._stands(state, constants, rows))
-        told_m = np.empty_like(distance_m)
+        reported_m = np.empty_like(distance_m)
         for number in range(MAX_SONARS):
             deviates = self._errors.draw(rows, state.sonar.count[rows])
-            told_m[:, number] = self._told_m(
+            reported_m[:, number] = self._reported_m(
                 state, constants, (rows, number, at_s), distance_m[:, number], deviates
             )
             state.sonar.count[rows] += 1
-        return told_m
+        return reported_m
 
     def get_ranges(self, context: RequestContext) -> BoolArray:
-        """Answer SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuse robots without."""
+        """Answer SONAR and SONAR_RANGES in 0.1 in, -1 for no echo; refuse robots without sonars."""
         state, constants, rows = context.state, context.constants, context.rows
         echo_m = state.sonar.echo_m[rows]
         has = np.asarray(constants.sonars[rows].any(axis=1))
         now = has & (context["fire"] != 0)
         if now.any():
-            echo_m[now] = self.hear_now(
+            echo_m[now] = self.ranges_now_m(
                 state, constants, context.rays, rows[now], context.at_s[now]
             )
         heard = np.isfinite(echo_m)
@@ -156,14 +156,14 @@ class SonarRing:
         return has
 
     def get_sn(self, context: RequestContext) -> BoolArray:
-        """Answer GET_SN with what sonars heard last, in `State`; refuse robots without.
+        """Answer GET_SN with the last readings, in `State`; refuse robots without sonars.
 
-        Sonars fire by themselves: they have heard all until the request's instant.
+        Sonars fire by themselves: the readings are up to date at the time of the request.
         """
         return np.asarray(context.constants.sonars[context.rows].any(axis=1))
 
     def conf_sn(self, context: RequestContext) -> BoolArray:
-        """Set which sonars fire and how often; refuse an order with a sonar that is not there.
+        """Set the firing order and rate; refuse an order with a missing sonar.
 
         The first one in the order fires at once.
         """
@@ -185,12 +185,12 @@ class SonarRing:
     def look(
         self, state: EnvState, rays: RayCaster, rows: IndexArray, poses: FloatArray
     ) -> Int32Array:
-        """Gives what robots' sonars would tell without any error if the robots stood elsewhere.
+        """Return the readings of sonars without errors if the robots were at other poses.
 
         Args:
-            state: tells where all things are.
-            rays: what there is to hear.
-            rows: which robots, k of them.
+            state: has the poses of all objects.
+            rays: casts rays.
+            rows: the robots, k of them.
             poses: x, y [m] and heading of the ring [rad] of each, shape (k, 3).
 
         Returns:
@@ -207,32 +207,32 @@ class SonarRing:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Sends a ping from each of some robots."""
+        """Send a ping from each of some robots."""
         sonar = state.sonar
         number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
         place, turn = self._stands(state, constants, rows)
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, sonar.count[rows])
-        confused = np.flatnonzero(self._errors.mistakes(rows, sonar.mode[rows], deviates))
+        confused = np.flatnonzero(self._errors.confused(rows, sonar.mode[rows], deviates))
         voices = None
         if len(confused):
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
         prospect = self._prospect(state, rays, pings, number)
         distance_m = first_echo(pings, prospect, voices, rays.surfaces.hushed)
-        told_m = self._told_m(state, constants, (rows, number, at_s), distance_m, deviates)
-        in_time = 2 * told_m / SOUND_MPS <= gives_up_s
+        reported_m = self._reported_m(state, constants, (rows, number, at_s), distance_m, deviates)
+        in_time = 2 * reported_m / SOUND_MPS <= gives_up_s
         sonar.listening[rows] = number
         sonar.sent_s[rows] = at_s
         sonar.sent_from[rows] = configuration(state, constants, rows)
-        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * told_m / SOUND_MPS, gives_up_s)
-        sonar.heard_m[rows] = np.where(in_time, told_m, np.inf)
+        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * reported_m / SOUND_MPS, gives_up_s)
+        sonar.heard_m[rows] = np.where(in_time, reported_m, np.inf)
         sonar.count[rows] += 1
         sonar.turn[rows] += 1
         sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
 
-    def _told_m(
+    def _reported_m(
         self,
         state: EnvState,
         constants: RobotConstants,
@@ -240,29 +240,29 @@ class SonarRing:
         distance_m: FloatArray,
         deviates: FloatArray,
     ) -> FloatArray:
-        """Gives what one sonar of each robot tells for true distances [m], infinite for none, (k,).
+        """Return the range that a sonar reports for true distances [m], infinite for none, (k,).
 
         Args:
-            state: has their degradations.
+            state: has the memory of degradations.
             constants: the robots' constants.
-            pings: the robots, which sonar of them, and when it fired, (k,) each.
+            pings: robot, sonar and time of each firing, (k,) each.
             distance_m: the distances, (k,).
             deviates: of each firing, (k, 3).
         """
         rows, number, at_s = pings
-        told_m = self._errors.told_m(rows, state.sonar.mode[rows], distance_m, deviates)
+        reported_m = self._errors.reported_m(rows, state.sonar.mode[rows], distance_m, deviates)
         if not constants.degradations.concern(state, "sonar"):
-            return told_m
+            return reported_m
         elements = np.broadcast_to(number, rows.shape)
-        told_m = constants.degradations.alter(
-            state, "sonar", rows, told_m[:, None], at_s, elements=elements
+        reported_m = constants.degradations.alter(
+            state, "sonar", rows, reported_m[:, None], at_s, elements=elements
         )[:, 0]
-        return np.where(np.isnan(told_m), np.inf, np.maximum(told_m, 0.0))
+        return np.where(np.isnan(reported_m), np.inf, np.maximum(reported_m, 0.0))
 
     def _stands(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray
     ) -> tuple[ComplexArray, ComplexArray]:
-        """Gives where robots are, and where their rings' fronts point."""
+        """Return positions of robots and directions of their rings' fronts."""
         x_m, y_m, angle_rad = mount_poses(state, constants, rows).T
         return x_m + 1j * y_m, np.exp(1j * angle_rad)
 
@@ -274,7 +274,7 @@ class SonarRing:
         place: ComplexArray,
         turn: ComplexArray,
     ) -> FloatArray:
-        """Gives the true distances that all sonars of robots measure, shape (k, 16)."""
+        """Return the true distances that all sonars of robots measure, shape (k, 16)."""
         parts = [np.zeros((0, MAX_SONARS))]
         for first in range(0, len(rows), _ROBOTS_AT_ONCE):
             part = slice(first, first + _ROBOTS_AT_ONCE)
@@ -300,13 +300,13 @@ class SonarRing:
     def _prospect(
         self, state: EnvState, rays: RayCaster, pings: Pings, number: IndexArray
     ) -> Prospect:
-        """Gives what pings can meet, sent by the sonars with these numbers."""
+        """Return what pings of the sonars with these numbers can hit."""
         z_m = self._beams.z_m(pings.own, number)
         return rays.prospect(state, z_m, np.tan(pings.half_rad))
 
 
 def set_mode(context: RequestContext) -> BoolArray:
-    """Select a mode from sonars' next ping on; refuse modes that there are not."""
+    """Select a mode for the next pings of a sonar; refuse unknown modes."""
     mode = context["mode"]
     good = np.asarray((mode >= 0) & (mode < context.constants.sonar_modes[context.rows]))
     context.state.sonar.mode[context.rows[good]] = mode[good]

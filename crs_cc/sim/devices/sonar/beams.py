@@ -1,16 +1,17 @@
-"""The beams of sonars, and how a sonar takes another robot's ping for an echo of its own.
+"""The beams of sonars, and crosstalk: another robot's ping that is mistaken for an echo.
 
-Sound that another robot's sonar sends comes straight to a sonar that listens. It cannot know, and
-takes half of the way that sound goes in the time since its own firing for the distance:
+The ping of another robot's sonar reaches a listening sonar directly. The sonar cannot distinguish
+it from an echo, and reports half of the distance that sound travels in the time since its own
+firing:
 
     distance = (sent + way / (speed of sound) - fired) * (speed of sound) / 2
 
-where `sent` is the instant of the other's firing and `way` is how far apart the two are. For this
-each must lie in the other's beam and within its reach, with nothing in between, and the sound must
-come before the true echo. Sound that comes by way of a wall is left out. Other robots are where
-they were at the start of the cycle, and fire in the order that they have then.
+where `sent` is the time of the other robot's firing and `way` the distance between the two sonars.
+Each must be in the other's beam and range, with nothing in between, and the sound must arrive
+before the true echo. Sound that is reflected by walls is ignored. Other robots are at their
+positions at the start of the cycle, and fire in the order that they have then.
 
-How often a robot makes this mistake is a parameter of its definition (`crosstalk`).
+The probability of this mistake is a parameter of the robot definition (`crosstalk`).
 """
 
 from __future__ import annotations
@@ -36,14 +37,14 @@ _NEAR_M: Final = 1e-3  # cells must have a size
 
 
 class Beams:
-    """The beams of all robots by the sonar's number; a sonar that is not there hears nothing.
+    """The beams of all robots by the sonar's number; a missing sonar hears nothing.
 
     Attributes:
-        start_m: how far from its robot's middle any sonar sits.
+        start_m: largest distance of a sonar from its robot's centre.
     """
 
     def __init__(self, models: Sequence[RobotModel]) -> None:
-        """Makes the beams of robots of these models."""
+        """Create the beams of robots of these models."""
         different = list(dict.fromkeys(models))
         kinds = [mode for model in different for mode in model.sonar_modes]
         counts = [len(model.sonar_modes) for model in different]
@@ -70,7 +71,7 @@ class Beams:
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
 
     def z_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
-        """Gives how high above the ground a sonar of each of some robots sits."""
+        """Return the height above the ground of a sonar of each of some robots."""
         return np.asarray(self._z_m[self._first[rows], number])
 
     def pings(
@@ -81,14 +82,14 @@ class Beams:
         turn: ComplexArray,
         mode: IndexArray,
     ) -> Pings:
-        """Gives a ping from one sonar of each of some robots.
+        """Return a ping from one sonar of each of some robots.
 
         Args:
             rows: the robots.
             number: the number of the sonar.
-            mode: the mode in which it works.
-            place: where each robot is.
-            turn: where the front of its ring points, of length 1.
+            mode: its mode.
+            place: the position of each robot.
+            turn: the direction of the front of its ring, of length 1.
         """
         kind = self._first[rows] + mode
         beam = kind, number
@@ -113,15 +114,15 @@ def overheard(
     from_s: FloatArray,
     to_s: FloatArray,
 ) -> Points:
-    """Gives the pings of other robots that reach listeners.
+    """Return the pings of other robots that reach listeners.
 
     Args:
-        state: tells where the other robots are, and when they fire.
+        state: has the other robots' poses and firing times.
         beams: the beams of all robots.
-        pings: those that are sent.
-        listeners: the numbers of the pings whose robots may hear others, k of them.
-        from_s: when these are sent.
-        to_s: when the robots stop to listen.
+        pings: the listeners' own pings.
+        listeners: indices of the pings whose robots may hear others, k of them.
+        from_s: the time at which these are sent.
+        to_s: the time at which the robots stop listening.
     """
     sonar, start = state.sonar, pings.start[listeners]
     reach_m = beams.start_m + float(pings.range_m.max(initial=0.0))
@@ -130,8 +131,8 @@ def overheard(
     fires = (sonar.length[other] > 0) & (pings.own[listeners[listener]] != other)
     fires &= state.presence.present[other]
     listener, other = listener[fires], other[fires]
-    # One ping of the other comes first of those that come after the own one is sent. The board
-    # fires anew later than sound from the end of the range would come: there is no second one.
+    # At most one ping of another robot arrives: its board fires again only later than sound from
+    # the end of the range takes to arrive.
     way_m = np.abs(state.x_m[other] + 1j * state.y_m[other] - start[listener])
     round_s = sonar.interval_s[other]
     since_s = from_s[listener] - way_m / SOUND_MPS - sonar.start_s[other]

@@ -1,21 +1,21 @@
-"""What a sonar tells instead of the true distance.
+"""The errors of sonars: the reported instead of the true distance.
 
 In this order, each with its parameter in the robot definition:
 
-- the board is deaf while the transducer still rings (`blind`). An echo from nearer than that goes
-  to and fro between robot and thing, and is heard when it comes in time: a distance d is told as
-  the smallest multiple of it that is not below `blind`, which users of the robot saw as twice the
-  distance below 3 in;
-- nothing is told as nearer than `minimum`;
+- the board is deaf while the transducer still rings (`blind`). An echo from a nearer object goes
+  back and forth, and is heard when it arrives in time: a distance d is reported as the smallest
+  multiple of it that is not below `blind`, which users of the robot saw as twice the distance
+  below 3 in;
+- no reading is below `minimum`;
 - a normal deviate is added, with the standard deviation hypot(`noise`, `noise-share` * d);
 - an echo is missed altogether with the probability `dropouts`;
-- what is told is a multiple of `resolution`.
+- the reading is a multiple of `resolution`.
 
 Then the distance is rounded to whole inches. In the definitions' ideal setup all of this is 0.
 
-Each robot draws from a stream of its own (`noise`), three deviates for each firing, so that what
-others do changes nothing; an event of probability p is a deviate below the p-quantile of the
-normal distribution.
+Each robot draws from a stream of its own (`noise`), three deviates for each firing, independent of
+other robots; an event of probability p is a deviate below the p-quantile of the normal
+distribution.
 """
 
 from __future__ import annotations
@@ -59,50 +59,50 @@ class SonarErrors:
         self._noise = Noise(seed, SONAR, _DEVIATES, len(modes)) if random else None
 
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
-        """Gives the deviates of one firing of each robot, shape (k, 3).
+        """Return the deviates of one firing of each robot, shape (k, 3).
 
         Args:
-            rows: which robots, none twice, k of them.
+            rows: the robots, each at most once, k of them.
             numbers: the number of each robot's firing.
         """
         if self._noise is None:
             return np.zeros((len(rows), _DEVIATES))
         return np.asarray(self._noise.rows(rows, numbers))
 
-    def mistakes(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
-        """Tells which robots cannot tell other robots' pings from their own this time."""
+    def confused(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
+        """Return which robots mistake other robots' pings for their own in this firing."""
         return np.asarray(deviates[:, _CROSSTALK] < self._mistakes[self._first[rows] + mode])
 
-    def told_m(
+    def reported_m(
         self, rows: IndexArray, mode: IndexArray, distance_m: FloatArray, deviates: FloatArray
     ) -> FloatArray:
-        """Gives what is told for true distances, infinite for no echo; shape (k,)."""
+        """Return the reported range for true distances, infinite for no echo; shape (k,)."""
         if self._exact and self._noise is None:
             return distance_m
         kind = self._first[rows] + mode
         beyond_m = _beyond(self._blind_m[kind], distance_m)
-        told_m: FloatArray = np.maximum(beyond_m, self._minimum_m[kind])
+        reported_m: FloatArray = np.maximum(beyond_m, self._minimum_m[kind])
         if self._noise is None:
-            return _rounded(told_m, self._resolution_m[kind])
-        heard = np.isfinite(told_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
-        size_m = np.where(heard, told_m, 0.0)
+            return _rounded(reported_m, self._resolution_m[kind])
+        heard = np.isfinite(reported_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
+        size_m = np.where(heard, reported_m, 0.0)
         error_m = deviates[:, _ERROR] * np.hypot(
             self._noise_m[kind], self._noise_share[kind] * size_m
         )
-        told_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)
-        return _rounded(told_m, self._resolution_m[kind])
+        reported_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)
+        return _rounded(reported_m, self._resolution_m[kind])
 
 
-def _rounded(told_m: FloatArray, step_m: FloatArray) -> FloatArray:
-    """Gives the nearest multiples of steps; a step of 0 changes nothing."""
+def _rounded(reported_m: FloatArray, step_m: FloatArray) -> FloatArray:
+    """Return values rounded to multiples of steps; a step of 0 changes nothing."""
     if not step_m.any():
-        return told_m
-    steps = np.divide(told_m, step_m, out=told_m.copy(), where=step_m > 0.0)
-    return np.where(step_m > 0.0, np.rint(steps) * step_m, told_m)
+        return reported_m
+    steps = np.divide(reported_m, step_m, out=reported_m.copy(), where=step_m > 0.0)
+    return np.where(step_m > 0.0, np.rint(steps) * step_m, reported_m)
 
 
 def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
-    """Gives the smallest multiple of distances that is not nearer than a robot can hear."""
+    """Return the smallest multiple of distances that is not below the minimum range."""
     near = distance_m < blind_m
     if not near.any():
         return distance_m
@@ -112,7 +112,7 @@ def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
 
 
 def _quantile(probability: float) -> float:
-    """Gives what a normal deviate is below with a probability."""
+    """Return the quantile of the normal distribution."""
     if probability <= 0.0:
         return -np.inf
     return np.inf if probability >= 1.0 else NormalDist().inv_cdf(probability)

@@ -40,14 +40,14 @@ if TYPE_CHECKING:
 
 
 AROUND: Final = 0.25
-"""The share of a sound's pressure that is left behind something."""
+"""The share of a sound's pressure that remains behind an obstruction."""
 
 
 class Microphones:
-    """The microphones of all robots that have some.
+    """The microphones of all robots that have any.
 
     Attributes:
-        fans: the beam by which they look whether a sound is in sight.
+        fans: the beams that test for obstructions.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -73,14 +73,14 @@ class Microphones:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Lets microphones measure.
+        """Measure with microphones.
 
         Args:
             state: changed in place.
             constants: the robots' constants.
-            rays: what there is to see.
-            rows: robots that have some, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
+            rays: casts rays.
+            rows: robots with microphones, k of them, whose axes were turned to `at_s`.
+            at_s: the time of each, shape (k,).
         """
         if not len(rows):
             return
@@ -96,7 +96,7 @@ class Microphones:
         ears.count[mine] += 1
 
     def get_sound(self, context: RequestContext) -> BoolArray:
-        """Answer GET_SOUND: the levels of all tones, and where the loudest comes from."""
+        """Answer GET_SOUND with the levels of all tones, and the direction of the loudest."""
         sound, mine = context.state.sound, context.constants.sound[context.rows]
         has = np.asarray(mine >= 0)
         read_on_request(context, self.read, SOUND, has)
@@ -108,7 +108,7 @@ class Microphones:
     def _sound(
         self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Gives the levels of all tones, and where they come from, both (k, 8)."""
+        """Return the levels of all tones and their directions, both (k, 8)."""
         beacons, robots = state.beacons, len(state.heading_rad)
         sounds = self._sounds.with_robots(state.bodies.position_m[:robots], beacons.level)
         carried = sounds.owner[len(self._tone) :]

@@ -1,9 +1,9 @@
-"""Tagging: takes the heat from all things near, so that no robot senses them any more.
+"""Tagging: removes the heat of all objects nearby, so that no robot senses them any more.
 
 "All the object in the radius of three from the robot will no more possess any heat" (CRS report,
-appendix A, `tagTarget`). What is near is what the heat sensor says (`sensors.heat`), within a range
-of its own; the robot itself keeps its heat. Degradation (`tag`) is that of the range; without one
-nothing loses its heat.
+appendix A, `tagTarget`). Distances are those of the heat sensor (`heat`), with a range of its own;
+the robot itself keeps its heat. Degradation (`tag`) applies to the range; if it is dropped no
+object loses its heat.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
 
 
-_NOTHING_M: Final = -1.0  # nothing is so near
+_NOTHING_M: Final = -1.0  # below every distance
 
 
 def tag(context: RequestContext) -> BoolArray:
-    """Take the heat away, and answer with how many things lost it; refuse robots without."""
+    """Remove the heat nearby, and answer with the number of objects; refuse robots without."""
     state, constants = context.state, context.constants
     has = np.asarray(constants.tag_range_m[context.rows] > 0.0)
     rows = context.rows[has]

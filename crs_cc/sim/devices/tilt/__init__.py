@@ -31,9 +31,9 @@ class Inclinometer:
     """An inclinometer on the mount.
 
     Attributes:
-        rate_hz: how often it measures at most.
+        rate_hz: maximum rate of measurements.
         noise_rad: standard deviation of the error of pitch and of roll.
-        period_s: how often it measures by its timer; 0 for when it is asked.
+        period_s: period of its timer; 0 to measure on request.
     """
 
     rate_hz: float = rate("20Hz")

@@ -1,10 +1,10 @@
 """Drawing into the simulator's window, and erasing: `draw_line` and its kin.
 
-There is one picture for all programs; `drawings` says what marks mean. Chosen by us: a mark that
-is combined by exclusive or goes away when the same program draws the same once more; of very many
-marks the oldest are forgotten (`MAX_OWN`, `MAX_ALL`). Of the refresh functions two change the
-picture: `refresh_all` and `refresh_client_graphics` take away all that programs have drawn. The
-others ask for traces or sensors to be erased, which viewers draw; they hear of it (`Step.served`).
+There is one picture for all programs; `drawings` defines the marks. Chosen by us: a mark that is
+combined by exclusive or disappears when the same program draws it again; beyond the limits
+(`MAX_OWN`, `MAX_ALL`) the oldest marks are removed. Of the refresh functions two change the
+picture: `refresh_all` and `refresh_client_graphics` erase all that programs have drawn. The others
+erase traces or sensors, which viewers draw; they are notified (`Step.served`).
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
 
 MAX_OWN: Final = 10_000
-"""The most marks that one program can have in the picture."""
+"""Maximum number of marks of one program in the picture."""
 
 MAX_ALL: Final = 50_000
-"""The most that all programs together can have."""
+"""Maximum number of marks of all programs together."""
 
 _MARK: Final = ("shape", "x1", "y1", "x2", "y2", "angle1", "angle2", "mode")
 _WITH_ARROW: Final = 2
@@ -52,7 +52,7 @@ def draw(context: RequestContext) -> BoolArray:
 
 
 def refresh(context: RequestContext) -> BoolArray:
-    """Answer REFRESH: erase what is asked for, as far as programs have drawn it."""
+    """Answer REFRESH: erase the requested marks of programs."""
     part = context["part"]
     if np.isin(part, (_REFRESH_ALL, _REFRESH_CLIENT_GRAPHICS)).any():
         context.state.drawings = DrawingState.at_start()
@@ -60,7 +60,7 @@ def refresh(context: RequestContext) -> BoolArray:
 
 
 def _put(drawings: DrawingState, robot: int, mark: Int32Array, *, xor: bool) -> None:
-    """Add a mark on top; the same below disappears, and by exclusive or both do."""
+    """Add a mark on top; an equal one below is removed, and with exclusive or both are."""
     own = drawings.robots == robot
     keep = ~(own & (drawings.marks == mark).all(axis=1))
     erases = xor and not keep.all()

@@ -1,20 +1,20 @@
-"""Where a path would end in a collision: `motion_check`.
+"""The first collision on a path: `motion_check`.
 
-The robot is a disc that is moved along the path, everything else stands where it is. By the
-vendor's header (`Nclient.h` 1.29), lengths in 0.1 in and angles in radians:
+The robot is a disc that is moved along the path, everything else is at rest. By the vendor's header
+(`Nclient.h` 1.29), lengths in 0.1 in and angles in radians:
 
 - a segment: a1, a2 are x and y of its first point, a3, a4 of its second one;
 - an arc: a1, a2 are its first point, a3 and a4 the directions from the centre to its two ends, a5
   the radius, a6 and a7 the centre. Chosen by us: the path turns left where a4 is greater than a3,
   and right where it is less; where a1, a2 lie nearer to the second end it comes back from there.
 
-The answer is where the robot's middle is at the first contact, and the direction from there to the
-point that it touches. A robot that touches something at the start collides with it at once if the
-path leads further into it, and not at all if it leads along or away.
+The answer is the position of the robot's centre at the first contact, and the direction from there
+to the point of contact. A robot that touches something at the start collides with it at once if the
+path leads further into it, and not at all if it leads along or away from it.
 
-Everything that can be hit is all points within a margin of a line segment (of a circle: its
-middle). Contacts are where the path meets the robot's radius and the margin beside a segment or
-around an end of it: so each is the root of an equation of second degree.
+Everything that can be hit is the set of points within a margin of a line segment (for a circle, of
+its centre). Contacts are where the path meets the offset of a segment or of one of its ends by the
+robot's radius and the margin: so each is the root of a quadratic equation.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ _SEGMENT: Final = 0
 _ARC: Final = 1
 _TURN: Final = 2 * math.pi
 _NUMBERS: Final = 7
-_FURTHEST_M: Final = 1e6  # beyond it nothing is exact
+_FURTHEST_M: Final = 1e6  # larger coordinates are not exact
 _ON_M: Final = 1e-7  # rounding
-_AHEAD_M: Final = 1e-3  # so far ahead on the path it shows whether a contact gets closer
+_AHEAD_M: Final = 1e-3  # distance along the path that shows whether a contact gets closer
 _CLOSER_M: Final = 1e-10
 
 
@@ -70,12 +70,12 @@ def motion_check(context: RequestContext) -> BoolArray:
 
 @dataclass(frozen=True, slots=True)
 class Shapes:
-    """What a robot's middle must stay away from: line segments, each with a distance.
+    """The obstacles for a robot's centre: line segments, each with a clearance.
 
     Attributes:
         start: one end of each, as x + i y [m].
         end: the other end.
-        reach_m: the distance: the robot's radius and the margin.
+        reach_m: the clearance: the robot's radius and the margin.
     """
 
     start: ComplexArray
@@ -92,11 +92,11 @@ class Shapes:
         return cls(start, end, radius_m + margin_m)
 
     def room_m(self, place: ComplexArray | complex) -> FloatArray:
-        """Return how far places are from contact, one for each shape; negative inside."""
+        """Return the distances of points from contact, one for each shape; negative inside."""
         return np.asarray(np.abs(self.nearest(place) - place) - self.reach_m)
 
     def nearest(self, place: ComplexArray | complex) -> ComplexArray:
-        """Return the point on each segment that is nearest to a place."""
+        """Return the point on each segment that is nearest to a point."""
         across, along = place - self.start, self.end - self.start
         share = segment.nearest_share(across.real, across.imag, along.real, along.imag)
         return np.asarray(self.start + share * along)
@@ -108,22 +108,22 @@ class Shapes:
 
 @dataclass(frozen=True, slots=True)
 class Straight:
-    """A line segment, from a place into a direction of length 1."""
+    """A line segment, given by its start and a direction of length 1."""
 
     start: complex
     direction: complex
     length_m: float
 
     def at(self, way_m: FloatArray) -> ComplexArray:
-        """Return the places after some lengths of the path."""
+        """Return the points at distances along the path."""
         return np.asarray(self.start + way_m * self.direction)
 
     def around(self) -> tuple[complex, float]:
-        """Return the middle and the radius of a disc that the path lies in."""
+        """Return the centre and the radius of a disc that contains the path."""
         return self.start + self.direction * self.length_m / 2, self.length_m / 2
 
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
-        """Return the lengths after which the line is so far from points; NaN where it never is."""
+        """Return the distances at which the line is so far from points; NaN for never."""
         away = self.start - point
         along = (away * self.direction.conjugate()).real
         root = np.sqrt(distance_m**2 - np.abs(away) ** 2 + along**2)
@@ -132,7 +132,7 @@ class Straight:
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
-        """Return the length after which the line is so far along a normal from points."""
+        """Return the distance at which the line is so far along a normal from points."""
         before = ((self.start - point) * normal.conjugate()).real
         return [(distance_m - before) / (self.direction * normal.conjugate()).real]
 
@@ -144,9 +144,9 @@ class Arc:
     Attributes:
         centre: the circle's.
         radius_m: the circle's.
-        begin_rad: the direction of the first point, as seen from the centre.
+        begin_rad: the direction of the first point from the centre.
         sense: 1 to the left, -1 to the right.
-        length_m: how long it is.
+        length_m: its length.
     """
 
     centre: complex
@@ -156,16 +156,16 @@ class Arc:
     length_m: float
 
     def at(self, way_m: FloatArray) -> ComplexArray:
-        """Return the places after some lengths of the path."""
+        """Return the points at distances along the path."""
         angle = self.begin_rad + self.sense * way_m / self.radius_m
         return np.asarray(self.centre + self.radius_m * np.exp(1j * angle))
 
     def around(self) -> tuple[complex, float]:
-        """Return the middle and the radius of a disc that the path lies in."""
+        """Return the centre and the radius of a disc that contains the path."""
         return self.centre, self.radius_m
 
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
-        """Return after which lengths the circle is so far from points; NaN where never."""
+        """Return the distances at which the circle is so far from points; NaN for never."""
         away = self.centre - point
         apart = np.abs(away)
         cos = (distance_m**2 - apart**2 - self.radius_m**2) / (2 * self.radius_m * apart)
@@ -174,7 +174,7 @@ class Arc:
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
-        """Return the lengths after which the circle is so far along a normal from points."""
+        """Return the distances at which the circle is so far along a normal from points."""
         before = ((self.centre - point) * normal.conjugate()).real
         return self._ways(np.angle(normal), (distance_m - before) / self.radius_m)
 
@@ -188,7 +188,7 @@ Path: TypeAlias = Straight | Arc
 
 
 def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
-    """Return where a robot's middle is when it first touches something, and the normal [rad]."""
+    """Return a robot's centre at its first contact, and the normal [rad]."""
     middle, radius_m = path.around()
     shapes = shapes.take(np.flatnonzero(shapes.room_m(middle) <= radius_m + _AHEAD_M))
     ways_m = np.stack([np.zeros(len(shapes.reach_m)), *_candidates(path, shapes)])
@@ -206,7 +206,7 @@ def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
 
 
 def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
-    """Return path lengths, among them all that end in a contact."""
+    """Return candidate distances that include those of all contacts."""
     along = shapes.end - shapes.start
     with np.errstate(divide="ignore", invalid="ignore"):
         normal = 1j * along / np.abs(along)
@@ -219,7 +219,7 @@ def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
 
 
 def _path(kind: int, numbers: FloatArray) -> Path | None:
-    """Return a path; None where the numbers make none."""
+    """Return a path; None if the numbers define none."""
     if not (np.abs(numbers) <= m_to_tenths_inch(_FURTHEST_M)).all() or kind not in (_SEGMENT, _ARC):
         return None
     lengths_m = tenths_inch_to_m(numbers)

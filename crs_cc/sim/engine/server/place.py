@@ -1,10 +1,9 @@
-"""Robots that are put somewhere else: `place_robot`.
+"""Placing robots at other poses: `place_robot`.
 
-The robot stands at the place and in the directions wanted, truly, and its odometry says so; its
-axes go on with what they were doing. A synchro drive's base keeps its direction. What the
-robot holds stays behind. A place is refused
-that lies outside of the world's area or where anything else stands (chosen by us: the vendor's
-header says nothing of it). The program goes on at the end of the timestep.
+The robot's true pose and its odometry become the requested ones; the motion of its axes continues.
+A synchro drive's base keeps its direction. What the robot holds stays behind. Places outside of the
+world's area or occupied by anything else are refused (chosen by us: the vendor's header does not
+specify it). The program continues at the end of the timestep.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
 def place_robot(context: RequestContext) -> BoolArray:
-    """Answer PLACE_ROBOT, one after the other; refuse places that are not free."""
+    """Answer PLACE_ROBOT, one after the other; refuse occupied places."""
     state, constants = context.state, context.constants
     good = np.zeros(len(context), dtype=np.bool_)
     poses = context.columns("x", "y", "heading", "turret").tolist()

@@ -1,9 +1,9 @@
-"""What the sensors would read somewhere else: `predict_sensors`.
+"""The sensors' readings at another pose: `predict_sensors`.
 
-The robot is thought to be at a pose in the world frame, the sensors to measure without any error,
-and everything else, the robot itself too, to be where it was at the start of the timestep; beams
-pass through the robot's own body. Chosen by us: all sonars and infrared sensors are told, whether
-the program has switched them on or not, and the laser as `conf_ls` and `conf_sg` have set it.
+The sensors measure without errors from a pose in the world frame, with everything else, including
+the robot itself, where it was at the start of the timestep; beams pass through the robot's own
+body. Chosen by us: all sonars and infrared sensors are reported, even if the program has switched
+them off, and the laser as set by `conf_ls` and `conf_sg`.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ if TYPE_CHECKING:
 
 
 def predict(context: RequestContext, *, sonars: SonarRing, sensor_board: SensorBoard) -> None:
-    """Answer PREDICT; the state keeps what lasers would see.
+    """Answer PREDICT; the state stores what lasers would see.
 
     Args:
         context: the requests.
         sonars: the sonars of all robots.
-        sensor_board: what else they measure with.
+        sensor_board: their other sensors.
     """
     state, constants, rays = context.state, context.constants, context.rays
     rows, wanted = context.rows, context.columns("x", "y", "heading", "turret")

@@ -1,6 +1,6 @@
-"""Where all robots of the world really are: `get_rpx`.
+"""The true poses of all robots of the world: `get_rpx`.
 
-The third number of each robot is its heading, as the vendor's header does not say; chosen by us.
+The third number of each robot is its heading: chosen by us, as the vendor's header does not say.
 Robots come in the order of the world file, and are where they were at the start of the timestep.
 """
 
@@ -23,7 +23,7 @@ _PAGE: Final = DATA_SIZE // _ROW_BYTES
 
 
 def get_rpx(context: RequestContext) -> None:
-    """Answer GET_RPX with the poses of up to twenty robots, from the one that is asked for on."""
+    """Answer GET_RPX with the poses of up to twenty robots, starting with the requested one."""
     state = context.state
     heading = np.rint(rad_to_tenths_deg(state.heading_rad)) % _TURN
     x, y = np.rint(m_to_tenths_inch(state.x_m)), np.rint(m_to_tenths_inch(state.y_m))

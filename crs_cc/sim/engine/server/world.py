@@ -1,12 +1,12 @@
-"""Obstacles that come and go while the world runs: `add_obstacle` and its kin.
+"""Obstacles that programs add and remove: `add_obstacle` and related functions.
 
-Every program may change the world that all robots share. What it changes, it gets back at the end
-of the timestep: so the world is made anew a few times in a timestep at most.
+Every program may change the world that all robots share. Such a request returns at the end of the
+timestep: so the world is rebuilt a few times in a timestep at most.
 
 Chosen by us, as the vendor's header is silent: a polygon is refused whose sides meet, or that would
-lie on a robot, or that would be one too many (`MAX_OWN`, `MAX_ALL`). Programs may take away, and
-move, fixed boxes and polygons of the world file too, which they name by their corners, whichever
-comes first. `new_world` takes away everything but the edge of the world and the robots.
+lie on a robot, or that would be one too many (`MAX_OWN`, `MAX_ALL`). Programs may also
+remove and move fixed boxes and polygons of the world file, which they identify by their corners,
+starting with any of them. `new_world` removes everything but the edge of the world and the robots.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ if TYPE_CHECKING:
 
 
 MAX_OWN: Final = 100
-"""The most polygons that one robot's program can have in the world at a time."""
+"""Maximum number of polygons of one robot's program in the world."""
 
 MAX_ALL: Final = 500
-"""The most that all programs together can have."""
+"""Maximum number of polygons of all programs together."""
 
 _FURTHEST: Final = int(m_to_tenths_inch(LENGTH.limit))
 
@@ -51,7 +51,7 @@ def add_obstacle(context: RequestContext) -> BoolArray:
 
 
 def delete_obstacle(context: RequestContext) -> BoolArray:
-    """Answer DELETE_OBSTACLE: take a polygon away, which is named by its corners."""
+    """Answer DELETE_OBSTACLE: remove the polygon with these corners."""
     state = context.state
     good = np.zeros(len(context), dtype=np.bool_)
     for row, corners in enumerate(_polygons(context)):
@@ -62,9 +62,10 @@ def delete_obstacle(context: RequestContext) -> BoolArray:
 
 
 def move_obstacle(context: RequestContext) -> BoolArray:
-    """Answer MOVE_OBSTACLE with the new corners of a polygon, which is named by its corners.
+    """Answer MOVE_OBSTACLE with the new corners of the polygon with these corners.
 
-    What another program has added stays its own; what stood in the world file is the mover's.
+    A polygon added by another program still belongs to it; one of the world file becomes
+    the mover's.
     """
     state, constants = context.state, context.constants
     good = np.zeros(len(context), dtype=np.bool_)
@@ -87,14 +88,14 @@ def move_obstacle(context: RequestContext) -> BoolArray:
 
 
 def new_world(context: RequestContext) -> None:
-    """Answer NEW_WORLD: take away everything but the edge of the world and the robots."""
+    """Answer NEW_WORLD: remove everything but the edge of the world and the robots."""
     nothing = np.zeros(0, dtype=np.intp)
     left = context.state.obstacles.take(nothing)
     context.state.obstacles = replace(left, standing=np.zeros_like(left.standing))
 
 
 def _polygons(context: RequestContext) -> list[Int64Array | None]:
-    """Return the corners of each request, (corners, 2); None where their number is wrong."""
+    """Return the corners of each request, (corners, 2); None where their number is invalid."""
     content = context["vertices"]
     return [
         content[row, : 8 * count].view("<i4").reshape(-1, 2).astype(np.int64)
@@ -107,7 +108,7 @@ def _polygons(context: RequestContext) -> list[Int64Array | None]:
 def _add(
     state: EnvState, constants: RobotConstants, robot: int, corners: Int64Array | None
 ) -> bool:
-    """Add a polygon if it is one and its place is free."""
+    """Add a polygon if it is valid and its place is free."""
     obstacles = state.obstacles
     if corners is None or np.abs(corners).max() > _FURTHEST:
         return False
@@ -142,7 +143,7 @@ def _find(
     """Return the first polygon with some corners; None if there is none.
 
     Returns:
-        the row of one that was added; of a thing of the world file its number, inverted (~).
+        the row of an added one; the inverted number (~) of one of the world file.
     """
     if corners is None:
         return None
@@ -158,7 +159,7 @@ def _find(
 
 
 def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
-    """Return the obstacles without the one that was found at a place."""
+    """Return the obstacles without the one found by `_find`."""
     if place >= 0:
         return obstacles.take(np.delete(np.arange(len(obstacles.sizes)), place))
     standing = obstacles.standing.copy()
@@ -167,7 +168,7 @@ def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
 
 
 def _tenths_inch(solid: Solid) -> Corners:
-    """Return the corners of a fixed box or polygon [0.1 in], none of what has none."""
+    """Return the corners of a fixed box or polygon [0.1 in], none for other objects."""
     if not isinstance(solid, Box | Polygon) or is_pushable(solid):
         return np.zeros((0, 2), dtype=np.int32)
     return np.rint(m_to_tenths_inch(corners_m(solid))).astype(np.int32)
