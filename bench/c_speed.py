@@ -50,7 +50,7 @@ BASE = "gcc -O2"
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
 
 Way = Callable[[], tuple[float, bytes]]
-"""Runs a kernel; gives its processor time [s] and what it printed."""
+"""Run a kernel; gives its processor time [s] and what it printed."""
 
 
 @dataclass
@@ -94,13 +94,13 @@ class AsProcess:
 
 
 def children_s() -> float:
-    """Gives the processor time of all child processes that have ended [s]."""
+    """Return the processor time of all child processes that have ended [s]."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
 
 def compile_native(source: Path, command: list[str], folder: Path) -> Path | None:
-    """Gives the program that a compiler makes of a file; None where it cannot."""
+    """Return the program that a compiler makes of a file; None where it cannot."""
     if shutil.which(command[0]) is None:
         return None
     program = folder / f"{source.stem}{'_'.join(command)}"
@@ -111,7 +111,7 @@ def compile_native(source: Path, command: list[str], folder: Path) -> Path | Non
 
 
 def ways_to_run(source: Path, folder: Path, starts_s: dict[str, float]) -> dict[str, Way]:
-    """Gives every way in which a kernel can be run here."""
+    """Return every way in which a kernel can be run here."""
     ways: dict[str, Way] = {}
     for name, start_s in starts_s.items():
         program = compile_native(source, NATIVE[name], folder)
@@ -123,7 +123,7 @@ def ways_to_run(source: Path, folder: Path, starts_s: dict[str, float]) -> dict[
 
 
 def process_starts(folder: Path, repeat: int) -> dict[str, float]:
-    """Gives the processor time of an empty program of each compiler that works here [s]."""
+    """Return the processor time of an empty program of each compiler that works here [s]."""
     source = folder / "empty.c"
     source.write_text("int main(void) { return 0; }\n")
     starts_s = {}
@@ -136,7 +136,7 @@ def process_starts(folder: Path, repeat: int) -> dict[str, float]:
 
 
 def measure(ways: dict[str, Way], repeat: int) -> dict[str, float]:
-    """Gives the least time of each way [s]; the ways take turns."""
+    """Return the least time of each way [s]; the ways take turns."""
     times: dict[str, list[float]] = {name: [] for name in ways}
     outputs = set()
     for _ in range(repeat):
@@ -150,7 +150,7 @@ def measure(ways: dict[str, Way], repeat: int) -> dict[str, float]:
 
 
 def print_table(results: dict[str, dict[str, float]]) -> None:
-    """Prints the time of each way over that of the base, and geometric means."""
+    """Print the time of each way over that of the base, and geometric means."""
     names = list(dict.fromkeys(name for row in results.values() for name in row))
     base = BASE if BASE in names else names[0]
     print(f"\ntime over {base}; geometric means below")

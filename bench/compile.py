@@ -103,7 +103,7 @@ HEAD = "#include <math.h>\n#include <stdio.h>\n#include <string.h>\n\n"
 
 
 def program(lines: int) -> str:
-    """Gives a program of about so many lines."""
+    """Return a program of about so many lines."""
     count = max(1, lines // MODULE.count("\n"))
     modules = "".join(MODULE.replace("@", str(number)) for number in range(count))
     calls = "".join(f"    total += run_{number}(40);\n" for number in range(count))
@@ -112,7 +112,7 @@ def program(lines: int) -> str:
 
 
 def run(source: Path, environment: dict[str, str]) -> tuple[float, float]:
-    """Gives the wall time and the processor time of a run [s]."""
+    """Return the wall time and the processor time of a run [s]."""
     command = [sys.executable, "-m", "crs_cc", "run", "--quiet", str(source)]
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     subprocess.run(command, env=environment, check=True, capture_output=True)
@@ -121,7 +121,7 @@ def run(source: Path, environment: dict[str, str]) -> tuple[float, float]:
 
 
 def stages(source: Path) -> dict[str, float]:
-    """Gives the processor time of each stage of the compiler [s]."""
+    """Return the processor time of each stage of the compiler [s]."""
     from crs_cc.core.source import Diagnostics, Location
     from crs_cc.frontend.check.checker import Unit
     from crs_cc.frontend.check.unit import check_unit

@@ -102,13 +102,13 @@ class Bench:
         self.timesteps = round(self.minute_s * self.minutes / self.world.timestep_s)
 
     def run_build_s(self) -> float:
-        """Gives the time that a run takes without the debugger [s]."""
+        """Return the time that a run takes without the debugger [s]."""
         executable = build_executable([self.program], Diagnostics())
         session = Session(self.world, [executable] * self.robots)
         return timed(lambda: [session.step() for _ in range(self.timesteps)])
 
     def debugger(self) -> Debugger:
-        """Gives the debugger before the run."""
+        """Return the debugger before the run."""
         options = Options((), (HEADERS,))
         executable = build_executable([self.program], Diagnostics(), debug=True)
         program = DebugProgram(executable, [self.program], options)
@@ -116,7 +116,7 @@ class Bench:
 
 
 def world_text(robots: int) -> str:
-    """Gives the world file."""
+    """Return the world file."""
     side = max(1, round(robots**0.5 + 0.49))
     places = [(2 + 4 * (n % side), 2 + 4 * (n // side)) for n in range(robots)]
     things = [f'<robot x="{x}m" y="{y}m" heading="{37 * x % 360}deg"/>' for x, y in places]
@@ -128,7 +128,7 @@ def world_text(robots: int) -> str:
 
 
 def timed(work: Callable[[], object]) -> float:
-    """Gives the processor time of something [s]."""
+    """Return the processor time of something [s]."""
     start = time.process_time()
     work()
     return time.process_time() - start
@@ -141,7 +141,7 @@ class Table:
         self.robots = robots
 
     def row(self, what: str, seconds: float, ratio: float, unit: str) -> None:
-        """Prints a line."""
+        """Print a line."""
         print(f"{self.robots:7} {what:32}{seconds:10.3f} s{ratio:10.4g} {unit}", flush=True)
 
 

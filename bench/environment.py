@@ -102,7 +102,7 @@ LITTLE_M = 1e-9
 
 
 def world_text(robots: int, attributes: str) -> str:
-    """Gives the world file."""
+    """Return the world file."""
     random = np.random.default_rng(robots)
     side = math.ceil(math.sqrt(robots))
     cells = np.stack(np.divmod(np.arange(robots), side), axis=1)
@@ -122,7 +122,7 @@ def world_text(robots: int, attributes: str) -> str:
 
 
 def resident_bytes() -> int:
-    """Gives the memory of this process that is in use now, or the most so far where that is all."""
+    """Return the memory of this process that is in use now, or the most so far where that is all."""
     statm = Path("/proc/self/statm")
     if statm.exists():
         return int(statm.read_text().split()[1]) * resource.getpagesize()
@@ -164,7 +164,7 @@ class Figures:
 
 
 def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> Figures:
-    """Runs a world with some robots for a while."""
+    """Run a world with some robots for a while."""
     attributes, defines = SETUPS[setup]
     world_file, program = folder / "world.xml", folder / "wander.c"
     world_file.write_text(world_text(robots, attributes))
@@ -200,7 +200,7 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
 
 
 def rays_s(session: Session) -> float:
-    """Gives the processor time for all rays of all robots alone [s]."""
+    """Return the processor time for all rays of all robots alone [s]."""
     state = packed(session.environment.state).state()
     fan = Fan.of(
         (RADIUS_M * math.cos(angle), RADIUS_M * math.sin(angle), angle, 0.0, RANGE_M)

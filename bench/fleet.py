@@ -56,7 +56,7 @@ int main(void)
 
 
 def resident_bytes() -> int:
-    """Gives the memory of this process that is in use now, or the most so far where that is all."""
+    """Return the memory of this process that is in use now, or the most so far where that is all."""
     statm = Path("/proc/self/statm")
     if statm.exists():
         return int(statm.read_text().split()[1]) * resource.getpagesize()
@@ -71,7 +71,7 @@ def make(source: str, folder: Path) -> Executable:
 
 
 def round_s(fleet: Fleet, rounds: int) -> float:
-    """Gives the median processor time of a round [s]."""
+    """Return the median processor time of a round [s]."""
     times = []
     for _ in range(rounds):
         fleet.slots["run"] = 1

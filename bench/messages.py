@@ -25,7 +25,7 @@ CYCLES = 10
 
 
 def world_of(robots: int) -> WorldModel:
-    """Gives the world."""
+    """Return the world."""
     rng = np.random.default_rng(0)
     side = int(np.ceil(np.sqrt(robots)))
     things = [
@@ -60,7 +60,7 @@ def talk(environment: Environment, robots: int, channel: int, cycle: int) -> Non
 
 
 def measure(world: WorldModel, channel: int | None) -> tuple[float, float]:
-    """Gives the processor time of a second [s], and how many hear each message."""
+    """Return the processor time of a second [s], and how many hear each message."""
     robots = len(world.robots)
     environment = Environment(world, 1)
     start, delivered = 0.0, 0

@@ -25,7 +25,7 @@ OTHER = "int main(void) { return 1 - 1; }\n"
 
 
 def timed(command: list[str], environment: dict[str, str]) -> float:
-    """Gives the wall time of a command [s]."""
+    """Return the wall time of a command [s]."""
     start = time.perf_counter()
     subprocess.run(command, env=environment, check=True, capture_output=True)
     return time.perf_counter() - start

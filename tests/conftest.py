@@ -54,7 +54,7 @@ def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 
 def is_gccs(golden: Path) -> bool:
-    """Tells whether a file holds what gcc said, so that our own output must never get into it."""
+    """Return whether a file holds what gcc said, so that our own output must never get into it."""
     folder = golden.resolve().parent
     return golden.suffix == ".out" and any(folder.is_relative_to(TESTS / each) for each in JUDGED)
 
@@ -63,7 +63,7 @@ def is_gccs(golden: Path) -> bool:
 def check_golden(
     check_gcc_golden: Callable[[Path, bytes], None],
 ) -> Callable[[Path, bytes], None]:
-    """Gives a function that compares our output with the file that holds the expected one."""
+    """Return a function that compares our output with the file that holds the expected one."""
 
     def check(golden: Path, output: bytes) -> None:
         if is_gccs(golden):
@@ -75,7 +75,7 @@ def check_golden(
 
 @pytest.fixture
 def check_gcc_golden(request: pytest.FixtureRequest) -> Callable[[Path, bytes], None]:
-    """Gives a function that compares gcc's output with the file that holds it."""
+    """Return a function that compares gcc's output with the file that holds it."""
 
     def check(golden: Path, output: bytes) -> None:
         expected = golden.read_bytes() if golden.exists() else b""

@@ -40,7 +40,7 @@ def complaint(sources: Sequence[Path], program: Path, options: Sequence[str] = (
 
 
 def run(program: Path, longest_s: float) -> Result | None:
-    """Runs a compiled program in its own folder; None if it takes too long, or cannot start."""
+    """Run a compiled program in its own folder; None if it takes too long, or cannot start."""
     try:
         done = subprocess.run(
             [program], check=False, stdin=subprocess.DEVNULL, capture_output=True,
@@ -53,7 +53,7 @@ def run(program: Path, longest_s: float) -> Result | None:
 
 @cache
 def why_not() -> str:
-    """Gives why nothing can be compared with gcc here; nothing if it can."""
+    """Return why nothing can be compared with gcc here; nothing if it can."""
     with tempfile.TemporaryDirectory() as folder:
         source, program = Path(folder, "probe.c"), Path(folder, "probe")
         source.write_text('#include <stdio.h>\nint main(void) { puts("runs"); return 0; }\n')

@@ -33,9 +33,9 @@ Examples:
 def cache(context: click.Context) -> int:
     """Show the folder, the number of entries and the size of the compile cache.
 
-    The folder is $CRS_CACHE, or crs_cc in the user's cache folder. When it exceeds its limit,
-    the least recently used entries are removed. The limit is 1 GiB, or the value of the
-    environment variable CRS_CACHE_SIZE, such as 500M or 2G; 0 disables the cache.
+    The folder is $CRS_CACHE, or crs_cc in the user's cache folder. When the cache exceeds its
+    size limit, the least recently used entries are removed. The limit is 1 GiB by default; set
+    CRS_CACHE_SIZE, such as 500M or 2G, to change it, or to 0 to disable the cache.
     """
     if context.invoked_subcommand is not None:
         return 0

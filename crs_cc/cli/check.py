@@ -39,11 +39,11 @@ Examples:
 )
 @compiler_options
 def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
-    """Check C, world and robot files, and run nothing.
+    """Check C, world and robot files without running anything.
 
-    For a world, a robot definition or a file that worlds include, list its contents.
-    Each C file is checked on its own, so that a part of a program can be checked too. If one of
-    them has a function main (or runcode), they are also linked, as by crs run. The exit status is
+    For a world, robot definition or included file, also list its contents. Each C file is
+    checked on its own, so that a part of a program can be checked too. If one of the C files
+    defines main (or runcode), they are also linked, as in crs run. The exit status is
     0 if there are no errors (warnings are allowed), else that of the first error: 121 for C, 122
     for a world.
     """

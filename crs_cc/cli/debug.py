@@ -1,4 +1,4 @@
-"""`crs debug`: the command and its options; `debugging` does the work."""
+"""`crs debug`: the command and its options; `start_debugger` does the work."""
 
 from __future__ import annotations
 

@@ -1,12 +1,12 @@
 """The command `crs`: dispatch to the subcommands, and map errors to exit statuses.
 
 0 to 255  with one robot: the control program's own, 0 if it still runs at --max-time
-0 or 1    with several robots: 0 if all ended with 0, else 1
+0 or 1    several robots: 0 if all programs exited with 0, otherwise 1
 1         a system error, such as a full disk
-2         invalid command line
+2         invalid command line, or a device package that cannot be loaded
 70        internal error in crs
 121 122   invalid C source, invalid world file
-123       the only robot's program was stopped by a run-time error
+123       the only robot's program was stopped by a runtime error
 130       interrupted by Ctrl-C
 141       broken pipe: the reader closed the output
 """
@@ -40,20 +40,20 @@ Examples:
   crs run wander.c                               in an empty world, until Ctrl-C
   crs run wander.c room.xml --max-time 60        for a minute of simulated time
   crs run wander.c room.xml --plot path.svg      plot the robot's path
-  crs debug wander.c room.xml                    debug, forward and backward
+  crs debug wander.c room.xml                    debug, forward and in reverse
   crs check wander.c room.xml                    report errors, run nothing
   crs new world room                             write a commented template
   crs compile --emit wat wander.c                show the WebAssembly
 
 \b
 Exit status:
-  0 to 255  with one robot: its program's own, 0 if it still runs at --max-time
-  0 or 1    with several robots: 0 if all ended with 0, else 1
+  0 to 255  one robot: exit status of its program, 0 if still running at --max-time
+  0 or 1    several robots: 0 if all programs exited with 0, otherwise 1
   1         a system error, such as a full disk
-  2         invalid command line
+  2         invalid command line, or a device package that cannot be loaded
   70        internal error in crs
   121 122   invalid C source, invalid world file
-  123       the only robot's program was stopped by a run-time error
+  123       the only robot's program was stopped by a runtime error
   130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output
 """
@@ -95,7 +95,7 @@ class _Crs(click.Group):
 )
 @click.version_option(__version__, "-V", "--version", message="crs %(version)s")
 def crs() -> None:
-    """Run real C control programs of the Nomadic Scout in a simulated world."""
+    """Run unmodified C control programs for Nomadic robots in a simulated world."""
 
 
 for command in (run, debug, check, compile_, new, cache):

@@ -77,11 +77,11 @@ _FILES: Final = "PROGRAM.c... [WORLD.xml] [-- ARGS...]"
 _OPTIONS: Final = (
     click.option(
         "--seed", type=click.IntRange(min=0), metavar="N",
-        help="Random seed: equal seeds give equal runs. Default: the world file's, else 0.",
+        help="Random seed: the same seed reproduces a run. Default: the world file's, else 0.",
             ),
     click.option(
         "--file", "named_files", multiple=True, metavar="[NAME=]FILE",
-        help="Make a file readable for the programs, by its path or as NAME; may be repeated.",
+        help="Let the programs read FILE, under its own path or as NAME; may be repeated.",
     ),
     click.option(
         "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
@@ -89,11 +89,11 @@ _OPTIONS: Final = (
     ),
     click.option(
         "--robot", default="scout", show_default=True, metavar="NAME|FILE.xml",
-        help="Robot model, such as nomad200, for robots without one in the world file.",
+        help="Robot model, such as nomad200, for robots to which the world assigns none.",
     ),
     click.option(
         "--setup", default="", metavar="NAME",
-        help="Setup of all robots, from their definitions: ideal, or noisy with sensor errors.",
+        help="Setup to use from each robot's definition: ideal, or noisy with sensor errors.",
     ),
     click.option(
         "--link", type=click.Choice(["serial", "ideal"]), default="serial", show_default=True,
@@ -105,7 +105,7 @@ _OPTIONS: Final = (
         help="Emulate the vendor's library for the simulator (nclient) or the robot (ndirect).",
     ),
     click.option(
-        "--unchecked", is_flag=True, help="Omit the checks of memory accesses: faster."
+        "--unchecked", is_flag=True, help="Do not check memory accesses; programs run faster."
     ),
     click.option(
         "--trap-overflow", is_flag=True, help="Stop a program on signed integer overflow."

@@ -58,8 +58,8 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
 @click.option(
     "--trace",
     type=click.Choice(["requests", "messages"]),
-    help="Trace to stderr: the request queue, a line per robot and timestep, or the messages "
-    "between robots.",
+    help="Write a trace to stderr: the request queue, one line per robot and timestep, or the "
+    "messages between robots.",
 )
 @click.option(
     "--json",
@@ -77,13 +77,15 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
 def run(**options: Any) -> int:
     """Compile a C control program and run it in a simulated world.
 
-    Several C files form one program. In a world with several robots each runs the program that
-    the world file names for it, else the one given here. Without a world file there is one robot
-    in an empty world. Arguments after -- are passed to the program's main.
+    Several C files form one program. In a world with several robots, each robot runs the program
+    named for it in the world file or, if there is none, the one given on the command line. Without
+    a world file there is one robot in an empty world. Arguments after -- are passed to the
+    program's main.
 
     The programs share stdin, stdout and stderr of crs; with several robots each line of output
-    starts with the robot's name. The exit status is the program's own with one robot; with
-    several it is 0 if all ended with 0, else 1. A program still running at --max-time counts as 0.
+    starts with the robot's name. With one robot, the exit status is that of its program; with
+    several, it is 0 if all programs exited with 0, otherwise 1. A program still running at
+    --max-time counts as 0.
     """
     run_options = RunOptions(**options)
     if run_options.plot is not None:

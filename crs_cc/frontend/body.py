@@ -76,7 +76,8 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
         diagnostics: receives messages about unmatched braces.
 
     Returns:
-        The tokens, unchanged if there are no such statements or one of `scope.ENTRIES` is defined.
+        The tokens, unchanged if there are no such statements or one of
+        `check.scope.ENTRIES` is defined.
 
     Raises:
         GiveUp: too many errors.

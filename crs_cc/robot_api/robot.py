@@ -13,7 +13,7 @@ _NOTHING: Final = "TRUE, no effect"
 
 
 def _per(time: str) -> str:
-    """Gives the units of speeds or accelerations."""
+    """Return the units of speeds or accelerations."""
     return _LENGTHS.replace("in", f"in/{time}").replace("deg", f"deg/{time}")
 
 
@@ -288,7 +288,7 @@ READING: Final = Group("Reading", (
         "float voltMotorGet(void)",
         "returns the voltage of the motor battery [V] from the last state reply", source=_BOTH,
         chosen="Below the cut-off of the definition, 10.8 V, the motors have no force. The"
-               " discharge model is in `crs_cc/sim/devices/battery.py`.",
+               " discharge model is in `crs_cc/sim/devices/battery/__init__.py`.",
     ),
     Function(
         "int tk(char *talk)", "speaks", posts=("TK",), source=(HEADER, OURS),

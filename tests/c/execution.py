@@ -1,4 +1,4 @@
-"""Runs one compiled program to its end, in small steps of several kinds.
+"""Run one compiled program to its end, in small steps of several kinds.
 
 A program may be stopped by lack of fuel at any loop, before any statement, and may be saved and
 loaded into another instance; none of that may change what it does.
@@ -122,7 +122,7 @@ def _digest(fleet: Fleet) -> str:
 
 
 def _moved(fleet: Fleet, executable: Executable) -> Fleet:
-    """Gives a fresh fleet whose program goes on where the old one's stopped."""
+    """Return a fresh fleet whose program goes on where the old one's stopped."""
     saved = fleet.snapshot(0)
     fresh = Fleet([executable])
     fresh.restore(0, saved)
@@ -130,18 +130,18 @@ def _moved(fleet: Fleet, executable: Executable) -> Fleet:
 
 
 def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:
-    """Gives the program of a case, without asking for its warnings."""
+    """Return the program of a case, without asking for its warnings."""
     return build_executable(sources(path), Diagnostics(), debug=debug, checked=checked)
 
 
 def cases(folder: str) -> list[Path]:
-    """Gives the cases of a folder in a fixed order, each by its C file or its `main.c`."""
+    """Return the cases of a folder in a fixed order, each by its C file or its `main.c`."""
     found = sorted((HERE / folder).rglob("*.c"))
     return [path for path in found if sources(path)[0] == path]
 
 
 def sources(path: Path) -> list[Path]:
-    """Gives the C files of a case: a `main.c` and all others of its folder are one program."""
+    """Return the C files of a case: a `main.c` and all others of its folder are one program."""
     main = path.with_name("main.c")
     if not main.exists():
         return [path]
@@ -149,7 +149,7 @@ def sources(path: Path) -> list[Path]:
 
 
 def name(path: Path) -> str:
-    """Gives a case's name: its path without the folder of all cases."""
+    """Return a case's name: its path without the folder of all cases."""
     return path.relative_to(HERE).with_suffix("").as_posix()
 
 
@@ -170,7 +170,7 @@ class Expected:
     column: int = 0
 
     def is_met_by(self, message: Diagnostic) -> bool:
-        """Tells whether a message is the one that is asked for."""
+        """Return whether a message is the one that is asked for."""
         place = message.location
         return (
             self.text in message.text + message.hint
@@ -180,12 +180,12 @@ class Expected:
 
 
 def expected_errors(path: Path) -> list[Expected]:
-    """Gives the errors that the comments of a case ask for."""
+    """Return the errors that the comments of a case ask for."""
     return _expected(path, "error")
 
 
 def expected_warnings(path: Path) -> list[Expected]:
-    """Gives the warnings that the comments of a case ask for."""
+    """Return the warnings that the comments of a case ask for."""
     return _expected(path, "warning")
 
 

@@ -1,4 +1,4 @@
-"""Runs the C programs below this folder: valid ones five ways, wrong ones to their messages.
+"""Run the C programs below this folder: valid ones five ways, wrong ones to their messages.
 
 valid/     must print what is in the `.out` file beside them (made by gcc, see `test_gcc.py`), and
 exit with 0 or with what a comment `// exit: N` says
@@ -118,7 +118,7 @@ def with_stops(executable: Executable) -> tuple[Outcome, Outcome, int]:
 
 
 def shown(failure: Failure, folder: Path) -> bytes:
-    """Gives a report without what a change elsewhere would change: the folder and addresses."""
+    """Return a report without what a change elsewhere would change: the folder and addresses."""
     text = render_report(report(failure)).replace(f"{folder}/", "")
     return re.sub(r"0x[0-9a-f]{5,}", "0x...", text).encode() + b"\n"
 

@@ -20,7 +20,7 @@ LONGEST_S = 20.0
 
 
 def mark(path: Path, title: str) -> str:
-    """Gives what a comment of a case says, `// title: ...`; nothing if there is none."""
+    """Return what a comment of a case says, `// title: ...`; nothing if there is none."""
     match = re.search(rf"// {title}: *(.*)", path.read_text(encoding="latin-1"))
     return match[1] if match else ""
 

@@ -50,7 +50,7 @@ def test_a_hostile_program_ends_as_it_must(path: Path) -> None:
 
 
 def run_beside(path: Path, *, checked: bool) -> tuple[object, ...]:
-    """Gives everything that is known of a robot with another program beside it."""
+    """Return everything that is known of a robot with another program beside it."""
     written: list[bytes] = []
 
     def output(robot: int, _stream: int, content: bytes) -> None:

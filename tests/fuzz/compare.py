@@ -1,4 +1,4 @@
-"""Runs a C program compiled by gcc and by crs, and compares the results.
+"""Run a C program compiled by gcc and by crs, and compares the results.
 
 gcc compiles at -O0 and -O2: if the two disagree, the program is undefined and is not compared. Our
 programs run checked and unchecked.

@@ -47,7 +47,7 @@ class Drive:
         dialect: Dialect | None = None,
         longest_s: float = 300.0,
     ) -> None:
-        """Runs it.
+        """Run it.
 
         Args:
             program: its C files, below `samples/scout_c`; robots for which the world names a
@@ -97,24 +97,24 @@ class Drive:
 
     @property
     def text(self) -> str:
-        """Gives what the program printed."""
+        """Return what the program printed."""
         return self.output.decode()
 
     @property
     def robot(self) -> RobotResult:
-        """Gives the result of the first robot."""
+        """Return the result of the first robot."""
         return self.robots[0]
 
     @property
     def places(self) -> FloatArray:
-        """Gives where the first robot was after each timestep [m], shape (timesteps, 2)."""
+        """Return where the first robot was after each timestep [m], shape (timesteps, 2)."""
         return np.asarray(self.paths[:, 0])
 
     def numbers(self, pattern: str) -> list[float]:
-        """Gives the groups of the only place in the output that looks like a pattern."""
+        """Return the groups of the only place in the output that looks like a pattern."""
         (found,) = re.finditer(pattern, self.text)
         return [float(group) for group in found.groups()]
 
     def squares(self, side_m: float) -> int:
-        """Gives how many squares of the floor the robot has been in."""
+        """Return how many squares of the floor the robot has been in."""
         return len({tuple(place) for place in (self.places // side_m).tolist()})

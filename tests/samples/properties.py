@@ -122,7 +122,7 @@ def draws_the_studio(drive: Drive) -> None:
 
 
 def to_wall_in(x_in: float, y_in: float) -> float:
-    """Gives the distance from the nearest thing of the studio [in], below 0 inside of one."""
+    """Return the distance from the nearest thing of the studio [in], below 0 inside of one."""
     nearest = min(x_in, 200 - x_in, y_in, 150 - y_in)
     for left, right, low, high in [(130, 200, 95, 150), (72, 88, 72, 88), (0, 20, 80, 120)]:
         dx, dy = max(left - x_in, x_in - right), max(low - y_in, y_in - high)

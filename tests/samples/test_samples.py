@@ -51,23 +51,23 @@ class Run:
 
     @property
     def name(self) -> str:
-        """Gives what its file of output is called."""
+        """Return what its file of output is called."""
         return f"{self.sample.replace('/', '.')}.{self.world}"
 
     def program(self) -> list[str]:
-        """Gives its C files, below `samples/scout_c`."""
+        """Return its C files, below `samples/scout_c`."""
         if (SAMPLES / self.sample).is_dir():
             files = sorted((SAMPLES / self.sample).glob("*.c"))
             return [str(file.relative_to(SAMPLES)) for file in files]
         return [f"{self.sample}.c"]
 
     def world_file(self) -> Path:
-        """Gives the file of its world."""
+        """Return the file of its world."""
         own = SAMPLES / self.sample / f"{self.world}.xml"
         return own if own.exists() else WORLDS / f"{self.world}.xml"
 
     def command(self) -> str:
-        """Gives the line that a user types for it."""
+        """Return the line that a user types for it."""
         sample, world = SAMPLES / self.sample, self.world_file()
         c_files = [f"{sample}/*.c" if sample.is_dir() else f"{sample}.c"]
         if world.parent == sample:
@@ -80,7 +80,7 @@ class Run:
         return " ".join(words).replace(f"{ROOT}/", "")
 
     def drive(self, setup: str = "") -> Drive:
-        """Runs it, with a setup of the robots."""
+        """Run it, with a setup of the robots."""
         return Drive(
             self.program(),
             load_world(self.world_file(), setup),
@@ -196,7 +196,7 @@ def test_the_readme_shows_the_commands_of_all_runs_and_no_others() -> None:
 
 
 def starting_at(world: WorldModel, x_m: float, y_m: float, heading_rad: float) -> WorldModel:
-    """Gives the world with its robot somewhere else."""
+    """Return the world with its robot somewhere else."""
     moved = replace(world.robots[0], start=Pose(x_m, y_m, heading_rad))
     return replace(world, robots=(moved,))
 

@@ -137,7 +137,7 @@ class _Loops:
 
 
 def _number(root: _Dispatcher) -> None:
-    """Number the landings so that those below one dispatcher are consecutive."""
+    """Assign numbers to the landings so that those below one dispatcher are consecutive."""
     number = 0
     work: list[Landing | _Dispatcher] = [root]
     while work:

@@ -2,7 +2,7 @@
 
 A C function may jump anywhere (`goto`), and a suspended one must be able to resume in the middle of
 its loops. WebAssembly allows neither. There are two steps: `dispatch` makes the graph reducible,
-`nesting` then writes blocks and loops. Neither recurses, so a graph of any size and
+`structuring` then writes blocks and loops. Neither recurses, so a graph of any size and
 depth is fine.
 """
 

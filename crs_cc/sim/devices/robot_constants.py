@@ -146,7 +146,7 @@ def _sonars(models: Sequence[RobotModel]) -> BoolArray:
 
 
 def _numbers(has: list[bool]) -> IndexArray:
-    """Number the robots that have a device; the others get -1.
+    """Return consecutive numbers for the robots that have a device, -1 for the others.
 
     >>> _numbers([False, True, True]).tolist()
     [-1, 0, 1]

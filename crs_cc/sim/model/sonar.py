@@ -54,7 +54,7 @@ class Sonar:
 
 @dataclass(frozen=True, slots=True)
 class SonarBoard:
-    """Properties common to all sonars of a robot; see `sensors.sonar` and the files it names.
+    """Properties common to all sonars of a robot; see `devices.sonar` and the files it names.
 
     Attributes:
         order: default firing order.

@@ -2,8 +2,8 @@
 
 A `WorldModel` has the initial state of everything: walls, boxes, cylinders, polygons, lights,
 sounds, and robots, each with its `RobotModel`; the ground, the communication channels, and the
-degradations of devices. `world_xml` reads it from a file; an `environment.Environment` is made
-from it and never changes it. All of it is frozen, compares and hashes by content, and pickles.
+degradations of devices. `files.world_xml` reads it from a file; an
+`engine.environment.Environment` is made from it and never changes it. All of it is frozen, compares and hashes by content, and pickles.
 
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
@@ -140,7 +140,7 @@ class Wall:
 class Box:
     """A rectangular object; `length_m` is along the heading of its pose, `width_m` across.
 
-    `heat` is its initial heat and `spread_m` the distance over which it spreads, as `sensors.heat`
+    `heat` is its initial heat and `spread_m` the distance over which it spreads, as `devices.heat`
     senses it; `height_m` is its height above the ground at its position. `part_of` is the name of
     the composite object of the world file that it belongs to, and empty for a single object.
     """

@@ -15,7 +15,7 @@ class DrawingState:
     """All drawings, later ones on top.
 
     Attributes:
-        marks: each in the form of `drawings.Drawing.of`, shape (marks, 8).
+        marks: each in the form of `engine.drawings.Drawing.of`, shape (marks, 8).
         robots: the robot whose program drew it, (marks,).
     """
 

@@ -68,7 +68,7 @@ TRAFFIC: Final = np.dtype(
         ("number", "<i8"),
     ]
 )
-"""An event of a message: see `messages.traffic`."""
+"""An event of a message: see `comms.message_log`."""
 
 EVERYBODY: Final = -1
 NO_GROUP: Final = -1
@@ -126,4 +126,4 @@ class MessageState:
 
 
 FATES: Final = 10
-"""Number of fates in `messages.traffic.Fate`."""
+"""Number of fates in `comms.message_log.Fate`."""

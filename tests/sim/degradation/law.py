@@ -14,7 +14,7 @@ from crs_cc.sim.state.env_state import EnvState
 
 
 def world_with(*degradations: Degradation, robots: int = 1, robot: str = "scout"):
-    """Gives an open world of robots in a row, 10 m apart, with degradations."""
+    """Return an open world of robots in a row, 10 m apart, with degradations."""
     world = empty_world(robot=robot)
     first = world.robots[0]
     row = tuple(
@@ -38,14 +38,14 @@ class Law:
         return cls(EnvState.at_start(world_with(*degradations, robots=robots)))
 
     def read(self, value, at_s: float = 1.0, device: str = "sonar", robot: int = 0):
-        """Gives what becomes of one reading, or of one for each element."""
+        """Return what becomes of one reading, or of one for each element."""
         values = np.atleast_2d(np.asarray(value, dtype=float))
         rows, instants = np.array([robot]), np.array([at_s])
         told = self.degradations.alter(self.state, device, rows, values, instants)
         return float(told[0, 0]) if np.isscalar(value) else told[0].tolist()
 
     def go(self, speeds, from_s: float, to_s: float, device: str = "drive", robot: int = 0):
-        """Gives the ways that become of speeds, kept between two instants."""
+        """Return the ways that become of speeds, kept between two instants."""
         ways = np.array([speeds]) * (to_s - from_s)
         rows, instants = np.array([robot]), (np.array([from_s]), np.array([to_s]))
         told = self.degradations.move(

@@ -25,7 +25,7 @@ def told(driver: Driver, robot: int = 0) -> int:
 
 
 def events(driver: Driver, cycles: int) -> list[tuple[float, str]]:
-    """Gives what is told of degradations in some cycles."""
+    """Return what is told of degradations in some cycles."""
     said = [event for step in driver.run(cycles) for event in step.events]
     assert {event.kind for event in said} <= {"degradation"}
     return [(round(event.time_s, 6), event.text) for event in said]

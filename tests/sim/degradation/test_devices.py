@@ -23,7 +23,7 @@ def fault(device: str, attributes: str, robot: str = "robot0") -> str:
 
 
 def sonars(attributes: str, seconds: float = 2.0) -> list[int]:
-    """Gives what the sonars tell of a wall 80 in ahead."""
+    """Return what the sonars tell of a wall 80 in ahead."""
     driver = Driver.of(open_world(SCOUT + WALL + fault("sonar", attributes)))
     driver.run_s(seconds)
     return driver.ask("GET_SN")[SONAR_0 : SONAR_0 + 16].tolist()

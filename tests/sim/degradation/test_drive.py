@@ -29,20 +29,20 @@ def scout(*faults: str, robot: str = '<robot x="0" y="0"/>', seed: int = 1) -> D
 
 
 def truth(driver: Driver) -> tuple[float, float, float]:
-    """Gives where the robot is [in, in, deg]."""
+    """Return where the robot is [in, in, deg]."""
     state = driver.state
     degrees = (math.degrees(state.heading_rad[0]) + 180) % 360 - 180
     return state.x_m[0] / INCH, state.y_m[0] / INCH, degrees
 
 
 def believed(driver: Driver) -> tuple[float, float, float]:
-    """Gives where it believes to be [in, in, deg]."""
+    """Return where it believes to be [in, in, deg]."""
     told = driver.ask("GET_RC")
     return told[CONF_X] / 10, told[CONF_Y] / 10, (told[CONF_STEER] / 10 + 180) % 360 - 180
 
 
 def circle(way_in: float, right: float, left: float = 1.0) -> tuple[float, float, float]:
-    """Gives where a robot is whose wheels have gone these shares of a way."""
+    """Return where a robot is whose wheels have gone these shares of a way."""
     turn, middle = way_in * (right - left) / BASE_IN, way_in * (right + left) / 2
     radius = middle / turn
     return radius * math.sin(turn), radius * (1 - math.cos(turn)), math.degrees(turn)

@@ -18,7 +18,7 @@ TIMES_S = (0.0, 1e-300, 0.05, 0.1, 0.15, 0.3, 1.0, 60.0, 1e7)
 
 
 def anything(rng: np.random.Generator, robot: Robot) -> Degradation:
-    """Gives a degradation by chance, of a device that the robot has."""
+    """Return a degradation by chance, of a device that the robot has."""
     names = [name for name, device in degradables().items() if device.elements(robot.model)]
     device = degradables()[str(rng.choice(names))]
     count = len(device.elements(robot.model))

@@ -17,7 +17,7 @@ def draw(driver: Driver, kind: int, *numbers: int, mode: int, robot: int = 0) ->
 
 
 def shown(driver: Driver) -> list[tuple[int, int, str]]:
-    """Gives kind, first number and colour of all that is drawn."""
+    """Return kind, first number and colour of all that is drawn."""
     return [(one.kind, one.numbers[0], one.colour) for one in drawings_in(driver.state.drawings)]
 
 

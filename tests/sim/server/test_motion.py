@@ -16,7 +16,7 @@ THINGS = (
 
 
 def check(driver: Driver, kind: int, *numbers: float) -> tuple[float, float, float] | None:
-    """Gives x, y [in] and the direction of the normal [deg]; None where nothing is hit."""
+    """Return x, y [in] and the direction of the normal [deg]; None where nothing is hit."""
     data = np.zeros(7)
     data[: len(numbers)] = numbers
     message, _ = driver.post("MOTION_CHECK", kind, data=data.tobytes())
@@ -133,7 +133,7 @@ def test_random_paths_end_where_small_steps_first_come_too_near(seed):
 
 
 def room_in(driver: Driver, places: np.ndarray) -> np.ndarray:
-    """Gives how far a robot at places is from the next solid [in]."""
+    """Return how far a robot at places is from the next solid [in]."""
     from crs_cc.sim.geometry.placement import distance_from_m
 
     solids = driver.environment.world_now.solids()

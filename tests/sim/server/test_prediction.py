@@ -18,13 +18,13 @@ PLACES = [(40, 40, 0), (100, 120, 37), (160, 150, 200), (30, 225, 295), (128, 84
 
 
 def robot(definition: str, x: float, y: float, heading: float) -> Driver:
-    """Gives a robot that stands somewhere in the room, as the first one."""
+    """Return a robot that stands somewhere in the room, as the first one."""
     there = f'<robot x="{x}in" y="{y}in" heading="{heading}" definition="{definition}"/>'
     return Driver.of(world_of(there + THINGS, ROOM))
 
 
 def predicted(driver: Driver, x: float, y: float, heading: float):
-    """Gives the reply for a robot whose turret points ahead."""
+    """Return the reply for a robot whose turret points ahead."""
     pose = (round(10 * number) for number in (x, y, heading, heading))
     return driver.post("PREDICT", *pose)[0]
 

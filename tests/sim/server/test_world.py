@@ -16,13 +16,13 @@ def vertices(corners) -> bytes:
 
 
 def obstacle(driver: Driver, name: str, corners, *by: int, robot: int = 0):
-    """Posts a request about a polygon and gives the message that came back."""
+    """Post a request about a polygon and gives the message that came back."""
     message, _ = driver.post(name, len(corners), *by, robot=robot, data=vertices(corners))
     return message
 
 
 def ahead(driver: Driver, robot: int = 0, sonar: int = 0) -> float:
-    """Gives what a sonar hears in a new cycle [in]; 0 is the one ahead."""
+    """Return what a sonar hears in a new cycle [in]; 0 is the one ahead."""
     driver.run(1)
     message, _ = driver.post("SONAR", 1, robot=robot)
     return int(message["data"][:64].view("<i4")[sonar]) / 10

@@ -1,31 +1,33 @@
 """The sonar ring: which sonar fires when, and when its echo is reported.
 
 Sonars fire in the firing order, cyclically, whether or not a program reads them. Firing n occurs at
+exactly
 
-    start + n * max(rate * 4 ms, least interval)
+    start + n * max(rate * 4 ms, minimum interval)
 
-exactly, at any time within a timestep (`conf_sn`, vendor header `Nclient.h` 1.29). `start` is the
-time of `conf_sn`; at the start of a run the robot has already been on for a while, so that a
+(`conf_sn`, vendor header `Nclient.h` 1.29); firing times are not rounded to timesteps. `start` is
+the time of `conf_sn`; at the start of a run the robot has already been on for a while, so that a
 complete cycle of the definition's order has just been measured at its initial position. A reading
 changes when the echo arrives,
 
     2 * distance / (speed of sound)
 
-after the firing, or when the sonar stops listening: after the time of an echo from the end of the
-range, or when the next sonar fires, because all sonars share one board. Until then, the previous
-reading is reported. Chosen by us, because it is undocumented:
+after the firing, or when the sonar stops listening: when an echo from its maximum range would have
+arrived, or when the next sonar fires, whichever is earlier, because all sonars share one board.
+Until then, the previous reading is reported. The vendor does not document the following cases; crs
+defines them:
 
-- rates that result in less than the least interval mean the least interval; so does rate 0;
+- a rate that would give an interval shorter than the minimum, rate 0 included, selects the minimum;
 - `conf_sn` discards the pending ping, and its first sonar fires immediately;
 - a sonar that is not in the order reads 255, no echo; an empty order switches all of them off.
 
 A reading is the distance from the sensor, which is on the shell, to the nearest object that returns
-an echo into the beam (`echoes`), in whole inches; 255 means no echo, as the reading is one byte on
-the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its wheels have
+an echo into the beam (`geometry.echoes`), in whole inches; 255 means no echo, as the reading is one
+byte on the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its wheels have
 reached at the time of the firing; all other objects, and a robot that is blocked, are at their
-positions at the start of the timestep. Errors: see `sonar_errors`. Degradation (`sonar`): the
-degraded distance is reported when an echo from that distance would arrive; an echo that would
-arrive too late is no echo.
+positions at the start of the timestep. Errors: see `errors`. Degradation (`sonar`): the
+degraded distance is reported when an echo from that distance would arrive; if that echo would
+arrive too late, the reading is "no echo".
 """
 
 from __future__ import annotations
