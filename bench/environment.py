@@ -122,7 +122,7 @@ def world_text(robots: int, attributes: str) -> str:
 
 
 def resident_bytes() -> int:
-    """Return the memory of this process that is in use now, or the most so far where that is all."""
+    """Return the memory of this process in use now, or its peak where only that is known."""
     statm = Path("/proc/self/statm")
     if statm.exists():
         return int(statm.read_text().split()[1]) * resource.getpagesize()

@@ -2,8 +2,9 @@
 
 A `WorldModel` has the initial state of everything: walls, boxes, cylinders, polygons, lights,
 sounds, and robots, each with its `RobotModel`; the ground, the communication channels, and the
-degradations of devices. `files.world_xml` reads it from a file; an
-`engine.environment.Environment` is made from it and never changes it. All of it is frozen, compares and hashes by content, and pickles.
+degradations of devices. `files.world_xml` reads it from a file; an `engine.environment.Environment`
+is made from it and never changes it. All of it is frozen, compares and hashes by content, and
+pickles.
 
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.

@@ -1,7 +1,7 @@
 """The state of a world: arrays with one row for each robot.
 
-It contains everything that later cycles depend on, so its SHA-256 shows whether two runs are
-equal. A snapshot is a packed state (`snapshot_codec`), with the history of `physics.simulation.Physics`,
+It contains everything that later cycles depend on, so its SHA-256 shows whether two runs are equal.
+A snapshot is a packed state (`snapshot_codec`), with the history of `physics.simulation.Physics`,
 and with the pending results of the current cycle: served requests, and events.
 
 >>> from crs_cc.sim.geometry.scene import Scene

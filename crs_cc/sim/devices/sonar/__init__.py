@@ -23,9 +23,9 @@ defines them:
 
 A reading is the distance from the sensor, which is on the shell, to the nearest object that returns
 an echo into the beam (`geometry.echoes`), in whole inches; 255 means no echo, as the reading is one
-byte on the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its wheels have
-reached at the time of the firing; all other objects, and a robot that is blocked, are at their
-positions at the start of the timestep. Errors: see `errors`. Degradation (`sonar`): the
+byte on the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its
+wheels have reached at the time of the firing; all other objects, and a robot that is blocked, are
+at their positions at the start of the timestep. Errors: see `errors`. Degradation (`sonar`): the
 degraded distance is reported when an echo from that distance would arrive; if that echo would
 arrive too late, the reading is "no echo".
 """
