@@ -49,8 +49,8 @@ _OPTIONS: Final = (
     click.option(
         "--input", metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
-        help="Standard input of the programs; by default the terminal, and with --batch our own "
-        "standard input.",
+        help="File to use as the programs' standard input. Default: the terminal, or with --batch "
+        "the standard input of crs.",
     ),
     click.option(
         "--tui/--repl", default=None,
@@ -76,16 +76,16 @@ def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
 @click.command(
     cls=WithProgramArguments,
     epilog=_EXAMPLES,
-    short_help="Step through C programs and their world, forward and backward.",
+    short_help="Step through C programs and their world, forward and in reverse.",
     options_metavar="[OPTIONS]",
 )
 @_debug_options
 def debug(**options: Any) -> int:
     """Compile a C control program and debug it in a simulated world.
 
-    Programs and world run together, forward and backward: reverse-step, reverse-continue, goto.
-    Programs, worlds and options are those of crs run. Commands are named as in gdb; help lists
-    them. In the full-screen interface, F1 shows the keys.
+    The programs and the world run together, forward and in reverse: reverse-step,
+    reverse-continue, goto. Programs, worlds and most options are those of crs run. Commands are
+    named as in gdb; help lists them. In the full-screen interface, F1 shows the keys.
     """
     wanted = DebugOptions(**options)
     if wanted.dap is not None:

@@ -179,7 +179,7 @@ class Debugger:
         return self.stop
 
     def _returned(self, frame: BacktraceFrame) -> str:
-        """Return the value of a call that has ended if its `return` shows it, else ""."""
+        """Return the value of a completed call if its `return` statement shows it, else ""."""
         here, robot = self.position, self.view.robot
         call = ActiveCalls.of([frame.active])
         spots = self.navigator.program_points_back(robot, call.functions)
@@ -196,7 +196,7 @@ class Debugger:
         return value
 
     def until(self) -> Stop:
-        """Step to the next line further down, over calls, so out of loops."""
+        """Step like `next`, but only to a line after the current one, so out of loops."""
         return self._arrive(self._next(onward=True))
 
     def advance(self, place: str) -> Stop:
@@ -252,7 +252,7 @@ class Debugger:
         return self.goto_timestep(math.floor(time_s / timestep_s + _SLACK_S))
 
     def goto_statement(self, number: int) -> Stop:
-        """Go to before statement `number` of the selected robot's program, counted from 1.
+        """Go to the point just before statement `number` of the selected program, from 1.
 
         Raises:
             DebugError: the program has no such statement.

@@ -109,7 +109,9 @@ def _when(context: CommandContext, text: str) -> Answer:
     yield when_text(context.debugger)
 
 
-_BACKWARD_TEXT: Final = "Programs and world go back together and are restored to the byte."
+_BACKWARD_TEXT: Final = (
+    "The programs and the world go back together; their state is restored exactly."
+)
 
 RUNNING: Final = Group(
     "running",
@@ -124,13 +126,12 @@ RUNNING: Final = Group(
         Command(
             "continue", "[N]", "Continue to the next breakpoint, watchpoint or catchpoint.",
             _continue, ("c", "fg"),
-            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C"
-" interrupts.",
+            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C interrupts.",
             repeats="on",
         ),
         Command(
             "step", "[N]", "Step to the next line, entering calls.", _step, ("s",),
-            text="With N, N times. Calls of C library functions are stepped over.",
+            text="With N, repeat N times. Calls to C library functions are stepped over.",
             repeats="same",
         ),
         Command(
@@ -146,7 +147,7 @@ RUNNING: Final = Group(
             repeats="same",
         ),
         Command(
-            "until", "[LOCATION]", "Like next, but do not go back to an earlier line of a loop.",
+            "until", "[LOCATION]", "Like next, but run a loop to its end.",
             _until, ("u",),
             text='With LOCATION, the same as "advance".',
             repeats="same", completes="place",
@@ -168,7 +169,7 @@ RUNNING: Final = Group(
             partial(_step, backward=True), ("rs",), text=_BACKWARD_TEXT, repeats="same",
         ),
         Command(
-            "reverse-next", "[N]", "Step back to the previous line, over calls.",
+            "reverse-next", "[N]", "Step back to the previous line, stepping over calls.",
             partial(_next, backward=True), ("rn",), repeats="same",
         ),
         Command(
@@ -184,9 +185,11 @@ RUNNING: Final = Group(
             partial(_tick, backward=True), ("rt",), repeats="same",
         ),
         Command(
-            "goto", "TIME|tick N|stmt N|start", "Go to a time, forward or backward.", _goto,
-            text="TIME is in seconds, such as 12.3; tick N is the start of timestep N; stmt N is"
-            ' before statement N of the robot\'s program (see "when"). Breakpoints on the way'
+            "goto", "TIME|tick N|stmt N|start", "Go to a point in time, forward or in reverse.",
+            _goto,
+            text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
+            " the start of timestep N; stmt N is the point just before statement N of the robot's"
+            ' program (see "when"). Breakpoints on the way'
             " are ignored.",
         ),
         Command("when", "", "Show the current time, timestep and statement.", _when),

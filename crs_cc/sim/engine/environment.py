@@ -89,8 +89,9 @@ class Environment:
             clock_s: when each request reaches the robot, within the current cycle.
 
         Returns:
-            the time at which each program continues, shape (k,): at once, or at the end of a wait
-            that ends in this cycle, or infinite for a longer wait (`step` returns its end).
+            the time at which each program continues, shape (k,): the current time, the end of a
+            wait that ends in this cycle, or infinity for a longer wait, which a later `step`
+            reports.
         """
         return self._dispatcher.serve(code, robots, messages, clock_s)
 
