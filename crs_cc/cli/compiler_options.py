@@ -20,7 +20,7 @@ from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS, Dialect
 
 @dataclass(frozen=True, slots=True)
 class CompilerOptions:
-    """How to compile.
+    """Options of the compiler.
 
     Attributes:
         include_paths: the folders searched by `#include`, in order.

@@ -10,7 +10,7 @@ from crs_cc.cli.program_options import ProgramOptions
 
 @dataclass(frozen=True, slots=True)
 class DebugOptions(ProgramOptions):
-    """What to debug, and how.
+    """Options of `crs debug`: the program, the world, and how to debug.
 
     Attributes:
         scripts: files of commands to execute first.

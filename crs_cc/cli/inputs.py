@@ -25,7 +25,7 @@ LARGEST_FILE: Final = 64 * 2**20  # of --file [bytes]
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """What to run.
+    """The files named on the command line.
 
     Attributes:
         sources: the C files of one program.

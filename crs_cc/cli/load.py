@@ -26,7 +26,7 @@ _ARGUMENT_HINT: Final = "arguments of the program follow --"
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """What to run.
+    """A world and its programs, loaded.
 
     Attributes:
         world: the world.

@@ -21,7 +21,7 @@ _ARGUMENTS: Final = "crs.arguments"
 
 @dataclass(frozen=True, slots=True)
 class ProgramOptions:
-    """What to run, and how.
+    """Options of every command that runs a program.
 
     Attributes:
         inputs: the C files and the world.

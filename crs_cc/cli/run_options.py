@@ -10,7 +10,7 @@ from crs_cc.cli.program_options import ProgramOptions
 
 @dataclass(frozen=True, slots=True)
 class RunOptions(ProgramOptions):
-    """What to run, how, and what to show of it.
+    """Options of `crs run`: the program, the world, and what to show.
 
     Attributes:
         max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,

@@ -132,7 +132,7 @@ _KNOWN: Final = frozenset({attribute.name for attribute in ATTRIBUTES} | set(_OF
 
 @dataclass(frozen=True, slots=True)
 class Launch:
-    """What to run, and where to stop automatically.
+    """The run that an editor asks for, and where it stops automatically.
 
     Attributes:
         command_line: arguments of `crs debug`.

@@ -35,7 +35,7 @@ GONE: Final = bytes([ByteState.INACCESSIBLE])
 
 
 class ValueReader(Protocol):
-    """What a value needs of the stopped program: formatting, and the memory behind pointers."""
+    """The part of the stopped program that values need: formatting, memory behind pointers."""
 
     @property
     def short(self) -> Values:

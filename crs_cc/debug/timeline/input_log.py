@@ -29,7 +29,7 @@ _ROUND: Final = 800
 
 @dataclass(frozen=True, slots=True)
 class RoundInput:
-    """What programs were given in a round.
+    """The replies that programs were given in a round.
 
     Messages are mostly zeros, and only the other bytes are kept.
 
