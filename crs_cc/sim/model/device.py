@@ -32,6 +32,14 @@ if TYPE_CHECKING:
 NAME: Final = re.compile(r"[a-z][a-z0-9_]{0,31}")
 """Valid names of devices and values: they become names in C and Python."""
 
+RESERVED: Final = frozenset({
+    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum",
+    "extern", "float", "for", "goto", "if", "inline", "int", "long", "register", "restrict",
+    "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef", "union",
+    "unsigned", "void", "volatile", "while", "message",
+})  # fmt: skip
+"""Names that values cannot have: C keywords (C17 6.4.1), and a variable of the C function."""
+
 ELEMENT: Final = re.compile(r"[a-z][a-z0-9-]{0,31}")
 
 
@@ -180,6 +188,9 @@ class Device:
             return "name and element must be lower-case words"
         if not self.values or not all(NAME.fullmatch(value.name) for value in self.values):
             return "the names of its values must be lower-case words"
+        values = [value.name for value in self.values]
+        if len(set(values)) < len(values) or not RESERVED.isdisjoint(values):
+            return "the names of its values must be distinct, and not reserved in C"
         if len(self.values) > MAX_VALUES:
             return f"more than {MAX_VALUES} values"
         if self.kind.name not in UNITS:

@@ -64,6 +64,8 @@ def _complaint(device: Device, found: dict[str, Device]) -> str:
         return "duplicate device name"
     if device.name.upper() in CODES:
         return "the name is that of a request"
+    if device.number >= 0 and device.number in {each.number for each in found.values()}:
+        return "duplicate sensor number"
     if device.element in {each.element for each in found.values()}:
         return "duplicate device element"
     return device.complaint()
