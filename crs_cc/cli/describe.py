@@ -119,7 +119,3 @@ def _parts(model: RobotModel) -> Iterator[str]:
             yield field.name.replace("_", " ")
     for name, _ in model.devices:
         yield device(name).element.replace("-", " ")
-    if model.brightest:
-        yield "lamp"
-    if model.loudest:
-        yield "speaker"

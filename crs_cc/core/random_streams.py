@@ -28,8 +28,6 @@ LASER: Final = 3
 ROLLING: Final = 4
 CAMERA: Final = 6
 MESSAGES: Final = 20
-LIGHT: Final = 22
-SOUND: Final = 23
 DEGRADATION: Final = 100
 """Keys of the sensors."""
 

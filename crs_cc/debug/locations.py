@@ -22,7 +22,7 @@ from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES
 from crs_cc.robot_api import GROUPS
 from crs_cc.robot_api.device import DEVICE_GROUPS
-from crs_cc.session.device_library import registered_functions
+from crs_cc.session.device_library import device_groups
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
@@ -32,7 +32,7 @@ _PLACE: Final = re.compile(r"(?:(?P<file>.+):)?(?:(?P<line>[0-9]{1,9})|(?P<funct
 
 POSTS: Final = {
     function.name: frozenset(CODES[name] for name in function.posts)
-    for group in (*GROUPS, *DEVICE_GROUPS, registered_functions())
+    for group in (*GROUPS, *DEVICE_GROUPS, *device_groups())
     for function in group.functions
     if function.posts
 }

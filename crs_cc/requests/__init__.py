@@ -38,6 +38,7 @@ from crs_cc.requests.robot import ROBOT_REQUESTS
 __all__ = [
     "CODES",
     "DATA_SIZE",
+    "DEVICE_CODES",
     "ERROR_KINDS",
     "FAILED",
     "LARGEST",
@@ -63,13 +64,15 @@ REQUESTS: Final[dict[int, Request]] = {request.code: request for request in _TAB
 CODES: Final[dict[str, int]] = {request.name: request.code for request in _TABLE}
 """Request codes by name."""
 
-REGISTERED: Final = range(300, 512)
-"""The codes of requests to registered devices."""
+DEVICE_CODES: Final = range(200, 512)
+"""The codes of requests to devices of `crs.h`."""
+
+REGISTERED: Final = DEVICE_CODES[100:]
+"""The codes of requests whose devices do not fix them."""
 
 
 def register(request: Request) -> None:
-    """Add the request of a registered device to the tables."""
-    assert request.code in REGISTERED
+    """Add the request of a device to the tables."""
     assert request.code not in REQUESTS
     assert request.name not in CODES
     REQUESTS[request.code] = request

@@ -125,31 +125,6 @@ DEVICE_REQUESTS: Final = (
         fields(("close", "i[0]", "1", "0 to open, 1 to close")),
     ),
     device_request(
-        "LIGHT", 225, "int crs_light(int brightness)", "sets the brightness of the lamp",
-        fields(("brightness", "i[0]", "1", "brightness, as read at 1 m")),
-    ),
-    device_request(
-        "SOUND", 226, "int crs_sound(int level, int tone)", "sets the tone of the speaker",
-        fields(
-            ("level", "i[0]", "1", "level, as read at 1 m"), ("tone", "i[1]", "1", "tone, 0 to 7")
-        ),
-    ),
-    device_request(
-        "GET_LIGHT", 227, "int crs_get_light(int *readings, int most)", "reads the light sensors",
-        results=fields(
-            ("sensors", "i[0]", "1", "how many sensors there are"),
-            ("readings", "data", "1", "readings", "int32"),
-        ),
-    ),
-    device_request(
-        "GET_SOUND", 228, "int crs_get_sound(int *levels, int most, int *direction)",
-        "reads the level of each tone, and the direction of the loudest",
-        results=fields(
-            ("direction", "i[0]", _ANGLE, "direction of the loudest, from ahead"),
-            ("levels", "data", "1", "levels of the eight tones", "int32"),
-        ),
-    ),
-    device_request(
         "TAKE_HEAT", 229, "int crs_tag(void)", "takes the heat from all things near",
         results=_THINGS,
     ),

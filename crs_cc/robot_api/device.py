@@ -107,31 +107,6 @@ HANDLING: Final = Group("Grippers, arms and tagging", (
     ),
 ))  # fmt: skip
 
-BEACONS: Final = Group("Light and sound", (
-    Function(
-        "int crs_light(int brightness)",
-        "sets the brightness of the robot's lamp, as read by a light sensor at 1 m; 0 for off",
-        posts=("LIGHT",), source=(OURS,),
-    ),
-    Function(
-        "int crs_sound(int level, int tone)",
-        "sets the level and the tone, 0 to 7, of the robot's speaker, as read by microphones at 1"
-        " m; 0 for silence", posts=("SOUND",), source=(OURS,),
-    ),
-    Function(
-        "int crs_get_light(int *readings, int most)",
-        "copies the readings of the light sensors, counter-clockwise; returns the number of"
-        " readings copied, at most `most`", posts=("GET_LIGHT",), source=(OURS,),
-    ),
-    Function(
-        "int crs_get_sound(int *levels, int most, int *direction)",
-        "copies the level of each tone, and returns the direction of the loudest, relative to the"
-        " front, in `direction`, which may be NULL; returns the number of tones copied, at most"
-        " `most`", units="-, -, 0.1 deg",
-        posts=("GET_SOUND",), source=(OURS,),
-    ),
-))  # fmt: skip
-
 MESSAGES: Final = Group("Messages", (
     Function(
         "int crs_send(int to, int type, const void *data, int size)",
@@ -196,5 +171,5 @@ MESSAGES: Final = Group("Messages", (
     ),
 ))  # fmt: skip
 
-DEVICE_GROUPS: Final = (SENSORS, HANDLING, BEACONS, MESSAGES)
+DEVICE_GROUPS: Final = (SENSORS, HANDLING, MESSAGES)
 """All functions, by what they are about."""

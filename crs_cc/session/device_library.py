@@ -1,7 +1,7 @@
 """The C side of the devices in the registry: their functions, and their part of `crs.h`.
 
-The function of a sensor is derived from its row. A device can have a C file of its own instead,
-named after it, in its folder; it includes `crs/device.h`, and `CRS_<NAME>` is its request's code.
+A device's C file is in its folder and named after it; without one the source is that of its row. It
+includes `crs/device.h`, and `CRS_<NAME>` is the code of the request `NAME`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 from typing import Final
 
-from crs_cc.robot_api.row import OURS, Function, Group
+from crs_cc.robot_api.row import Function, Group
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
 
@@ -31,14 +31,21 @@ def device_headers() -> tuple[tuple[str, str], ...]:
     lines = ["/* The devices of the registry; made of their rows. */", "#ifndef _CRS_REGISTERED_H"]
     lines.append("#define _CRS_REGISTERED_H")
     for device in devices():
-        values = "; ".join(value.meaning for value in device.values)
-        text = f"{device.title}: {device.does} ({device.unit}): {values}."
-        comment = textwrap.wrap(text.replace("*/", ""), _WIDTH - 6)
-        lines += ["", f"/* {f'{chr(10)}   '.join(comment)} */", f"{device.prototype};"]
-        lines.append(f"#define CRS_SENSOR_{device.name.upper()} {device.number}")
+        lines += ["", f"/* {device.title}. */", *device.declarations.splitlines()]
+        if device.number is not None:
+            lines.append(f"#define CRS_SENSOR_{device.name.upper()} {device.number}")
+        for function in device.functions:
+            lines += [_comment(function), f"{function.prototype};"]
     lines += ["", "#endif", ""]
     own = [(path.name, _text(path)) for device in devices() for path in _own_headers(device)]
     return ((HEADER, "\n".join(lines)), *own)
+
+
+def _comment(function: Function) -> str:
+    does = function.does[0].upper() + function.does[1:]
+    text = f"{does} ({function.units})." if function.units else f"{does}."
+    lines = textwrap.wrap(text.replace("*/", ""), _WIDTH - 6)
+    return f"/* {f'{chr(10)}   '.join(lines)} */"
 
 
 def _own_headers(device: Device) -> list[Path]:
@@ -52,19 +59,9 @@ def _text(path: Path) -> str:
 
 
 @cache
-def registered_functions() -> Group:
-    """Return the functions of all devices, as rows of the table of `crs.h`."""
-    rows = (
-        Function(
-            device.prototype,
-            f"{device.does}: {', '.join(value.meaning for value in device.values)}",
-            units=device.unit,
-            posts=(device.name.upper(),),
-            source=(OURS,),
-        )
-        for device in devices()
-    )
-    return Group("Sensors that read a few numbers", tuple(rows))
+def device_groups() -> tuple[Group, ...]:
+    """Return the functions of each device, as rows of the table of `crs.h`."""
+    return tuple(Group(each.title, each.functions) for each in devices() if each.functions)
 
 
 def unit_of(device: Device) -> str:
@@ -75,34 +72,18 @@ def unit_of(device: Device) -> str:
 @cache
 def units() -> dict[str, Device]:
     """Return the devices by the names of their units."""
-    return {unit_of(device): device for device in devices()}
+    return {unit_of(device): device for device in devices() if device.functions}
 
 
 def defines(device: Device) -> tuple[str, ...]:
     """Return the macros that a device's C file is compiled with."""
-    return (f"CRS_{device.name.upper()}={device.code}",)
+    return tuple(f"CRS_{request.name}={request.code}" for request in device.requests)
 
 
 def source(device: Device) -> str:
-    """Return the C source of a device's function: its own, or derived from its row."""
+    """Return the C source of a device's functions: the file in its folder, or that of its row."""
     path = device.folder / f"{device.name}.c"
-    if device.source and path.is_file():
-        return _text(path)
-    lines = [
-        "#include <crs/device.h>",
-        "",
-        device.prototype,
-        "{",
-        "    struct __crs_message message;",
-        "",
-        f"    if (!__crs_ask_device(CRS_{device.name.upper()}, &message, 0, 0, 0, 0))",
-        "        return 0;",
-        *(f"    *{value.name} = message.i[{place}];" for place, value in enumerate(device.values)),
-        "    return 1;",
-        "}",
-        "",
-    ]
-    return "\n".join(lines)
+    return _text(path) if device.source and path.is_file() else device.code
 
 
 @cache
@@ -110,5 +91,5 @@ def device_sources() -> str:
     """Return all that decides what the devices' functions are compiled to."""
     return "\0".join(
         [text for _, text in device_headers()]
-        + [f"{defines(device)}\0{source(device)}" for device in devices()]
+        + [f"{defines(device)}\0{source(device)}" for device in units().values()]
     )

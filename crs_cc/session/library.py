@@ -56,7 +56,8 @@ class CachedLibrary:
         for line in (SOURCES / "index.txt").read_text("utf-8").splitlines():
             unit, _, names = line.partition(":")
             self._index |= dict.fromkeys(names.split(), unit)
-        self._index |= {device.function: unit for unit, device in units().items()}
+        for unit, device in units().items():
+            self._index |= dict.fromkeys((each.name for each in device.functions), unit)
         self._known = frozenset(self._index.values())
 
     def find(self, name: str) -> Function | Data | None:

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
-from crs_cc.requests import CODES, REGISTERED, REQUESTS, SUSPENDED
+from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
@@ -49,7 +49,9 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import Robot, WorldModel
 
-_ON_LINK = np.isin(np.arange(REGISTERED.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *REGISTERED])
+_ON_LINK = np.isin(
+    np.arange(DEVICE_CODES.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *DEVICE_CODES]
+)
 """By code, whether a request is sent over the link; the last stands for all codes beyond."""
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from crs_cc.robot_api import Function
 from crs_cc.robot_api.device import DEVICE_GROUPS
-from crs_cc.session.device_library import registered_functions
+from crs_cc.session.device_library import device_groups
 from docs.generate import Fillers, cell, table
 
 
@@ -13,7 +13,7 @@ def functions() -> str:
     titles = ("function", "units", "description")
     return "\n\n".join(
         f"## {group.title}\n\n{table(titles, [_row(each) for each in group.functions])}"
-        for group in (*DEVICE_GROUPS, registered_functions())
+        for group in (*device_groups(), *DEVICE_GROUPS)
     )
 
 

@@ -6,7 +6,8 @@ from functools import cache
 from unittest.mock import MagicMock
 
 from crs_cc.sim.files.world_xml import empty_world, known_robots
-from crs_cc.sim.model.degradation import Degradable, degradables, shown
+from crs_cc.sim.model.degradable import Degradable
+from crs_cc.sim.model.degradation import degradables, shown
 from crs_cc.sim.model.robot import RobotModel
 from docs.generate import Fillers, table
 

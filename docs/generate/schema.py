@@ -100,10 +100,12 @@ class Schema:
         if description:
             yield description
         if children:
-            names = dict.fromkeys(
-                f"`<{child.get('name')}>`{_repeated(child)}" for child in children
-            )
-            yield f"Contains: {', '.join(names)}."
+            names = [f"`<{child.get('name')}>`{_repeated(child)}" for child in children]
+            devices = [n for n, each in zip(names, children, strict=True) if _is_device(each)]
+            others = [name for name in dict.fromkeys(names) if name not in devices]
+            if devices:
+                yield f"Devices, in any order: {', '.join(devices)}."
+            yield f"Contains: {', '.join(others)}."
         rows = [self._attribute(each) for each in attributes]
         rows += [
             self._row(each, each.get("minOccurs") != "0", "<{}>")
@@ -156,7 +158,14 @@ def documentation(node: etree._Element) -> str:
     return " ".join(text.split()).replace("|", "\\|")
 
 
+def _is_device(child: etree._Element) -> bool:
+    choice = child.getparent()
+    return choice is not None and choice.get("id") == "devices"
+
+
 def _repeated(child: etree._Element) -> str:
+    if _is_device(child):
+        return ""  # the reader of robot definitions reports a second one
     node, most = child, "1"
     while node is not None and node.tag not in {f"{XS}complexType", f"{XS}schema"}:
         most = node.get("maxOccurs") or most

@@ -37,30 +37,33 @@ def degradation(name: str) -> str:
 
 
 def registered_rows() -> str:
-    """Return the rows of the overview for the sensors of the registry."""
+    """Return the rows of the overview for the sensors that read a few numbers."""
     return "\n".join(
         f"| [{device.title}](#{device.title.lower().replace(' ', '-')}) | `<{device.element}>` | "
-        f"`{device.function}` | {device.unit} | yes | `{device.name}` | {_sample(device)} |"
-        for device in _ours()
+        f"`{device.functions[0].name}` | {device.functions[0].units} | yes | `{device.name}` | "
+        f"{_sample(device)} |"
+        for device in _few_numbers()
     )
 
 
 def registered_sections() -> str:
-    """Return a section for each sensor of the registry."""
+    """Return a section for each sensor that reads a few numbers."""
     return "\n\n".join(
         f"## {device.title}\n\n{law(device.folder.name)}\n\n{attributes(device.element)}\n\n"
         f"{degradation(device.name)}"
-        for device in _ours()
+        for device in _few_numbers()
     )
 
 
-def _ours() -> list[Device]:
-    return [device for device in devices() if device.model.__module__.startswith("crs_cc.")]
+def _few_numbers() -> list[Device]:
+    """Return our sensors whose C function is made of their row."""
+    ours = (each for each in devices() if each.model.__module__.startswith("crs_cc."))
+    return [device for device in ours if device.code]
 
 
 def _sample(device: Device) -> str:
     for path in sorted((ROOT / "samples" / "scout_c").glob("*.c")):
-        if f"{device.function}(" in path.read_text():
+        if f"{device.functions[0].name}(" in path.read_text():
             return f"[{path.stem}](../samples/scout_c/{path.name})"
     return ""
 

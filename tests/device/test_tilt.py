@@ -57,7 +57,7 @@ def test_snapshot_contains_last_measurement(tmp_path):
     environment = done.session.environment
     assert isinstance(environment, Environment)
     snapshot, now = environment.snapshot(), environment.hash()
-    environment.state.sensors.tilt.value[:] = 9.0
+    environment.state.devices.tilt.value[:] = 9.0
     assert environment.hash() != now
     environment.restore(snapshot)
     assert environment.hash() == now

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from crs_cc.requests import REQUESTS
 from crs_cc.robot_api.device import DEVICE_GROUPS
-from crs_cc.session.device_library import device_headers, registered_functions, source
+from crs_cc.session.device_library import device_groups, device_headers, source
 from crs_cc.session.library import HEADERS, SOURCES, library
 from crs_cc.sim.model.registry import devices
 
 ROOT = Path(__file__).parents[2]
-GROUPS = (registered_functions(), *DEVICE_GROUPS)
+GROUPS = (*device_groups(), *DEVICE_GROUPS)
 FUNCTIONS = [function for group in GROUPS for function in group.functions]
 HEADER = re.sub(
     r"/\*.*?\*/",

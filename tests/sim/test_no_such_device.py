@@ -9,13 +9,12 @@ from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, COMPASS, HEAT, INFRARED, LASER, LIGHT, SOUND
+from crs_cc.sim.state.timers import CAMERA, COMPASS, HEAT, INFRARED, LASER
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
 REGISTERED = "".join(f"<{device.element}/>" for device in devices())
-DEVICES = f"""{REGISTERED}<camera/><gripper/><arm/><light-sensors/><microphones/><lamp/>
-    <speaker/><computer-battery"""
+DEVICES = f"{REGISTERED}<camera/><gripper/><arm/><computer-battery"
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
     <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
            acceleration="1m/s2"/></robot-definition>"""
@@ -35,11 +34,10 @@ HAS = {
     "tag": lambda model: model.heat.tag_range_m > 0.0,
     "gripper": lambda model: model.gripper is not None,
     "arm": lambda model: model.arm is not None,
-    "lamp": lambda model: model.brightest > 0.0,
-    "speaker": lambda model: model.loudest > 0.0,
-    "light-sensors": lambda model: model.light_sensors is not None,
-    "microphones": lambda model: model.microphones is not None,
 }
+
+WITH = {"LIGHT": (9,), "SOUND": (9,)}
+"""Arguments of the requests to devices."""
 
 ASKED = (
     ("sonars", "GET_SN"), ("sonars", "CONF_SN", 15), ("sonars", "SONAR", 1),
@@ -48,17 +46,20 @@ ASKED = (
     ("compass", "CONF_CP", 1), ("laser", "CONF_LS", 51), ("laser", "CONF_SG"), ("laser", "GET_LS"),
     ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
     ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
-    *((device.element, device.name.upper()) for device in devices()),
+    *(
+        (device.element, request.name, *WITH.get(request.name, ()))
+        for device in devices() for request in device.requests
+    ),
     ("heat", "HEAT"), ("heat", "SENSE_HEAT"), ("tag", "TAG"), ("tag", "TAKE_HEAT"),
     ("gripper", "GRIPPER"), ("gripper", "GET_GRIPPER"), ("arm", "ARM"), ("arm", "GET_ARM"),
-    ("arm", "HAND"), ("lamp", "LIGHT", 9), ("speaker", "SOUND", 9), ("light-sensors", "GET_LIGHT"),
-    ("microphones", "GET_SOUND"),
+    ("arm", "HAND"),
     *((device, request, number)
       for request in ("PERIOD", "AGE")
-      for device, number in (*((each.element, each.number) for each in devices()),
-                             ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
-                             ("infrared", INFRARED), ("compass", COMPASS),
-                             ("light-sensors", LIGHT), ("microphones", SOUND))),
+      for device, number in (
+          *((each.element, each.number) for each in devices() if each.number is not None),
+          ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
+          ("infrared", INFRARED), ("compass", COMPASS),
+      )),
 )  # fmt: skip
 
 COUNTS = {"READINGS", "LASER_PAGE"}

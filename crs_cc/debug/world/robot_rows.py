@@ -200,6 +200,8 @@ def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterato
     for (name, battery), charge in zip(batteries, environment.charges(robot), strict=True):
         if math.isfinite(battery.capacity_j):
             yield Row(name, f"{100 * charge:.1f} %")
+    for title, text in environment.device_rows(robot):
+        yield Row(title, text)
     if state.heat.left[robot]:
         yield Row("heat", f"{state.heat.left[robot]:g}")
     for name, thing in zip(("gripper", "hand"), state.bodies.holds.thing[robot], strict=True):

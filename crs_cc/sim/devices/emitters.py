@@ -1,4 +1,4 @@
-"""Sources of light or sound within the range of robots, and the lines of sight to them.
+"""Sources of light or sound, the robots' own ones among them, and the lines of sight to them.
 
 A source is in sight if nothing is on the straight line to it: no wall, no object, no robot except
 the one that carries the source.
@@ -10,14 +10,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.rays import Fan
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
@@ -122,3 +124,45 @@ def sense(
         direction_rad - mounts[robot, 2],
         in_sight,
     )
+
+
+def of_all(
+    state: EnvState, constants: RobotConstants, device: str, values: npt.NDArray[np.number]
+) -> FloatArray:
+    """Return a value of all robots' lamps or speakers, 0 for robots without one, (robots,).
+
+    Args:
+        state: has the robots that are in the world.
+        constants: the robots' constants.
+        device: the device.
+        values: the value of each device.
+    """
+    numbers = constants.numbers[device]
+    has = (numbers >= 0) & state.presence.present
+    found = np.zeros(len(numbers))
+    found[has] = values[numbers[has]]
+    return found
+
+
+def commanded(
+    context: RequestContext,
+    device: str,
+    rows: IndexArray,
+    requested: Int32Array,
+    *,
+    most: FloatArray,
+) -> FloatArray:
+    """Return the requested strengths after degradation and clipping, (k,).
+
+    Args:
+        context: the requests.
+        device: the lamp or speaker.
+        rows: the robots with one, k of them.
+        requested: what their programs requested, (k,).
+        most: the maximum of each, (k,).
+    """
+    wanted = np.clip(requested.astype(np.float64), 0.0, most)
+    altered = context.constants.degradations.alter(
+        context.state, device, rows, wanted[:, None], context.state.drive.clock_s[rows]
+    )[:, 0]
+    return np.clip(np.nan_to_num(altered, nan=0.0), 0.0, most)

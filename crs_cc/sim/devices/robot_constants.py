@@ -35,15 +35,11 @@ class RobotConstants:
         infrared: number of each robot among those with an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
-        sensors: the same for each device of `registry.devices()`, by its name.
         camera: the same for cameras.
         gripper: the same for grippers.
         arm: the same for arms.
         heat: the same for heat sensors.
-        light: the same for rings of light sensors.
-        sound: the same for microphones.
-        brightest: maximum brightness of the lamp, 0 where there is none.
-        loudest: maximum level of the speaker, 0 where there is none.
+        numbers: the same for each device of `registry.devices()`, by its name.
         laser_points: maximum number of points of the laser.
         calibration_s: duration of the turn that calibrates the compass.
         heat_range_m: range of the heat sensor, 0 where there is none.
@@ -66,15 +62,11 @@ class RobotConstants:
     infrared: IndexArray
     compass: IndexArray
     laser: IndexArray
-    sensors: Mapping[str, IndexArray]
     camera: IndexArray
     gripper: IndexArray
     arm: IndexArray
     heat: IndexArray
-    light: IndexArray
-    sound: IndexArray
-    brightest: FloatArray
-    loudest: FloatArray
+    numbers: Mapping[str, IndexArray]
     laser_points: Int32Array
     calibration_s: FloatArray
     heat_range_m: FloatArray
@@ -104,18 +96,21 @@ class RobotConstants:
             infrared=_numbers([model.infrared is not None for model in models]),
             compass=_numbers([model.compass is not None for model in models]),
             laser=_numbers([model.laser is not None for model in models]),
-            sensors={
-                device.name: _numbers([model.device(device.name) is not None for model in models])
-                for device in devices()
-            },
             camera=_numbers([model.camera is not None for model in models]),
             gripper=_numbers([model.gripper is not None for model in models]),
             arm=_numbers([model.arm is not None for model in models]),
             heat=_numbers([model.heat.range_m > 0.0 for model in models]),
-            light=_numbers([model.light_sensors is not None for model in models]),
-            sound=_numbers([model.microphones is not None for model in models]),
-            brightest=np.array([model.brightest for model in models]),
-            loudest=np.array([model.loudest for model in models]),
+            numbers={
+                "camera": _numbers([model.camera is not None for model in models]),
+                "heat": _numbers([model.heat.range_m > 0.0 for model in models]),
+                "laser": _numbers([model.laser is not None for model in models]),
+                "infrared": _numbers([model.infrared is not None for model in models]),
+                "compass": _numbers([model.compass is not None for model in models]),
+                **{
+                    each.name: _numbers([model.device(each.name) is not None for model in models])
+                    for each in devices()
+                },
+            },
             laser_points=np.array(
                 [model.laser.points if model.laser else 0 for model in models], np.int32
             ),

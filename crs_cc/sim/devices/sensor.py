@@ -1,43 +1,38 @@
-"""The sensors of `registry.devices()`: when they measure, their noise, and their replies.
+"""Sensors that measure some numbers for their robot, on request or by a timer.
 
 A sensor measures when the program asks, at most at its rate, or by its timer; between two
-measurements it replies with the last one. To what its row measures it adds normal deviates with the
-standard deviation of its definition, then come degradations. A value that is not there (NaN) makes
-the request fail. Values go to C as integers, rounded to the nearest 0.1 inch or 0.1 degree.
+measurements it replies with the last one. Normal deviates with the standard deviation of its
+definition are added to what it measures, or, where the definition has a relative one, multiplied by
+the value and added; then come degradations.
+
+The row of a sensor whose reading is a few numbers is made by `number_sensor`.
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Self, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.core.quantity import ANGLE, LENGTH
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.core.random_streams import Noise
 from crs_cc.core.time_grid import is_due
-from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
-from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.timers import read_on_request
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
-    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.request_context import Handler, RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
+    from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.model.device import Device
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.sensors import Readings
 
-_NOISE: Final = ("noise_m", "noise_rad")
-_IN_C: Final[dict[str, tuple[Callable[[FloatArray], FloatArray], float]]] = {
-    LENGTH.name: (m_to_tenths_inch, LARGEST),
-    ANGLE.name: (rad_to_tenths_deg, 3600.0),
-}
-"""The unit in C, and the largest number, as a degraded sensor may measure any value."""
+_NOISE: Final = ("noise_m", "noise_rad", "noise")
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,50 +53,89 @@ class Measurement:
     rays: RayCaster
     rows: IndexArray
     at_s: FloatArray
-    settings: dict[str, FloatArray]
+    settings: Mapping[str, FloatArray]
+
+
+Measure: TypeAlias = Callable[[Measurement], FloatArray]
+"""Measures with the sensors of some robots.
+
+Returns the true values [SI unit], without noise and degradation, in an array of shape (k, values).
+"""
+
+
+@dataclass(slots=True)
+class Readings:
+    """The readings of one kind of sensor; arrays have a row for each robot with it, n of them.
+
+    Attributes:
+        value: the last measurement [SI unit], NaN for none, (n, values).
+        at_s: its time; negative for none, (n,).
+        count: number of measurements, (n,).
+    """
+
+    value: FloatArray
+    at_s: FloatArray
+    count: Int64Array
+
+    @classmethod
+    def never(cls, count: int, width: int) -> Self:
+        """Return the readings of `count` sensors that have not measured yet."""
+        return cls(np.zeros((count, width)), np.full(count, -1.0), np.zeros(count, dtype=np.int64))
 
 
 class Sensor:
     """One kind of sensor, of all robots that have it.
 
     Attributes:
-        interval_s: minimum time between two measurements of each.
+        row: the device.
+        settings: the fields of the row's model, by name, (n,) each.
     """
 
-    def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
+    def __init__(
+        self,
+        row: Device,
+        world: WorldModel,
+        seed: int,
+        measure: Measure,
+        width: int,
+        *,
+        missing: float = np.nan,
+    ) -> None:
         """Make the sensors of a world's robots.
 
         Args:
             row: the device.
             world: the world.
             seed: decides their noise.
+            measure: the measuring function.
+            width: number of values with noise and degradations; what else it measures follows them.
+            missing: the reading for a missing value.
         """
         self.row = row
+        self._measure, self._width, self._missing = measure, width, missing
         models = [robot.model.device(row.name) for robot in world.robots]
         found = [model for model in models if model is not None]
-        self._settings = {
+        self.settings = {
             field.name: np.array([getattr(model, field.name) for model in found], np.float64)
             for field in dataclasses.fields(row.model)
         }
-        self.interval_s = 1.0 / self._settings["rate_hz"]
-        sigma = next((self._settings[name] for name in _NOISE if name in self._settings), None)
+        rates_hz = self.settings.get("rate_hz")
+        self._interval_s = np.zeros(len(found)) if rates_hz is None else 1.0 / rates_hz
+        name = next((name for name in _NOISE if name in self.settings), "")
+        sigma = self.settings.get(name)
         self._sigma = sigma if sigma is not None and sigma.any() else None
-        self._noise = Noise(
-            seed, row.stream, len(row.values), len(models) if self._sigma is not None else 0
-        )
+        self._is_relative = name == "noise"
+        robots = len(models) if self._sigma is not None else 0
+        self._noise = Noise(seed, row.stream, width, robots)
 
-    def numbers(self, constants: RobotConstants) -> IndexArray:
-        """Return the number of each robot among those that have the sensor, else -1, (robots,)."""
-        return constants.sensors[self.row.name]
+    def installed(self, handlers: Mapping[str, Handler], fans: Sequence[Fan] = ()) -> Installed:
+        """Return the sensors with the handlers of their requests and the beams that they cast."""
+        timed = Timed(self.read, lambda state: self.readings(state).at_s, self._interval_s)
+        return Installed(handlers=handlers, timed=timed, fans=fans, device=self)
 
     def readings(self, state: EnvState) -> Readings:
         """Return the last measurements."""
-        readings: Readings = getattr(state.sensors, self.row.name)
-        return readings
-
-    def measured_s(self, state: EnvState) -> FloatArray:
-        """Return the time of each one's last measurement; below 0 for never."""
-        return self.readings(state).at_s
+        return state.device(self.row.name, Readings)
 
     def read(
         self,
@@ -120,27 +154,42 @@ class Sensor:
             rows: robots with the sensor, k of them, whose axes were turned to `at_s`.
             at_s: the time of each, shape (k,).
         """
-        readings, mine = self.readings(state), self.numbers(constants)[rows]
-        due = is_due(readings.at_s[mine], at_s, self.interval_s[mine])
+        readings, mine = self.readings(state), constants.numbers[self.row.name][rows]
+        due = is_due(readings.at_s[mine], at_s, self._interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
-        settings = {name: column[mine] for name, column in self._settings.items()}
-        value = self.row.measure(Measurement(state, constants, rays, rows, at_s, settings))
+        if not len(rows):
+            return
+        settings = {name: column[mine] for name, column in self.settings.items()}
+        value = self._measure(Measurement(state, constants, rays, rows, at_s, settings))
+        value, extra = value[:, : self._width], value[:, self._width :]
         if self._sigma is not None:
-            value = value + self._noise.rows(rows, readings.count[mine]) * self._sigma[mine, None]
+            error = self._noise.rows(rows, readings.count[mine]) * self._sigma[mine, None]
+            value = value * (1.0 + error) if self._is_relative else value + error
         value = constants.degradations.alter(state, self.row.name, rows, value, at_s)
-        readings.value[mine], readings.at_s[mine] = value, at_s
+        value = np.where(np.isnan(value), self._missing, value)
+        readings.value[mine] = np.column_stack([value, extra])
+        readings.at_s[mine] = at_s
         readings.count[mine] += 1
 
-    def answer(self, context: RequestContext) -> BoolArray:
-        """Answer the sensor's request; refuse robots without it, and readings without a value."""
-        numbers = self.numbers(context.constants)[context.rows]
+    def asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
+        """Measure for requests with the sensors that have no timer.
+
+        Returns:
+            which robots have the sensor, (k,), and the numbers of those among all that have it.
+        """
+        numbers = context.constants.numbers[self.row.name][context.rows]
         has = np.asarray(numbers >= 0)
         read_on_request(context, self.read, self.row.number, has)
-        value = self.readings(context.state).value[numbers[has]]
-        there = np.isfinite(value).all(axis=1)
-        has[has] = there
-        convert, limit = _IN_C[self.row.kind.name]
-        whole = np.clip(np.rint(convert(value[there])), -limit, limit).astype(np.int32)
-        for column, each in zip(whole.T, self.row.values, strict=True):
-            context.put(each.name, column, has)
-        return has
+        return has, numbers[has]
+
+
+def listed(device: str, width: int) -> Callable[[EnvState, int], str]:
+    """Return the function that shows the first `width` values of a sensor's last reading."""
+
+    def inspect(state: EnvState, number: int) -> str:
+        readings = state.device(device, Readings)
+        if readings.at_s[number] < 0.0:
+            return "no reading"
+        return " ".join(f"{value:.0f}" for value in readings.value[number, :width].tolist())
+
+    return inspect

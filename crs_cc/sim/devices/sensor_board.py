@@ -19,8 +19,9 @@ from crs_cc.sim.devices.battery import Batteries
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import Compasses
 from crs_cc.sim.devices.infrared import InfraredRing
+from crs_cc.sim.devices.installed import Timed
 from crs_cc.sim.devices.laser import Lasers
-from crs_cc.sim.devices.timers import Timed, read_on_request
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import MOTOR_STATUS, state_vector
 from crs_cc.sim.model.sensors import MAX_INFRARED
 from crs_cc.sim.state import mask, timers
@@ -65,28 +66,20 @@ class SensorBoard:
         return [*self.infrared.fans, *self.lasers.fans]
 
     @property
-    def timed(self) -> dict[int, Timed]:
+    def timed(self) -> dict[int, tuple[str, Timed]]:
         """Return the sensors that can have a timer, by their numbers in `crs.h`."""
+        lasers, infrared, compasses = self.lasers, self.infrared, self.compasses
         return {
-            timers.LASER: Timed(
-                self.lasers.read,
-                lambda constants: constants.laser,
-                lambda state: state.laser.measured.at_s,
-                self.lasers.interval_s,
-            ),
-            timers.INFRARED: Timed(
-                self.infrared.read,
-                lambda constants: constants.infrared,
-                lambda state: state.infrared.measured.at_s,
-                self.infrared.interval_s,
-            ),
-            timers.COMPASS: Timed(
-                self.compasses.read,
-                lambda constants: constants.compass,
-                lambda state: state.compass.measured.at_s,
-                self.compasses.interval_s,
-            ),
-        }
+            timers.LASER: ("laser", Timed(
+                lasers.read, lambda state: state.laser.measured.at_s, lasers.interval_s
+            )),
+            timers.INFRARED: ("infrared", Timed(
+                infrared.read, lambda state: state.infrared.measured.at_s, infrared.interval_s
+            )),
+            timers.COMPASS: ("compass", Timed(
+                compasses.read, lambda state: state.compass.measured.at_s, compasses.interval_s
+            )),
+        }  # fmt: skip
 
     def reply(self, context: RequestContext, good: BoolArray) -> Int32Array:
         """Write `State` into replies, with batteries, clock, laser readings and positions.

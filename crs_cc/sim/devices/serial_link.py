@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
-from crs_cc.requests import CODES, DATA_SIZE, REGISTERED, REQUESTS
+from crs_cc.requests import CODES, DATA_SIZE, DEVICE_CODES, REQUESTS
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
@@ -22,12 +22,7 @@ from crs_cc.sim.state.link import LinkState
 
 _BITS_PER_BYTE: Final = 10
 _SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
-_CODES: Final = REGISTERED.stop
-_TABLE: Final = [REQUESTS.get(code) for code in range(_CODES + 1)]
-_SENDS_DATA: Final = np.array([request is not None and request.sends_data for request in _TABLE])
-_ON_NETWORK: Final = np.array([request and request.link == "network" for request in _TABLE], bool)
-_ON_NETWORK[REGISTERED.start : REGISTERED.stop] = True
-_ON_LINE: Final = np.array([request and request.link == "serial" for request in _TABLE], bool)
+_CODES: Final = DEVICE_CODES.stop
 
 
 class SerialLine:
@@ -44,6 +39,11 @@ class SerialLine:
         self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
         self._network_s = np.array([link.network_s for link in links])
         self._has_line = np.array([bool(link.byte_counts) for link in links])
+        table = [REQUESTS.get(code) for code in range(_CODES + 1)]
+        self._sends_data = np.array([row is not None and row.sends_data for row in table])
+        self._on_network = np.array([row is not None and row.link == "network" for row in table])
+        self._on_line = np.array([row is not None and row.link == "serial" for row in table])
+        self._on_network[[code for code in DEVICE_CODES if code not in REQUESTS]] = True
         # One additional row is for all other codes.
         self._byte_count = np.zeros((len(kinds), _CODES + 1), dtype=np.int64)
         for link, kind in kinds.items():
@@ -67,11 +67,11 @@ class SerialLine:
         code, robot = np.asarray(codes), np.asarray(robots)
         code = np.where((code >= 0) & (code < _CODES), code, _CODES)
         count = self._byte_count[self._kind[robot], code]
-        carried = _SENDS_DATA[code] & (count > 0)
+        carried = self._sends_data[code] & (count > 0)
         if carried.any():
             count = count + np.where(carried, np.clip(sizes, 0, DATA_SIZE), 0)
         line_s = count * _BITS_PER_BYTE / state.baud[robot]
-        networked = _ON_NETWORK[code] | (_ON_LINE[code] & ~self._has_line[robot])
+        networked = self._on_network[code] | (self._on_line[code] & ~self._has_line[robot])
         return np.asarray(np.where(networked, self._network_s[robot], line_s))
 
 

@@ -13,17 +13,17 @@ last measurement; `crs_age` returns its age. The sensor's rate limits the period
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, TypeAlias
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, IndexArray
 from crs_cc.requests import LARGEST
-from crs_cc.sim.state.timers import sensor_count
+from crs_cc.sim.model.registry import sensor_count
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.installed import Read, Timed
     from crs_cc.sim.devices.ray_caster import RayCaster
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -35,36 +35,14 @@ _LONGEST_MS: Final = 3_600_000
 _NEVER: Final = -1
 
 
-Read: TypeAlias = "Callable[[EnvState, RobotConstants, RayCaster, IndexArray, FloatArray], None]"
-"""The function that measures with sensors of the given robots at the given times."""
-
-
-@dataclass(frozen=True, slots=True)
-class Timed:
-    """A kind of sensor that can have a timer.
-
-    Attributes:
-        read: measures with it.
-        numbers: from the constants: the number of each robot among those with one, -1 for the
-            others, (robots,).
-        measured_s: from the state: time of each one's last measurement; below 0 for never, (n,).
-        interval_s: minimum time between two measurements of each, (n,).
-    """
-
-    read: Read
-    numbers: Callable[[RobotConstants], IndexArray]
-    measured_s: Callable[[EnvState], FloatArray]
-    interval_s: FloatArray
-
-
 class Timers:
     """The timers of all robots."""
 
-    def __init__(self, sensors: Mapping[int, Timed]) -> None:
+    def __init__(self, sensors: Mapping[int, tuple[str, Timed]]) -> None:
         """Create the timers.
 
         Args:
-            sensors: the kinds of sensors, by their numbers in `crs.h`.
+            sensors: the kinds of sensors and their names, by their numbers in `crs.h`.
         """
         self._sensors = sensors
 
@@ -86,7 +64,7 @@ class Timers:
             due = timers.next_s[rows, sensor] == soonest_s
             if due.any():
                 mine, at_s = rows[due], soonest_s[due]
-                self._sensors[sensor].read(state, constants, rays, mine, at_s)
+                self._sensors[sensor][1].read(state, constants, rays, mine, at_s)
                 timers.go_on(mine, sensor, begin_s)
 
     def set_period(self, context: RequestContext) -> BoolArray:
@@ -96,11 +74,11 @@ class Timers:
         for place in np.flatnonzero(good).tolist():
             robot, period_ms = context.rows[place], periods_ms[place]
             sensor = int(context["sensor"][place])
-            timed = self._sensors[sensor]
+            name, timed = self._sensors[sensor]
             if period_ms < 0:
                 good[place] = False
                 continue
-            least_s = float(timed.interval_s[timed.numbers(context.constants)[robot]])
+            least_s = float(timed.interval_s[context.constants.numbers[name][robot]])
             period_s = max(min(period_ms, _LONGEST_MS) * _MS, least_s) if period_ms else 0.0
             context.state.timers.set(robot, sensor, period_s, float(context.at_s[place]))
         return good
@@ -109,8 +87,8 @@ class Timers:
         """Answer AGE with the time since a sensor measured [ms], -1 for never."""
         good = self._has(context)
         for place in np.flatnonzero(good).tolist():
-            timed = self._sensors[int(context["sensor"][place])]
-            number = timed.numbers(context.constants)[context.rows[place]]
+            name, timed = self._sensors[int(context["sensor"][place])]
+            number = context.constants.numbers[name][context.rows[place]]
             measured_s = float(timed.measured_s(context.state)[number])
             age_s = float(context.at_s[place]) - measured_s  # infinite for never
             age_ms = round(min(age_s / _MS, LARGEST))
@@ -121,20 +99,24 @@ class Timers:
         """Return which requests name a sensor that the robot has."""
         sensor = context["sensor"]
         has = np.zeros(len(sensor), dtype=np.bool_)
-        for number, timed in self._sensors.items():
-            has |= (sensor == number) & (timed.numbers(context.constants)[context.rows] >= 0)
+        for number, (name, _) in self._sensors.items():
+            has |= (sensor == number) & (context.constants.numbers[name][context.rows] >= 0)
         return has
 
 
-def read_on_request(context: RequestContext, read: Read, sensor: int, which: BoolArray) -> None:
+def read_on_request(
+    context: RequestContext, read: Read, sensor: int | None, which: BoolArray
+) -> None:
     """Measure with the sensors that have no timer, for a request.
 
     Args:
         context: the requests.
         read: measures with sensors.
-        sensor: their number in `crs.h`.
+        sensor: their number in `crs.h`; None if they cannot have a timer.
         which: the requests that the robot does not refuse, (k,).
     """
-    requested = which & context.state.timers.on_request(context.rows, sensor)
+    requested = which
+    if sensor is not None:
+        requested = which & context.state.timers.on_request(context.rows, sensor)
     rows, at_s = context.rows[requested], context.at_s[requested]
     read(context.state, context.constants, context.rays, rows, at_s)

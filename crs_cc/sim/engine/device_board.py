@@ -15,14 +15,12 @@ from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive, heat
 from crs_cc.sim.devices.camera import Cameras
 from crs_cc.sim.devices.handling import Handling
-from crs_cc.sim.devices.light import LightRings
-from crs_cc.sim.devices.sensor import Sensor
+from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.sensor_board import SensorBoard
 from crs_cc.sim.devices.sonar import SonarRing
-from crs_cc.sim.devices.sound import Microphones
-from crs_cc.sim.devices.timers import Timed, Timers
+from crs_cc.sim.devices.timers import Timers
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, HEAT, LASER, LIGHT, SOUND
+from crs_cc.sim.state.timers import CAMERA, HEAT, LASER
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -47,9 +45,7 @@ class DeviceBoard:
         handling: the grippers and arms.
         messenger: the communication between robots.
         cameras: the cameras.
-        lights: the light sensors.
-        microphones: the microphones.
-        sensors: the sensors of the device registry.
+        installed: the devices of the registry, by their names.
         timers: the timers of all sensors that can have one.
     """
 
@@ -66,51 +62,34 @@ class DeviceBoard:
         self.sensor_board = SensorBoard(world, seed)
         self.cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
-        self.lights = LightRings(world, seed)
-        self.microphones = Microphones(world, seed)
         self.messenger = Messenger(world, seed)
-        self.sensors = tuple(Sensor(device, world, seed) for device in _REGISTERED)
-        self.timers = Timers(
-            {
-                **{
-                    each.row.number: Timed(
-                        each.read, each.numbers, each.measured_s, each.interval_s
-                    )
-                    for each in self.sensors
-                },
-                CAMERA: Timed(
-                    self.cameras.read,
-                    lambda constants: constants.camera,
-                    lambda state: state.camera.at_s,
-                    self.cameras.interval_s,
-                ),
-                HEAT: Timed(
-                    heat.read,
-                    lambda constants: constants.heat,
-                    lambda state: state.heat_sensor.at_s,
-                    np.zeros(len(world.robots)),
-                ),
-                LIGHT: Timed(
-                    self.lights.read,
-                    lambda constants: constants.light,
-                    lambda state: state.light.at_s,
-                    np.zeros(len(world.robots)),
-                ),
-                SOUND: Timed(
-                    self.microphones.read,
-                    lambda constants: constants.sound,
-                    lambda state: state.sound.at_s,
-                    np.zeros(len(world.robots)),
-                ),
-                **self.sensor_board.timed,
-            }
-        )
+        self.installed: dict[str, Installed] = {
+            row.name: row.install(row, world, seed, log) for row in _REGISTERED
+        }
+        self.timers = Timers(self._timed(world))
+
+    def _timed(self, world: WorldModel) -> dict[int, tuple[str, Timed]]:
+        """Return the sensors that can have a timer, by their numbers in `crs.h`."""
+        at_request = np.zeros(len(world.robots))
+        timed = {
+            CAMERA: ("camera", Timed(
+                self.cameras.read, lambda state: state.camera.at_s, self.cameras.interval_s
+            )),
+            HEAT: ("heat", Timed(heat.read, lambda state: state.heat_sensor.at_s, at_request)),
+            **self.sensor_board.timed,
+        }  # fmt: skip
+        for row in _REGISTERED:
+            found = self.installed[row.name].timed
+            if row.number is not None and found is not None:
+                timed[row.number] = row.name, found
+        return timed
 
     @property
     def fans(self) -> list[Fan]:
         """Return the beams of the devices that measure distances."""
         own = [*self.cameras.fans, *self.handling.grippers.fans]
-        own += [*self.lights.fans, *self.microphones.fans]
+        for each in self.installed.values():
+            own += each.fans
         return [*self.sonars.fans, *self.sensor_board.fans, *own]
 
     def begin(

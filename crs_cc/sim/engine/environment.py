@@ -37,6 +37,7 @@ from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.step import Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
 from crs_cc.sim.state.bodies import Contacts
 from crs_cc.sim.state.env_state import EnvState
@@ -234,6 +235,18 @@ class Environment:
     def charges(self, number: int) -> tuple[float, float]:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""
         return self._data.charges(number)
+
+    def device_rows(self, number: int) -> list[tuple[str, str]]:
+        """Return name and state of each device of a robot, for inspectors."""
+        numbers = self._data.constants.numbers
+        return [
+            (
+                row.title[0].lower() + row.title[1:],
+                row.inspect(self.state, numbers[row.name][number]),
+            )
+            for row in devices()
+            if row.inspect is not None and numbers[row.name][number] >= 0
+        ]
 
     # -- changes between two steps: see `WorldData` --------------------------------------------
 

@@ -24,7 +24,6 @@ from crs_cc.core.arrays import BoolArray
 from crs_cc.requests import CODES
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
-    beacons,
     bumper,
     compass,
     drive,
@@ -165,10 +164,6 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "ARM": handling.arms.move,
         "GET_ARM": handling.arms.get_arm,
         "HAND": handling.arms.hand,
-        "LIGHT": beacons.light,
-        "SOUND": beacons.sound,
-        "GET_LIGHT": devices.lights.get_light,
-        "GET_SOUND": devices.microphones.get_sound,
         "TAKE_HEAT": tag.tag,
         "SEND": messages.send,
         "RECEIVE": messenger.wait,
@@ -176,8 +171,9 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "GROUP": messages.group,
         "CHANNEL": messages.find_channel,
         "ROBOT": messages.find_robot,
-        **{sensor.row.name.upper(): sensor.answer for sensor in devices.sensors},
     }
+    for installed in devices.installed.values():
+        handlers |= installed.handlers
     return {CODES[name]: handler for name, handler in handlers.items()}
 
 

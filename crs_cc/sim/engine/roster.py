@@ -102,7 +102,6 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
     state.bumpers.pressed[rows] = 0
     state.heat.left[rows] = 0.0
     state.connected[rows] = False
-    state.beacons.brightness[rows] = state.beacons.level[rows] = 0.0
     state.waits.end(rows)
     release(state, rows)
     for robot in rows.tolist():

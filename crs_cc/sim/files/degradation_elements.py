@@ -19,10 +19,10 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.quantity import RATIO, TIME
 from crs_cc.core.suggest import unknown
+from crs_cc.sim.model.degradable import Degradable
 from crs_cc.sim.model.degradation import (
     HOLD,
     MAX_MEMORY,
-    Degradable,
     Degradation,
     complaint,
     degradables,

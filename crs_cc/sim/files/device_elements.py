@@ -9,24 +9,27 @@ from lxml import etree
 
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import period_s
-from crs_cc.sim.model.device import Attribute, Device, attributes_of
+from crs_cc.sim.model.attribute import Attribute, Choice, Count, Fraction, attributes_of
+from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
 
 _XS = "{http://www.w3.org/2001/XMLSchema}"
-_BEFORE = "camera"  # the element that follows those of the registry in a definition
 
 
 def models(root: Element, reader: Reader) -> tuple[tuple[str, Any], ...]:
     """Return the devices of a robot definition, each with its model; errors go to the reader."""
     found = []
     for device in devices():
-        element = root.maybe(device.element)
-        if element is not None:
-            found.append((device.name, _model(device, element, reader)))
+        model = _model(device, root, reader) if device.read is None else device.read(root, reader)
+        if model is not None:
+            found.append((device.name, model))
     return tuple(found)
 
 
-def _model(device: Device, element: Element, reader: Reader) -> Any:
+def _model(device: Device, root: Element, reader: Reader) -> Any | None:
+    element = root.maybe(device.element)
+    if element is None:
+        return None
     values = {}
     for field in dataclasses.fields(device.model):
         row = field.metadata.get("attribute")
@@ -39,43 +42,60 @@ def _model(device: Device, element: Element, reader: Reader) -> Any:
     return device.model(**values)
 
 
-def _value(row: Attribute, element: Element, reader: Reader) -> float:
-    absent = row.kind.parse(row.default)
+def _value(row: Attribute, element: Element, reader: Reader) -> Any:
+    values = row.values
+    if isinstance(values, Choice | Fraction):  # the schema checks these
+        return values.parse(element.attributes[row.name])
+    if isinstance(values, Count):
+        least = 0 if row.default is None else int(row.default)
+        return reader.whole(element, row.name, values.least, values.most, absent=least)
+    absent = 1.0 if row.default is None else values.parse(row.default)
     if row.positive:
-        return reader.positive(element, row.name, row.kind, absent)
+        return reader.positive(element, row.name, values, absent)
     if row.signed:
-        return reader.quantity(element, row.name, row.kind, absent)
-    return reader.not_negative(element, row.name, row.kind, absent)
+        return reader.quantity(element, row.name, values, absent)
+    return reader.not_negative(element, row.name, values, absent)
 
 
 def add_to_schema(schema: etree._Element) -> None:
     """Add the elements of all devices to the schema of robot definitions."""
-    follower = schema.find(f".//{_XS}element[@name='{_BEFORE}'][@type='{_BEFORE}']")
-    assert follower is not None
-    sequence = follower.getparent()
-    assert sequence is not None
+    choice = schema.find(f".//{_XS}choice[@id='devices']")
     first = schema.find(f"{_XS}complexType")
+    assert choice is not None
     assert first is not None
     for device in devices():
-        row = etree.Element(
-            f"{_XS}element", name=device.element, type=device.element, minOccurs="0"
-        )
-        sequence.insert(sequence.index(follower), row)
+        etree.SubElement(choice, f"{_XS}element", name=device.element, type=device.element)
         schema.insert(schema.index(first), _type(device))
 
 
 def _type(device: Device) -> etree._Element:
     kind = etree.Element(f"{_XS}complexType", name=device.element)
-    _document(kind, f"{device.summary}: {device.function}() of crs.h.")
+    _document(kind, device.summary)
     for row in attributes_of(device.model):
         if row.name == "period":
             etree.SubElement(kind, f"{_XS}attributeGroup", ref="timer")
             continue
-        each = etree.SubElement(
-            kind, f"{_XS}attribute", name=row.name, type="quantity", default=row.default
-        )
+        each = etree.SubElement(kind, f"{_XS}attribute", name=row.name)
+        if row.default is None:
+            each.set("use", "required")
+        else:
+            each.set("default", row.default)
         _document(each, row.meaning)
+        _restrict(each, row)
     return kind
+
+
+def _restrict(attribute: etree._Element, row: Attribute) -> None:
+    """Set the type of an attribute's values."""
+    if isinstance(row.values, Choice):
+        kind = etree.SubElement(attribute, f"{_XS}simpleType")
+        words = etree.SubElement(kind, f"{_XS}restriction", base="xs:string")
+        for word, _ in row.values.values:
+            etree.SubElement(words, f"{_XS}enumeration", value=word)
+    elif isinstance(row.values, Count):
+        attribute.set("type", "xs:string")
+    else:
+        attribute.set("type", "probability" if isinstance(row.values, Fraction) else "quantity")
 
 
 def _document(element: etree._Element, text: str) -> None:

@@ -22,7 +22,6 @@ from crs_cc.core.quantity import (
 from crs_cc.core.suggest import unknown
 from crs_cc.requests import REQUESTS
 from crs_cc.sim.files import (
-    beacon_elements,
     device_elements,
     handling_elements,
     sensor_elements,
@@ -40,6 +39,7 @@ _ROUNDING_M: Final = 1e-4  # resolution of the positions of sensors on the shell
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
 _NETWORK_S: Final = 1e-3  # default of `robot.xsd`
+_SEVERAL: Final = frozenset({"sensor", "setup"})
 _ROBOT_COMMANDS: Final = frozenset(
     request.name for request in REQUESTS.values() if request.server == "robot"
 )
@@ -53,6 +53,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     board = sonar_elements.board(root.first("sonars"), sonars, reader)
     radius_m = reader.positive(body, "radius", LENGTH)
     _check_places(root, radius_m, sonars, reader)
+    _check_duplicates(root, reader)
     return RobotModel(
         root.attributes["name"],
         radius_m=radius_m,
@@ -70,10 +71,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
         arm=handling_elements.arm(root, reader),
-        light_sensors=beacon_elements.light_sensors(root, reader),
-        microphones=beacon_elements.microphones(root, reader),
-        brightest=beacon_elements.brightest(root, reader),
-        loudest=beacon_elements.loudest(root, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),
@@ -104,6 +101,15 @@ def _check_places(
         x_m = reader.quantity(place, "x-relative", LENGTH)
         if math.hypot(x_m, reader.quantity(place, "y-relative", LENGTH)) > radius_m + _ROUNDING_M:
             reader.error(element, "the camera is outside of the body")
+
+
+def _check_duplicates(root: Element, reader: Reader) -> None:
+    """Report elements that stand twice: the schema allows those of devices in any order."""
+    seen: set[str] = set()
+    for element in root.children:
+        if element.tag in seen and element.tag not in _SEVERAL:
+            reader.error(element, f"duplicate <{element.tag}>")
+        seen.add(element.tag)
 
 
 def _drive(element: Element, reader: Reader) -> Drive:

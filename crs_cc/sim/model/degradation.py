@@ -24,25 +24,21 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from crs_cc.core.quantity import (
     ANGLE,
-    BRIGHTNESS,
     HEAT,
     LENGTH,
-    LOUDNESS,
     RATIO,
     SPEED,
-    TURN_RATE,
     VOLTAGE,
     Kind,
 )
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
-from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS, TONES
+from crs_cc.sim.model.degradable import Degradable, at_numbers, numbered
 from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.sensors import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
 from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
-    from crs_cc.sim.model.device import Device
     from crs_cc.sim.model.robot import RobotModel
 
 LONGEST_DELAY_S: Final = 60.0
@@ -59,7 +55,6 @@ _DEEPEST: Final = 64  # values that a delay stores for one element
 _LARGEST: Final = 4096  # and for all elements
 _SHALLOWEST: Final = 8
 _SWITCHES: Final = 24
-_TURNING: Final = frozenset({"steering", "turret"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,50 +118,12 @@ class Degradation:
         return ", ".join(words)
 
 
-@dataclass(frozen=True, slots=True)
-class Degradable:
-    """A sensor or actuator that can be degraded.
-
-    Attributes:
-        name: its name in world files.
-        title: short description.
-        kind: the quantity of its values; in radians for an element that turns.
-        elements: returns the names of a robot's elements by their numbers, with empty names for
-            unused numbers; an empty tuple if the robot has no such device.
-        width: maximum number of elements.
-        nothing: what a missing value is replaced with.
-        unit: the unit in words, where the kind has none.
-        acts: whether it is an actuator.
-    """
-
-    name: str
-    title: str
-    kind: Kind
-    elements: Callable[[RobotModel], tuple[str, ...]]
-    width: int
-    nothing: str
-    unit: str = ""
-    acts: bool = False
-
-    def kind_of(self, element: str) -> Kind:
-        """Return the quantity of an element's values."""
-        return TURN_RATE if self.kind is SPEED and element in _TURNING else self.kind
-
-
 def _always(_model: RobotModel) -> bool:
     return True
 
 
 def _single(has: Callable[[RobotModel], object], *names: str) -> Callable[..., tuple[str, ...]]:
     return lambda model: (names or ("0",)) if has(model) else ()
-
-
-def _numbered(count: int) -> tuple[str, ...]:
-    return tuple(map(str, range(count)))
-
-
-def _at(numbers: list[int]) -> tuple[str, ...]:
-    return tuple(str(n) if n in numbers else "" for n in range(max(numbers, default=-1) + 1))
 
 
 def _axes(model: RobotModel) -> tuple[str, ...]:
@@ -178,16 +135,16 @@ _OTHERS: Final = {
     for device in (
         Degradable(
             "sonar", "distance measured by a sonar", LENGTH,
-            lambda model: _at([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
+            lambda model: at_numbers([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
         ),
         Degradable(
             "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
-            RATIO, lambda model: _at([switch.bit for switch in model.bumpers]), _SWITCHES,
+            RATIO, lambda model: at_numbers([switch.bit for switch in model.bumpers]), _SWITCHES,
             "not pressed",
         ),
         Degradable(
             "infrared", "distance measured by an infrared sensor", LENGTH,
-            lambda model: _numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
+            lambda model: numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
             "nothing in range, 15",
         ),
         Degradable(
@@ -196,12 +153,12 @@ _OTHERS: Final = {
         ),
         Degradable(
             "laser", "distance of a point, from right to left", LENGTH,
-            lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
+            lambda model: numbered(model.laser.points if model.laser else 0), NUM_LASER,
             "no point",
         ),
         Degradable(
             "camera", "range of a column, from left to right", LENGTH,
-            lambda model: _numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
+            lambda model: numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
             "background colour",
         ),
         Degradable(
@@ -236,23 +193,6 @@ _OTHERS: Final = {
             _single(lambda model: model.arm, "shoulder", "elbow"), 2,
             "command not received", acts=True,
         ),
-        Degradable(
-            "light", "reading of a light sensor", BRIGHTNESS,
-            lambda model: _numbered(model.light_sensors.number if model.light_sensors else 0),
-            MAX_LIGHT_SENSORS, "0",
-        ),
-        Degradable(
-            "sound", "level of a tone", LOUDNESS,
-            lambda model: _numbered(TONES if model.microphones else 0), TONES, "0",
-        ),
-        Degradable(
-            "lamp", "commanded brightness", BRIGHTNESS,
-            _single(lambda model: model.brightest), 1, "0", acts=True,
-        ),
-        Degradable(
-            "speaker", "commanded level", LOUDNESS,
-            _single(lambda model: model.loudest), 1, "0", acts=True,
-        ),
     )
 }  # fmt: skip
 """Devices that can be degraded, by name, except those of the registry."""
@@ -261,14 +201,8 @@ _OTHERS: Final = {
 @cache
 def degradables() -> Mapping[str, Degradable]:
     """Return every device that can be degraded, by name."""
-    return {**_OTHERS, **{device.name: _sensor(device) for device in devices()}}
-
-
-def _sensor(device: Device) -> Degradable:
-    names = [value.name for value in device.values]
-    elements = _single(lambda model: model.device(device.name) is not None, *names)
-    title = ", ".join(names)
-    return Degradable(device.name, title, device.kind, elements, len(names), device.nothing)
+    ours = {row.name: row for device in devices() for row in device.degradables}
+    return {**_OTHERS, **ours}
 
 
 def complaint(degradation: Degradation, model: RobotModel) -> str:
@@ -330,7 +264,7 @@ def element_of(device: Degradable, model: RobotModel, text: str) -> int | None:
 def shown(names: tuple[str, ...]) -> str:
     """List the elements of a device: `0 to 15`, or `0 (right), 1 (left)`."""
     used = [number for number, name in enumerate(names) if name]
-    whole = used == list(range(len(names))) and names == _numbered(len(names))
+    whole = used == list(range(len(names))) and names == numbered(len(names))
     if whole and len(names) > 1:
         return f"0 to {len(names) - 1}"
     return ", ".join(

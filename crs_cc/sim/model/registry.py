@@ -17,14 +17,14 @@ from typing import Final
 
 from crs_cc.core.errors import DeviceError
 from crs_cc.core.source import Location
-from crs_cc.requests import CODES, REGISTERED, Field, Request, device_request, register
+from crs_cc.requests import CODES, REGISTERED, register
 from crs_cc.sim.model.device import Device
 
 GROUP: Final = "crs_cc.devices"
 """The entry point group of devices in other packages; each entry is a `Device`."""
 
 _DEVICES: Final = Path(__file__).parents[1] / "devices"
-_FIRST_NUMBER: Final = 9  # after those of the vendor's sensors, see `state.timers`
+_FIRST_NUMBER: Final = 9  # the lower ones are fixed in the rows
 _FOREIGN: Final = 100  # first code of other packages' devices; those below are reserved
 _STREAMS: Final = 1000  # streams below are reserved, see `core.random_streams`
 
@@ -46,7 +46,8 @@ def devices() -> tuple[Device, ...]:
         found[device.name] = device
     rows = tuple(_numbered(list(found.values()), len(ours)))
     for row in rows:
-        register(_request(row))
+        for request in row.requests:
+            register(request)
     return rows
 
 
@@ -59,12 +60,20 @@ def device(name: str) -> Device:
     return {each.name: each for each in devices()}[name]
 
 
+@cache
+def sensor_count() -> int:
+    """Return the number of sensors that can have a timer; their numbers are less than this."""
+    return 1 + max(each.number for each in devices() if each.number is not None)
+
+
 def _complaint(device: Device, found: dict[str, Device]) -> str:
     if device.name in found:
         return "duplicate device name"
-    if device.name.upper() in CODES:
-        return "the name is that of a request"
-    if device.number >= 0 and device.number in {each.number for each in found.values()}:
+    names = {request.name for each in found.values() for request in each.requests}
+    if any(request.name in CODES or request.name in names for request in device.requests):
+        return "duplicate request name"
+    numbers = {each.number for each in found.values()}
+    if device.number is not None and device.number >= 0 and device.number in numbers:
         return "duplicate sensor number"
     if device.element in {each.element for each in found.values()}:
         return "duplicate device element"
@@ -85,7 +94,8 @@ def _of_other_packages() -> Iterator[tuple[str, object]]:
         try:
             row = point.load()
         except Exception as error:  # whatever the package's code may raise
-            text = f"device {point.name!r} cannot be loaded: {type(error).__name__}: {error}"
+            reason = f"{type(error).__name__}: {error}"
+            text = f"device {point.name!r} cannot be loaded: {reason}"
             raise DeviceError.at(Location(point.value), text) from error
         yield point.value, row
 
@@ -99,21 +109,14 @@ def _numbered(rows: list[Device], ours: int) -> Iterator[Device]:
     """
     numbers = {row.number for row in rows}
     free = (number for number in itertools.count(_FIRST_NUMBER) if number not in numbers)
+    our_codes, other_codes = iter(REGISTERED[:_FOREIGN]), iter(REGISTERED[_FOREIGN:])
     for place, row in enumerate(rows):
+        codes = our_codes if place < ours else other_codes
         yield replace(
             row,
-            number=next(free) if row.number < 0 else row.number,
-            code=REGISTERED[place if place < ours else _FOREIGN + place - ours],
+            number=next(free) if row.number is not None and row.number < 0 else row.number,
             stream=_STREAMS + zlib.crc32(row.name.encode()) if row.stream < 0 else row.stream,
+            requests=tuple(
+                each if each.code >= 0 else replace(each, code=next(codes)) for each in row.requests
+            ),
         )
-
-
-def _request(device: Device) -> Request:
-    """Return the request of a device's C function."""
-    results = [
-        Field(value.name, f"i[{place}]", device.unit, value.meaning)
-        for place, value in enumerate(device.values)
-    ]
-    return device_request(
-        device.name.upper(), device.code, device.prototype, device.does, results=tuple(results)
-    )

@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from crs_cc.sim.model.axis import Axis
-from crs_cc.sim.model.beacons import LightSensors, Microphones
 from crs_cc.sim.model.handling import Arm, Gripper
 from crs_cc.sim.model.sensors import (
     ENDLESS,
@@ -168,10 +167,6 @@ class RobotModel:
         camera: its camera, or None.
         gripper: its gripper, or None.
         arm: its arm, or None.
-        light_sensors: its light sensors, or None.
-        microphones: its microphones, or None.
-        brightest: maximum brightness of its lamp, 0 for no lamp.
-        loudest: maximum level of its speaker, 0 for no speaker.
         computer_battery: supply of its computers.
         motor_battery: supply of its motors.
         board: the computer that reads its sensors.
@@ -199,10 +194,6 @@ class RobotModel:
     camera: Camera | None = None
     gripper: Gripper | None = None
     arm: Arm | None = None
-    light_sensors: LightSensors | None = None
-    microphones: Microphones | None = None
-    brightest: float = 0.0
-    loudest: float = 0.0
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

@@ -19,7 +19,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 import numpy as np
 
@@ -28,12 +28,12 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.arm import ArmState
 from crs_cc.sim.state.battery import BatteryState
-from crs_cc.sim.state.beacons import BeaconState
 from crs_cc.sim.state.bodies import Bodies
 from crs_cc.sim.state.bumper import BumperState
 from crs_cc.sim.state.camera import CameraState
 from crs_cc.sim.state.compass import CompassState
 from crs_cc.sim.state.degradation import DegradationState
+from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
 from crs_cc.sim.state.gripper import GripperState
@@ -41,7 +41,6 @@ from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.heat_sensor import HeatSensorState
 from crs_cc.sim.state.infrared import InfraredState
 from crs_cc.sim.state.laser import LaserState
-from crs_cc.sim.state.light import LightState
 from crs_cc.sim.state.link import LinkState
 from crs_cc.sim.state.mask import first_mask
 from crs_cc.sim.state.messages import MessageState
@@ -49,11 +48,11 @@ from crs_cc.sim.state.obstacles import ObstacleState
 from crs_cc.sim.state.odometry import OdometryState
 from crs_cc.sim.state.pos_data import PosDataState
 from crs_cc.sim.state.presence import PresenceState
-from crs_cc.sim.state.sensors import sensor_states
 from crs_cc.sim.state.sonar import SonarState
-from crs_cc.sim.state.sound import SoundState
 from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
+
+S = TypeVar("S")
 
 
 @dataclass(slots=True, kw_only=True)
@@ -78,16 +77,13 @@ class EnvState:
         infrared: the infrared sensors' readings.
         compass: the compasses' readings.
         laser: the lasers' scans, and the reported ones.
-        sensors: the `Readings` of each device of `registry.devices()`, by its name.
+        devices: the state of each device of `registry.devices()`, by its name.
         camera: the cameras' images, and the reported ones.
         heat_sensor: the heat sensors' readings.
-        light: the light sensors' readings.
-        sound: the microphones' readings.
         timers: the timers of sensors.
         degradation: the degradations of these devices, and of the drive.
         gripper: the fingers of grippers; held objects are in `bodies`.
         arm: the joints of arms; held objects are in `bodies`.
-        beacons: lamps and speakers.
         mask: the parts of `State` that the program requests (`Smask`), (robots, 44).
         pos_data: positions and times of sensor readings, for programs that request them.
         battery: the energy used by the motors.
@@ -118,16 +114,13 @@ class EnvState:
     infrared: InfraredState
     compass: CompassState
     laser: LaserState
-    sensors: Any
+    devices: Any
     camera: CameraState
     heat_sensor: HeatSensorState
-    light: LightState
-    sound: SoundState
     timers: TimerState
     degradation: DegradationState
     gripper: GripperState
     arm: ArmState
-    beacons: BeaconState
     mask: ByteArray
     pos_data: PosDataState
     battery: BatteryState
@@ -164,16 +157,13 @@ class EnvState:
             infrared=InfraredState.at_start(world),
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
-            sensors=sensor_states(world),
+            devices=device_states(world),
             camera=CameraState.at_start(world),
             heat_sensor=HeatSensorState.at_start(world),
-            light=LightState.at_start(world),
-            sound=SoundState.at_start(world),
             timers=TimerState.at_start(world),
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),
             arm=ArmState.at_start(world),
-            beacons=BeaconState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),
@@ -199,6 +189,17 @@ class EnvState:
     def y_m(self) -> FloatArray:
         """The robots' y in the world frame, at the start of the cycle."""
         return self.bodies.position_m[: len(self.heading_rad), 1]
+
+    def device(self, name: str, kind: type[S]) -> S:
+        """Return the state of a device of `registry.devices()`.
+
+        Args:
+            name: the device's name.
+            kind: the class of its state.
+        """
+        state = getattr(self.devices, name)
+        assert isinstance(state, kind)
+        return state
 
     def renumber(self, before: Sequence[str], now: Sequence[str]) -> None:
         """Renumber objects after some were added or removed, keeping the state of the others.

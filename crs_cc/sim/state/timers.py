@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from typing import Final, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
-from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.registry import devices, sensor_count
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-CAMERA, HEAT, LASER, INFRARED, COMPASS, LIGHT, SOUND = 1, 2, 3, 4, 5, 7, 8
+CAMERA, HEAT, LASER, INFRARED, COMPASS = 1, 2, 3, 4, 5
 """Numbers in `crs.h` of sensors that can have a timer; the others are those of the registry."""
-
-
-@cache
-def sensor_count() -> int:
-    """Return the number of sensors that can have a timer; their numbers are less than this."""
-    return 1 + max([SOUND, *(device.number for device in devices())])
 
 
 @dataclass(slots=True)
@@ -90,9 +83,7 @@ def _periods_s(model: RobotModel) -> list[float]:
         LASER: model.laser,
         INFRARED: model.infrared,
         COMPASS: model.compass,
-        LIGHT: model.light_sensors,
-        SOUND: model.microphones,
-        **{device.number: model.device(device.name) for device in devices()},
+        **{each.number: model.device(each.name) for each in devices() if each.number is not None},
     }
     have = [numbered.get(number) for number in range(sensor_count())]
     return [0.0 if device is None else device.period_s for device in have]

@@ -9,7 +9,9 @@ from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
 from crs_cc.runtime.testing import counting_program
 from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import empty_world
 from crs_cc.sim.model.degradation import Degradation
+from tests.device.robot import scout_with
 from tests.sim.driver import open_world, world_of
 
 DRIVES = """
@@ -93,3 +95,23 @@ def test_a_program_without_a_robot_call_runs() -> None:
     session = Session(open_world(), [counting_program(rounds=10**9)], seed=1)
     session.step()
     assert summary(session, 0)[3:5] == ("runs", "0.050 s")
+
+
+SENSES = """
+#include "crs.h"
+int main(void) {
+    int pitch, roll;
+    crs_tilt(&pitch, &roll);
+    crs_light(7);
+    return 0;
+}
+"""
+
+
+def test_rows_show_the_devices_of_a_robot(tmp_path) -> None:
+    (tmp_path / "senses.c").write_text(SENSES)
+    robot = scout_with(tmp_path, "<inclinometer/><gps/><lamp/>")
+    session = Session(empty_world(robot=robot), [compile_c(tmp_path / "senses.c")], seed=1)
+    rows = rows_of(after(session, 5))
+    assert (rows["tilt"], rows["gps"], rows["lamp"]) == ("pitch 0deg, roll 0deg", "no reading", "7")
+    assert "light" not in rows

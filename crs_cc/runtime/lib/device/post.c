@@ -3,6 +3,7 @@
 #include <crs/clock.h>
 #include <crs/device.h>
 #include <stddef.h>
+#include <string.h>
 
 int __crs_post_device(int code, struct __crs_message *message)
 {
@@ -21,4 +22,12 @@ int __crs_ask_device(int code, struct __crs_message *message, int a, int b, int 
     message->i[3] = d;
     message->size = 0;
     return __crs_post_device(code, message);
+}
+
+int __crs_take_data(const struct __crs_message *message, int have, int *numbers, int most)
+{
+    if (most < have)
+        have = most < 0 ? 0 : most;
+    memcpy(numbers, message->data, have * sizeof(int));
+    return have;
 }

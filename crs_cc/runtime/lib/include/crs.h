@@ -45,8 +45,6 @@ int crs_laser(int *ranges, int most);
 #define CRS_SENSOR_LASER 3
 #define CRS_SENSOR_INFRARED 4
 #define CRS_SENSOR_COMPASS 5
-#define CRS_SENSOR_LIGHT 7
-#define CRS_SENSOR_SOUND 8
 
 /* Sets how often a sensor measures by itself, the first time now; whoever asks for its reading is
    then told the last one. 0: it measures when it is asked. Its rate is the shortest period there
@@ -90,17 +88,6 @@ int crs_get_hand(int *weight);
 
 /* Takes the heat from all things near; gives how many lost theirs. */
 int crs_tag(void);
-
-/* The robot's own lamp and speaker, which others sense: how bright and how loud, as it reads at 1
-   m; 0 for off. There are eight tones, 0 to 7. */
-int crs_light(int brightness);
-int crs_sound(int level, int tone);
-
-/* What the light sensors read, counter-clockwise, and what the microphones hear of each tone. Both
-   give how many numbers they told, at most `most`, 0 when the robot has no such device. Where the
-   loudest tone comes from, from ahead: 0.1 degree; that pointer may be NULL. */
-int crs_get_light(int *readings, int most);
-int crs_get_sound(int *levels, int most, int *direction);
 
 /* Messages go from robot to robot on a channel: these, and what the world has besides. Robots count
    from 0. */

@@ -95,10 +95,6 @@ struct __crs_message {
 #define CRS_ARM 222
 #define CRS_GET_ARM 223
 #define CRS_HAND 224
-#define CRS_LIGHT 225
-#define CRS_SOUND 226
-#define CRS_GET_LIGHT 227
-#define CRS_GET_SOUND 228
 #define CRS_TAKE_HEAT 229
 #define CRS_SEND 240
 #define CRS_RECEIVE 241

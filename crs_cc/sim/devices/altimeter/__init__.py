@@ -18,7 +18,8 @@ import numpy as np
 
 from crs_cc.core.quantity import LENGTH
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.model.device import Device, Value, attribute, period, rate
+from crs_cc.sim.devices.number_sensor import Value, number_sensor
+from crs_cc.sim.model.attribute import attribute, period, rate
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -48,7 +49,7 @@ def measure(now: Measurement) -> FloatArray:
     return now.constants.inclines.terrain.height_m(x_m, y_m)[:, None]
 
 
-DEVICE = Device(
+DEVICE = number_sensor(
     name="altitude",
     title="Altimeter",
     element="altimeter",

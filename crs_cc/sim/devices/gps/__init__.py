@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 
 from crs_cc.core.quantity import LENGTH
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.model.device import Device, Value, attribute, period, rate
+from crs_cc.sim.devices.number_sensor import Value, number_sensor
+from crs_cc.sim.model.attribute import attribute, period, rate
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -42,7 +43,7 @@ def measure(now: Measurement) -> FloatArray:
     return mount_poses(now.state, now.constants, now.rows)[:, :2]
 
 
-DEVICE = Device(
+DEVICE = number_sensor(
     name="gps",
     title="GPS",
     element="gps",

@@ -19,7 +19,8 @@ import numpy as np
 
 from crs_cc.core.quantity import ANGLE
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.model.device import Device, Value, attribute, period, rate
+from crs_cc.sim.devices.number_sensor import Value, number_sensor
+from crs_cc.sim.model.attribute import attribute, period, rate
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -53,7 +54,7 @@ def measure(now: Measurement) -> FloatArray:
     return tilt_rad
 
 
-DEVICE = Device(
+DEVICE = number_sensor(
     name="tilt",
     title="Inclinometer",
     element="inclinometer",

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.core.quantity import LENGTH
-from crs_cc.sim.model.device import Device, Value, attribute, period, rate
+from crs_cc.sim.devices.number_sensor import Value, number_sensor
+from crs_cc.sim.model.attribute import attribute, period, rate
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -49,7 +50,7 @@ def measure(now: Measurement) -> FloatArray:
     return np.where(nearest_m <= now.settings["range_m"], nearest_m, np.nan)[:, None]
 
 
-DEVICE = Device(
+DEVICE = number_sensor(
     name="uwb",
     title="Ultra-wideband radio",
     element="uwb",

@@ -1,0 +1,132 @@
+"""Attributes of a device's element in robot definitions: fields of the dataclass of its constants.
+
+>>> @dataclass(frozen=True, slots=True)
+... class Feeler:
+...     range_m: float = attribute("range", LENGTH, "1m", "How far it measures.")
+>>> [(each.name, each.default) for each in attributes_of(Feeler)]
+[('range', '1m')]
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import Any, Final, TypeAlias
+
+from crs_cc.core.quantity import FREQUENCY, LENGTH, RATIO, TIME, Kind
+
+__all__ = [
+    "FRACTION",
+    "LENGTH",
+    "Attribute",
+    "Choice",
+    "Count",
+    "attribute",
+    "attributes_of",
+    "period",
+    "rate",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """Integers in a range, both ends included."""
+
+    least: int
+    most: int
+
+    def parse(self, text: str) -> int:
+        """Return the value of a text that the schema allows."""
+        return int(text)
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One of several words.
+
+    Attributes:
+        values: each word and its value.
+    """
+
+    values: tuple[tuple[str, Any], ...]
+
+    def parse(self, text: str) -> Any:
+        """Return the value of a word that the schema allows."""
+        return dict(self.values)[text]
+
+
+@dataclass(frozen=True, slots=True)
+class Fraction:
+    """Numbers from 0 to 1."""
+
+    def parse(self, text: str) -> float:
+        """Return the value of a text that the schema allows."""
+        return RATIO.parse(text)
+
+
+FRACTION: Final = Fraction()
+
+Values: TypeAlias = Kind | Count | Choice | Fraction
+"""Which values an attribute can have."""
+
+
+@dataclass(frozen=True, slots=True)
+class Attribute:
+    """An attribute of a device's element in robot definitions.
+
+    Attributes:
+        name: its name there.
+        values: its quantity, or its possible values.
+        default: default value, as written in the file; None if it is required.
+        meaning: description in whole sentences, shown in the schema and its docs.
+        positive: whether a quantity must be greater than 0.
+        signed: whether a quantity may be less than 0.
+    """
+
+    name: str
+    values: Values
+    default: str | None
+    meaning: str
+    positive: bool = False
+    signed: bool = False
+
+
+def attribute(
+    name: str,
+    values: Values,
+    default: str | None,
+    meaning: str,
+    *,
+    positive: bool = False,
+    signed: bool = False,
+) -> Any:
+    """Return a dataclass field that is set by an attribute of the device's element [SI unit].
+
+    Args:
+        name: the attribute's name.
+        values: its quantity, or its possible values.
+        default: default value, as written in the file, such as `"20Hz"`; None if it is required.
+        meaning: description in whole sentences.
+        positive: whether a quantity must be greater than 0.
+        signed: whether a quantity may be less than 0.
+    """
+    metadata = {"attribute": Attribute(name, values, default, meaning, positive, signed)}
+    if default is None:
+        return dataclasses.field(metadata=metadata)
+    return dataclasses.field(default=values.parse(default), metadata=metadata)
+
+
+def rate(default: str | None) -> Any:
+    """Return the field `rate_hz` of a sensor: its maximum measuring rate [Hz]."""
+    return attribute("rate", FREQUENCY, default, "Maximum measurement rate.", positive=True)
+
+
+def period() -> Any:
+    """Return the field `period_s` of a sensor: its measuring period by timer [s]."""
+    return attribute("period", TIME, "0s", "")
+
+
+def attributes_of(model: type) -> tuple[Attribute, ...]:
+    """Return the attributes of a model's fields, in order."""
+    fields = dataclasses.fields(model)
+    return tuple(f.metadata["attribute"] for f in fields if "attribute" in f.metadata)

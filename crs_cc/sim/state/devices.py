@@ -1,0 +1,40 @@
+"""The states of the devices of `registry.devices()`.
+
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> [name for name in device_states(empty_world()).__slots__ if name == "tilt"]
+['tilt']
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from functools import cache
+from typing import Any, Final
+
+from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.world import WorldModel
+
+_NAME: Final = "DeviceStates"
+
+
+def device_states(world: WorldModel) -> Any:
+    """Return a dataclass with the state of each device of the registry, by its name."""
+    models = [robot.model for robot in world.robots]
+    found = {each.name: [model.device(each.name) for model in models] for each in devices()}
+    return _columns()(**{
+        each.name: each.state([model for model in found[each.name] if model is not None])
+        for each in devices()
+    })  # fmt: skip
+
+
+@cache
+def _columns() -> type:
+    columns = dataclasses.make_dataclass(_NAME, [each.name for each in devices()], slots=True)
+    columns.__module__ = __name__  # where pickle looks for it, see `__getattr__`
+    return columns
+
+
+def __getattr__(name: str) -> type:
+    if name == _NAME:
+        return _columns()
+    raise AttributeError(name)
