@@ -8,6 +8,8 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Final
 
+from crs_cc.sim.devices.bumper.element import switches_of
+from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import Definitions
 from crs_cc.sim.model.degradation import Degradation, described
 from crs_cc.sim.model.registry import device
@@ -108,14 +110,15 @@ def _degradation(degradation: Degradation, world: WorldModel) -> str:
 def _parts(model: RobotModel) -> Iterator[str]:
     yield f"radius {model.radius_m:g} m, {model.mass_kg:g} kg"
     yield f"{'synchro' if model.drive.steering else 'differential'} drive"
-    if model.sonars:
-        yield counted(len(model.sonars), "sonar")
-    if model.bumpers:
-        yield counted(len(model.bumpers), "bumper switch", "bumper switches")
+    if sonars := sonars_of(model).sonars:
+        yield counted(len(sonars), "sonar")
+    if switches := switches_of(model):
+        yield counted(len(switches), "bumper switch", "bumper switches")
     if model.heat.range_m:
         yield "heat"
     for field in fields(model):  # a device that a robot may lack is None there
         if field.default is None and getattr(model, field.name) is not None:
             yield field.name.replace("_", " ")
     for name, _ in model.devices:
-        yield device(name).element.replace("-", " ")
+        if name not in {"sonar", "bumper"}:
+            yield device(name).element.replace("-", " ")

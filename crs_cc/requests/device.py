@@ -80,17 +80,6 @@ DEVICE_REQUESTS: Final = (
         results=fields(("age_ms", "i[0]", "ms", "the time since then, -1 for never")),
     ),
     device_request(
-        "SONAR_MODE", 207, "int crs_sonar_mode(int mode)", "selects a mode of the sonars",
-        fields(("mode", "i[0]", "1", "the mode's number in the definition")),
-    ),
-    device_request(
-        "SONAR_RANGES", 208, "int crs_sonar(int *ranges, int most)", "reads all sonars",
-        fields(("fire", "i[0]", "1", "0 for the last echoes, else all fire now")),
-        results=fields(
-            ("ranges", "data", _LENGTH, "range of each sonar, -1 for no echo", "int32")
-        ),
-    ),
-    device_request(
         "GRIPPER", 220, "int crs_gripper(int what)", "opens or closes the gripper",
         fields(("close", "i[0]", "1", "0 to open, 1 to close")),
     ),

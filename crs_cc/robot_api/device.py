@@ -47,18 +47,6 @@ SENSORS: Final = Group("Sensors", (
         "returns the age of a sensor's current measurement, -1 if there is none, or no such sensor",
         units="ms", posts=("AGE",), source=(OURS,),
     ),
-    Function(
-        "int crs_sonar_mode(int mode)",
-        "selects an operating mode of the sonars from the robot definition, effective from the"
-        " next ping of each sonar",
-        posts=("SONAR_MODE",), source=(OURS,),
-    ),
-    Function(
-        "int crs_sonar(int *ranges, int most)",
-        "copies the current readings of the sonars, -1 for no echo; returns the number of"
-        " readings copied, at most `most`",
-        units="0.1 in", posts=("SONAR_RANGES",), source=(OURS,),
-    ),
 ))  # fmt: skip
 
 HANDLING: Final = Group("Grippers, arms and tagging", (

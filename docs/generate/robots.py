@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from crs_cc.sim.devices.bumper.element import switches_of
+from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import known_robots, load_robot
 from crs_cc.sim.model.robot import RobotModel
 from docs.generate import Fillers, table
@@ -36,14 +38,15 @@ def _drive(model: RobotModel) -> str:
 
 
 def _sonars(model: RobotModel) -> str:
-    front = [each.id for each in model.sonars if abs(each.direction_rad) < math.radians(20)]
+    sonars = sonars_of(model).sonars
+    front = [each.id for each in sonars if abs(each.direction_rad) < math.radians(20)]
     numbers = ", ".join(map(str, front))
-    return f"{len(model.sonars)}, range {model.sonars[0].range_m:.1f} m; front: {numbers}"
+    return f"{len(sonars)}, range {sonars[0].range_m:.1f} m; front: {numbers}"
 
 
 def _others(model: RobotModel) -> str:
     devices = {
-        f"{len(model.bumpers)} bumpers": bool(model.bumpers),
+        f"{len(switches_of(model))} bumpers": bool(switches_of(model)),
         "infrared": model.infrared is not None,
         "compass": model.compass is not None,
         "laser": model.laser is not None,

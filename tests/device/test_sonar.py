@@ -74,7 +74,7 @@ def test_unknown_modes_are_refused(tmp_path, mode):
     driver = Driver.of(empty_world(robot=with_modes(tmp_path)))
     assert driver.post("SONAR_MODE", mode)[0]["result"] == 0
     assert driver.post("SONAR_MODE", 1)[0]["result"] == 1
-    assert driver.state.sonar.mode.tolist() == [1]
+    assert driver.state.devices.sonar.mode.tolist() == [1]
 
 
 def test_robot_without_modes_has_one_mode_and_robot_without_sonars_none(tmp_path):
@@ -149,4 +149,4 @@ def test_snapshot_contains_mode(tmp_path):
     snapshot = driver.environment.snapshot()
     driver.post("SONAR_MODE", 0)
     driver.environment.restore(snapshot)
-    assert driver.state.sonar.mode.tolist() == [1]
+    assert driver.state.devices.sonar.mode.tolist() == [1]

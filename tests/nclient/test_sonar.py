@@ -131,7 +131,7 @@ def test_conf_sn_fires_every_rate_times_4_ms(rate, interval_s):
     order = "int order[3] = {0, 1, 255};"
     done = drive(f"{order} connect_robot(1); conf_sn({rate}, order); usleep(990000);")
     environment = done.session.environment
-    sonar = environment.state.sonar
+    sonar = environment.state.devices.sonar
     since_s = environment.time_s - float(sonar.start_s[0])
     assert since_s > 0.99
     assert sonar.turn[0] == math.ceil(since_s / interval_s)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from crs_cc.requests import CODES, MESSAGE
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files import world_xml
@@ -46,6 +47,10 @@ class Driver:
     @property
     def state(self):
         return self.environment.state
+
+    @property
+    def sonar(self):
+        return sonar_state(self.state)
 
     def post(self, name: str, *arguments: int, robot: int = 0, at_s: float = 0.0, data=b""):
         """Post a request; return the reply and the time at which the program continues."""

@@ -97,17 +97,17 @@ def test_corner_presses_both_sides():
 
 def test_hit_is_recorded_once_per_press():
     driver = Driver.of(world_of('<robot x="9m" y="5m"/>'))
-    assert driver.state.bumpers.hit.at_s[0] < 0
+    assert driver.state.devices.bumper.hit.at_s[0] < 0
     driver.ask("VM", 200, 200)
-    while not driver.state.bumpers.pressed[0]:
+    while not driver.state.devices.bumper.pressed[0]:
         driver.run(1)
-    hit_s = driver.state.bumpers.hit.at_s[0]
-    hit_x = driver.state.bumpers.hit.configuration[0, 0]
+    hit_s = driver.state.devices.bumper.hit.at_s[0]
+    hit_x = driver.state.devices.bumper.hit.configuration[0, 0]
     assert hit_s == driver.environment.time_s
     assert hit_x == driver.ask("GET_RC")[34]
     driver.run_s(1)
-    assert driver.state.bumpers.hit.at_s[0] == hit_s
-    assert driver.state.bumpers.hit.configuration[0, 0] == hit_x
+    assert driver.state.devices.bumper.hit.at_s[0] == hit_s
+    assert driver.state.devices.bumper.hit.configuration[0, 0] == hit_x
 
 
 @pytest.mark.parametrize(

@@ -155,7 +155,7 @@ def test_refused_request_measures_nothing(name):
     driver = Driver(environment)
     driver.ask("CONNECT", robot=1)
     driver.ask("GS")  # what is due at the start has fired
-    before = environment.state.sonar.count[0]
+    before = environment.state.devices.sonar.count[0]
     messages = np.zeros(2, MESSAGE)
     messages["i"][:, 0] = 1
     environment.serve(CODES[name], np.arange(2), messages, np.zeros(2))
@@ -163,7 +163,7 @@ def test_refused_request_measures_nothing(name):
     assert messages["size"][0] == 0
     assert not messages["data"][0].any()
     assert messages["data"][1].any()
-    assert environment.state.sonar.count[0] == before
+    assert environment.state.devices.sonar.count[0] == before
 
 
 # -- conf_tm -----------------------------------------------------------------------------------

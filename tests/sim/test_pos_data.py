@@ -109,7 +109,7 @@ def test_bumper_entry_is_that_of_last_hit():
     driver.ask("GS")
     assert (pos_data(driver, BUMPER) == 0).all()  # nothing was hit yet
     driver.ask("VM", 200, 200)
-    while not driver.state.bumpers.pressed[0]:
+    while not driver.state.devices.bumper.pressed[0]:
         driver.run(1)
     hit_s = driver.environment.time_s
     driver.run_s(2)

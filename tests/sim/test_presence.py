@@ -44,7 +44,7 @@ def hall(things: str) -> Driver:
 def ahead_m(driver: Driver) -> float:
     """Return the reading of R0's front sonar after its next firing."""
     driver.run_s(1.0)
-    return float(driver.state.sonar.echo_m[0, 0])
+    return float(driver.state.devices.sonar.echo_m[0, 0])
 
 
 def test_robot_is_seen_while_present():
@@ -71,9 +71,9 @@ def test_contact_with_robot_ends_when_it_leaves():
     driver = hall(f'{R0}<robot id="late" x="1.5m" y="2m" leave="3s"/>')
     driver.ask("VM", 100, 100)
     driver.run_s(2.9)
-    assert driver.state.bumpers.pressed[0]
+    assert driver.state.devices.bumper.pressed[0]
     driver.run_s(0.3)
-    assert not driver.state.bumpers.pressed[0]
+    assert not driver.state.devices.bumper.pressed[0]
     before_m = driver.state.x_m[0]
     driver.run_s(1.0)
     assert driver.state.x_m[0] - before_m == pytest.approx(0.254, abs=1e-3)
@@ -88,8 +88,8 @@ def test_joining_robot_is_in_switch_on_state():
     late, _ = driver.post("GS", robot=1)
     assert late["f"][0] == 0.0  # the board's clock
     assert first["f"][0] == pytest.approx(2000.0, abs=17.0)
-    assert driver.state.sonar.echo_m[1, 8] == pytest.approx(3.0 - 2 * SCOUT_RADIUS_M)
-    assert driver.state.sonar.fired_s[1, 8] == 2.0
+    assert driver.state.devices.sonar.echo_m[1, 8] == pytest.approx(3.0 - 2 * SCOUT_RADIUS_M)
+    assert driver.state.devices.sonar.fired_s[1, 8] == 2.0
 
 
 def test_obstacle_may_be_at_place_of_absent_robot():

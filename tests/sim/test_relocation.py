@@ -45,7 +45,7 @@ def test_sensors_measure_from_new_pose_at_once() -> None:
     run(driver, 20)
     driver.ask("GET_SN")
     # From the shell, 9 m + 8 in, to the edge at 10 m.
-    assert driver.state.sonar.echo_m[0, 0] == pytest.approx(1.0 - SCOUT_RADIUS_M, abs=0.01)
+    assert driver.state.devices.sonar.echo_m[0, 0] == pytest.approx(1.0 - SCOUT_RADIUS_M, abs=0.01)
 
 
 @pytest.mark.parametrize(

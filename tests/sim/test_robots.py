@@ -16,6 +16,7 @@ import math
 import numpy as np
 import pytest
 
+from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import load_robot
 from tests.sim.driver import Driver, world_of
 from tests.sim.files.test_world_xml import SIM
@@ -49,7 +50,7 @@ def echo_m(away_m: float, off_deg: float) -> float:
     ],
 )
 def test_sonars_of_pioneer_have_directions_of_its_parameters(sonar: int, expected_m: float):
-    echoes = room("pioneer2dx").state.sonar.echo_m[0]
+    echoes = room("pioneer2dx").state.devices.sonar.echo_m[0]
     assert echoes[sonar] == pytest.approx(expected_m, abs=1e-6)
 
 
@@ -65,13 +66,13 @@ def test_sonars_of_pioneer_have_directions_of_its_parameters(sonar: int, expecte
     ],
 )
 def test_sonars_of_amigobot_have_directions_of_its_parameters(sonar: int, expected_m: float):
-    echoes = room("amigobot").state.sonar.echo_m[0]
+    echoes = room("amigobot").state.devices.sonar.echo_m[0]
     assert echoes[sonar] == pytest.approx(expected_m, abs=1e-6)
 
 
 @pytest.mark.parametrize("kind", ["pioneer2dx", "amigobot"])
 def test_sonars_are_symmetric(kind: str):
-    places = {(s.x_m, s.y_m, round(s.direction_rad, 6)) for s in _model(kind).sonars}
+    places = {(s.x_m, s.y_m, round(s.direction_rad, 6)) for s in sonars_of(_model(kind)).sonars}
     assert places == {(x, -y, -direction) for x, y, direction in places}
 
 
@@ -95,15 +96,15 @@ def test_robot_reports_state_like_scout(kind: str):
     assert message["i"][0] == SCOUT
     state = driver.ask("GS")
     assert (state[33], state[42]) == (0, 0)  # no bumpers, no compass
-    sonars = len(_model(kind).sonars)
+    sonars = len(sonars_of(_model(kind)).sonars)
     assert np.array_equal(state[17 + sonars : 33], np.full(16 - sonars, 255))
 
 
 @pytest.mark.parametrize("kind", ["pioneer2dx", "amigobot"])
 def test_noisy_setup_deviates(kind: str):
     noisy = load_robot(SIM / "files" / "robots" / f"{kind}.xml", "noisy")
-    assert noisy.sonar_board.noise_m > 0.0
-    assert noisy.sonars == _model(kind).sonars
+    assert sonars_of(noisy).board.noise_m > 0.0
+    assert sonars_of(noisy).sonars == sonars_of(_model(kind)).sonars
 
 
 def _model(kind: str):

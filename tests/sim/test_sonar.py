@@ -11,10 +11,11 @@ from hypothesis import strategies as st
 
 from crs_cc.core.units import SOUND_MPS
 from crs_cc.sim.devices.sonar.errors import SonarErrors
+from crs_cc.sim.devices.sonar.model import SonarBoard, Sonars, sonars_of
 from crs_cc.sim.devices.vendor_state import CONF_X, SONAR_0
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world
-from crs_cc.sim.model.sonar import SonarBoard
+from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Area, Pose, Robot, WorldModel
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, world_of
 
@@ -34,12 +35,17 @@ def conf_sn(driver: Driver, rate: int, *order: int, at_s: float = 0.0) -> None:
     assert message["result"] == 1
 
 
+def _with_board(model: RobotModel, **changes) -> Sonars:
+    sonars = sonars_of(model)
+    return replace(sonars, board=replace(sonars.board, **changes))
+
+
 def with_board(world: WorldModel, **changes) -> WorldModel:
     """Return a world whose robots have other sonar boards."""
     robots = [
         replace(
             robot,
-            model=replace(robot.model, sonar_board=replace(robot.model.sonar_board, **changes)),
+            model=robot.model.with_device("sonar", _with_board(robot.model, **changes)),
         )
         for robot in world.robots
     ]
@@ -54,7 +60,7 @@ def firings(driver: Driver, time_s: float) -> list[tuple[float, int]]:
     seen = []
     for _ in range(round(time_s / driver.environment.timestep_s)):
         driver.run(1)
-        sonar = driver.state.sonar
+        sonar = driver.sonar
         fired = float(sonar.next_s[0] - sonar.interval_s[0])
         turn = int(sonar.turn[0]) - 1
         if turn >= 0 and (not seen or seen[-1][0] != fired):
@@ -84,7 +90,7 @@ def test_firings_are_exact_multiples_of_interval_for_any_timestep(timestep):
 def test_rate_is_unsigned_char_in_units_of_4_ms(rate, interval_s):
     driver = Driver.of(open_world())
     conf_sn(driver, rate, 0)
-    assert driver.state.sonar.interval_s[0] == pytest.approx(interval_s)
+    assert driver.sonar.interval_s[0] == pytest.approx(interval_s)
 
 
 def test_sonars_fire_independently_of_requests():
@@ -95,7 +101,7 @@ def test_sonars_fire_independently_of_requests():
         unasked.run(1)
     told = [driver.ask("GS")[RING].tolist() for driver in (asked, unasked)]
     assert told[0] == told[1]
-    assert asked.state.sonar.count[0] == unasked.state.sonar.count[0]
+    assert asked.sonar.count[0] == unasked.sonar.count[0]
 
 
 def wall_robot() -> str:
@@ -118,7 +124,7 @@ def test_conf_sn_accepts_orders_of_any_length(order, fires):
     driver = Driver.of(open_world())
     message, _ = driver.post("CONF_SN", 15, data=order)
     assert message["result"] == 1
-    sonar = driver.state.sonar
+    sonar = driver.sonar
     assert sonar.order[0, : sonar.length[0]].tolist() == fires
 
 
@@ -126,7 +132,7 @@ def test_conf_sn_refuses_invalid_sonars_and_keeps_order():
     driver = Driver.of(open_world())
     message, _ = driver.post("CONF_SN", 15, data=bytes([1, 16, 2]))
     assert message["result"] == 0
-    assert driver.state.sonar.order[0].tolist() == ROUND
+    assert driver.sonar.order[0].tolist() == ROUND
 
 
 def test_sonars_not_in_order_read_255():
@@ -144,7 +150,9 @@ def test_a_dropped_echo_is_reported_when_the_listening_time_ends():
     driver = Driver.of(open_world(wall_robot() + lost, timestep="1ms"))
     conf_sn(driver, 25, 0)
     driver.run_s(1.001)  # the firing at 1.0 s is the first whose echo is dropped
-    listens_s = 2 * driver.environment.world.robots[0].model.sonars[0].range_m / SOUND_MPS
+    listens_s = (
+        2 * sonars_of(driver.environment.world.robots[0].model).sonars[0].range_m / SOUND_MPS
+    )
     echo_s = 2 * 100 * INCH / SOUND_MPS
     assert echo_s < listens_s - 0.01
 
@@ -160,10 +168,10 @@ def test_a_dropped_echo_is_reported_when_the_listening_time_ends():
 def test_empty_order_switches_sonars_off():
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
     conf_sn(driver, 15)
-    count = driver.state.sonar.count[0]
+    count = driver.sonar.count[0]
     driver.run_s(3)
     assert driver.ask("GET_SN")[RING].tolist() == [NO_ECHO] * 16
-    assert driver.state.sonar.count[0] == count
+    assert driver.sonar.count[0] == count
     conf_sn(driver, 15, 7)
     driver.run_s(0.1)
     assert np.flatnonzero(driver.ask("GET_SN")[RING] < NO_ECHO).tolist() == [7]
@@ -172,7 +180,8 @@ def test_empty_order_switches_sonars_off():
 def test_missing_sonar_reads_255():
     world = world_of('<robot x="5m" y="5m"/>')
     robot = world.robots[0]
-    few = replace(robot.model, sonars=robot.model.sonars[:4], sonar_board=SonarBoard(order=(0, 1)))
+    sonars = Sonars(sonars_of(robot.model).sonars[:4], SonarBoard(order=(0, 1)))
+    few = robot.model.with_device("sonar", sonars)
     driver = Driver.of(replace(world, robots=(replace(robot, model=few),)))
     message, _ = driver.post("CONF_SN", 15, data=bytes([0, 9]))
     assert message["result"] == 0  # the order stays as it was
@@ -190,7 +199,7 @@ def test_reading_is_reported_when_echo_arrives():
     flight_s = 200 * INCH / SOUND_MPS
     assert driver.ask("GET_SN", at_s=0.01 + flight_s - 1e-6)[SONAR_0] == NO_ECHO
     assert driver.ask("GET_SN", at_s=0.01 + flight_s + 1e-6)[SONAR_0] == 100
-    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(0.01)
+    assert driver.sonar.fired_s[0, 0] == pytest.approx(0.01)
 
 
 def test_no_echo_is_reported_after_flight_time_of_range():
@@ -227,7 +236,7 @@ def test_reading_is_that_of_last_firing():
             x_in = told[CONF_X] / 10 - 10 * (now_s - fired_s)
             assert told[SONAR_0] == pytest.approx(200 - x_in, abs=0.6)
         driver.run(1)
-    sonar = driver.state.sonar
+    sonar = driver.sonar
     assert sonar.fired_s[0, [0, 4, 8, 12]] == pytest.approx(
         np.array([0, 0.1, 0.2, 0.3]) + sonar.fired_s[0, 0]
     )
@@ -247,8 +256,8 @@ def test_firing_pose_is_independent_of_timestep(timestep):
     fired = int((2 - 0.02 - 0.001) / 0.068)
     at_s = fired * 0.068 + 0.001
     way_in = 39 * (at_s - 0.002) - 39**2 / (2 * 78)
-    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(at_s)
-    assert driver.state.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=0.02 * INCH)
+    assert driver.sonar.fired_s[0, 0] == pytest.approx(at_s)
+    assert driver.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=0.02 * INCH)
 
 
 @pytest.mark.parametrize("timestep", ["20ms", "100ms"])
@@ -264,8 +273,8 @@ def test_sonars_fire_during_wait_from_current_pose(timestep):
         assert driver.environment.time_s < 3
     at_s = 0.001 + 30 * 0.068  # 2.041: its echo comes before the end of the wait
     way_in = 39 * (at_s - 0.002) - 39**2 / (2 * 78)
-    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(at_s)
-    assert driver.state.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=1e-9)
+    assert driver.sonar.fired_s[0, 0] == pytest.approx(at_s)
+    assert driver.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -281,8 +290,8 @@ def test_firing_at_end_of_cycle_belongs_to_next(name, at_s):
     driver.run(1)
     gap_m = driver.state.x_m[1] - driver.state.x_m[0]
     driver.run(1)
-    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(1.1)
-    assert driver.state.sonar.echo_m[0, 0] == pytest.approx(gap_m - 2 * SCOUT_RADIUS_M)
+    assert driver.sonar.fired_s[0, 0] == pytest.approx(1.1)
+    assert driver.sonar.echo_m[0, 0] == pytest.approx(gap_m - 2 * SCOUT_RADIUS_M)
 
 
 def test_robot_leaving_contact_fires_from_current_pose():
@@ -295,10 +304,10 @@ def test_robot_leaving_contact_fires_from_current_pose():
     driver.ask("AC", 780, 780)
     driver.ask("VM", -300, -300)
     conf_sn(driver, 250, 0, at_s=4.09)
-    assert driver.state.bumpers.pressed[0]
+    assert driver.state.devices.bumper.pressed[0]
     gap_m = 10 * INCH - driver.state.x_m[0]
     way_m = 78 * INCH * 0.09**2 / 2
-    assert driver.state.sonar.heard_m[0] == pytest.approx(gap_m + way_m)
+    assert driver.sonar.heard_m[0] == pytest.approx(gap_m + way_m)
 
 
 def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int]) -> Driver:
@@ -313,7 +322,7 @@ def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int
                 driver.ask("GS", at_s=driver.environment.time_s + 0.013)
                 driver.ask("GET_SN", at_s=driver.environment.time_s + 0.041)
             driver.run(1)
-            sonar = driver.state.sonar
+            sonar = driver.sonar
             assert sonar.listening[0] < 0 or sonar.sent_s[0] < sonar.heard_s[0]
             assert sonar.heard_s[0] <= sonar.next_s[0] or sonar.listening[0] < 0
             assert sonar.next_s[0] >= driver.environment.time_s
@@ -329,9 +338,9 @@ ORDERS = st.tuples(st.integers(0, 60), st.lists(st.integers(0, 15), max_size=16)
 def test_requests_do_not_affect_readings(plan):
     asks, orders, speeds = (list(column) for column in zip(*plan, strict=True))
     asked, unasked = play(asks, orders, speeds), play([False] * len(plan), orders, speeds)
-    assert asked.state.sonar.echo_m == pytest.approx(unasked.state.sonar.echo_m, abs=1e-9)
-    assert np.array_equal(asked.state.sonar.fired_s, unasked.state.sonar.fired_s)
-    assert np.array_equal(asked.state.sonar.turn, unasked.state.sonar.turn)
+    assert asked.sonar.echo_m == pytest.approx(unasked.sonar.echo_m, abs=1e-9)
+    assert np.array_equal(asked.sonar.fired_s, unasked.sonar.fired_s)
+    assert np.array_equal(asked.sonar.turn, unasked.sonar.turn)
 
 
 def test_initial_readings_are_measured_at_start():
@@ -371,7 +380,7 @@ def test_ping_of_other_robot_is_mistaken_for_echo(later_s):
     driver = crosstalk_driver(0.02 + later_s, crosstalk=1.0)
     expected = (84 * INCH + later_s * SOUND_MPS) / 2 / INCH
     assert driver.ask("GS", at_s=0.09)[SONAR_0] == round(expected)
-    assert driver.state.sonar.echo_m[0, 0] == pytest.approx(expected * INCH)
+    assert driver.sonar.echo_m[0, 0] == pytest.approx(expected * INCH)
 
 
 def test_pings_arriving_before_own_one_are_ignored():
@@ -418,7 +427,7 @@ def readings(world: WorldModel, count: int, seed: int = 1, robot: int = 0) -> np
     for _ in range(count):
         driver.run(1)
         driver.ask("GS", robot=robot, at_s=driver.environment.time_s)
-        found.append(driver.state.sonar.echo_m[robot, 0] / INCH)
+        found.append(driver.sonar.echo_m[robot, 0] / INCH)
     return np.array(found)
 
 
@@ -427,7 +436,7 @@ SLOW = "40ms"  # so that each cycle has one firing
 
 def told_in(distance_in: float, count: int = 4000, **changes) -> np.ndarray:
     """Return a robot's reports of the same distance many times [in]."""
-    errors = SonarErrors(with_board(open_world(), **changes), seed=1)
+    errors = SonarErrors(with_board(open_world(), **changes), seed=1, stream=0)
     row, distance_m = np.array([0]), np.array([distance_in * INCH])
     draws = [errors.draw(row, np.array([number])) for number in range(count)]
     return np.array([errors.reported_m(row, row, distance_m, drawn)[0] for drawn in draws]) / INCH
@@ -489,8 +498,8 @@ def test_errors_of_robots_are_independent():
 
 
 def test_ideal_setup_has_no_errors_and_noisy_one_has_all():
-    ideal = empty_world().robots[0].model.sonar_board
-    noisy = empty_world("noisy").robots[0].model.sonar_board
+    ideal = sonars_of(empty_world().robots[0].model).board
+    noisy = sonars_of(empty_world("noisy").robots[0].model).board
     assert ideal == SonarBoard(order=tuple(ROUND))
     assert noisy.order == ideal.order
     assert noisy.critical_rad < ideal.critical_rad
@@ -507,7 +516,7 @@ def test_pending_ping_survives_snapshot():
     driver.ask("VM", 100, 100)
     driver.run(3)
     driver.ask("GS", at_s=0.185)  # sonar 1 fired at 0.18
-    assert driver.state.sonar.listening[0] >= 0
+    assert driver.sonar.listening[0] >= 0
     snapshot = pickle.loads(pickle.dumps(driver.environment.snapshot()))
     other = Environment(world, 1)
     other.restore(snapshot)

@@ -25,6 +25,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.sim.comms import message_log
 from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.devices.bumper.element import switches_of
 from crs_cc.sim.state import events
 
 if TYPE_CHECKING:
@@ -136,7 +137,7 @@ def _bumpers(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
 
 def switches(bits: int, model: RobotModel) -> Iterator[str]:
     """Return the names of switches of a robot, from the bits of `State[33]`."""
-    for switch in model.bumpers:
+    for switch in switches_of(model):
         if bits >> switch.bit & 1:
             yield f"bumper {switch.bit} ({side(switch.bearing_rad)})"
 

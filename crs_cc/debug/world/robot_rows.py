@@ -16,6 +16,10 @@ from crs_cc.core.units import m_to_inch
 from crs_cc.debug.world.events import switches
 from crs_cc.debug.world.rows import Row, angle, instant, length, pose_text
 from crs_cc.requests import CODES, REQUESTS
+from crs_cc.sim.devices.bumper.element import switches_of
+from crs_cc.sim.devices.bumper.state import bumper_state
+from crs_cc.sim.devices.sonar.model import sonars_of
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.engine.step import AxisSlice, slice_of, slices_of
 from crs_cc.sim.model.degradation import described
 from crs_cc.sim.state.messages import ARRIVED
@@ -163,16 +167,16 @@ def _touches(environment: Environment, robot: int) -> Iterator[Row]:
 
 
 def _bumpers(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
-    if model.bumpers:
-        pressed = switches(int(environment.state.bumpers.pressed[robot]), model)
+    if switches_of(model):
+        pressed = switches(int(bumper_state(environment.state).pressed[robot]), model)
         yield Row("bumpers", ", ".join(pressed) or "none pressed")
 
 
 def _sonars(environment: Environment, robot: int) -> Iterator[Row]:
     """Return the last echo of each sonar, and which was the nearest."""
-    sonar = environment.state.sonar
+    sonar = sonar_state(environment.state)
     model = environment.world.robots[robot].model
-    sonars = model.sonar_modes[int(sonar.mode[robot])].sonars
+    sonars = sonars_of(model).modes[int(sonar.mode[robot])].sonars
     if not sonars:
         return
     echo_m = sonar.echo_m[robot]

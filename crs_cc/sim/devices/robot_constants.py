@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.sim.devices.degradation.filter import Degradations
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.model.robot import RobotModel
-from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.inclines import Inclines
 
@@ -28,10 +26,6 @@ class RobotConstants:
         timestep_s: the world's timestep [s].
         drives: the drives.
         vendor_model: the vendor's number of the model.
-        least_interval_s: minimum time between the firings of two sonars.
-        sonars: which sonars each robot has, (robots, 16).
-        sonar_modes: number of modes of the sonars, 0 for a robot without sonars.
-        bumpers: whether the robot has bumpers.
         infrared: number of each robot among those with an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
@@ -55,10 +49,6 @@ class RobotConstants:
     timestep_s: float
     drives: Drives
     vendor_model: Int64Array
-    least_interval_s: FloatArray
-    sonars: BoolArray
-    sonar_modes: Int64Array
-    bumpers: BoolArray
     infrared: IndexArray
     compass: IndexArray
     laser: IndexArray
@@ -87,12 +77,6 @@ class RobotConstants:
             timestep_s=world.timestep_s,
             drives=Drives.of(world),
             vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
-            least_interval_s=np.array([model.sonar_board.least_interval_s for model in models]),
-            sonars=_sonars(models),
-            sonar_modes=np.array(
-                [len(model.sonar_modes) if model.sonars else 0 for model in models], np.int64
-            ),
-            bumpers=np.array([bool(model.bumpers) for model in models], dtype=np.bool_),
             infrared=_numbers([model.infrared is not None for model in models]),
             compass=_numbers([model.compass is not None for model in models]),
             laser=_numbers([model.laser is not None for model in models]),
@@ -130,14 +114,6 @@ class RobotConstants:
     def last_instant_s(self, cycle: int) -> float:
         """Return the last time in a cycle [s]: its end belongs to the next one."""
         return float(np.nextafter((cycle + 1) * self.timestep_s, 0.0))
-
-
-def _sonars(models: Sequence[RobotModel]) -> BoolArray:
-    """Return which sonars robots have."""
-    has = np.zeros((len(models), MAX_SONARS), dtype=np.bool_)
-    for row, model in zip(has, models, strict=True):
-        row[[sonar.id for sonar in model.sonars]] = True
-    return has
 
 
 def _numbers(has: list[bool]) -> IndexArray:

@@ -21,8 +21,9 @@ from crs_cc.sim.devices.compass import Compasses
 from crs_cc.sim.devices.infrared import InfraredRing
 from crs_cc.sim.devices.installed import Timed
 from crs_cc.sim.devices.laser import Lasers
+from crs_cc.sim.devices.state_vector import state_vector
 from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.devices.vendor_state import MOTOR_STATUS, state_vector
+from crs_cc.sim.devices.vendor_state import MOTOR_STATUS
 from crs_cc.sim.model.sensors import MAX_INFRARED
 from crs_cc.sim.state import mask, timers
 

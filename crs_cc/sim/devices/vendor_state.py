@@ -2,13 +2,6 @@
 
 Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout does not have
 (infrared, turret, laser, compass) is 0.
-
->>> from crs_cc.sim.state.env_state import EnvState
->>> from crs_cc.sim.files.world_xml import empty_world
->>> world = empty_world()
->>> vector = state_vector(EnvState.at_start(world), RobotConstants.of(world), np.array([0]))
->>> vector.shape, vector[0, SIM_SPEED], vector[0, SONAR_0]
-((1, 45), np.int32(10), np.int32(255))
 """
 
 from __future__ import annotations
@@ -19,13 +12,12 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
-from crs_cc.requests import LARGEST, NUM_STATE
+from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.robot_constants import RobotConstants
-from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.state.env_state import EnvState
+from crs_cc.sim.state.last_measurement import CONFIGURATION
 from crs_cc.sim.state.rows import take
-from crs_cc.sim.state.sonar import CONFIGURATION
 
 SIM_SPEED: Final = 0  # 10 is real time
 IR_0: Final = 1  # to 16, 0 to 15
@@ -43,31 +35,7 @@ MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, even if stalle
 LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
-_BITS: Final = np.array([1, 2, 4])
-_REAL_TIME: Final = 10
 _FULL_TURN: Final = 3600
-
-
-def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
-    """Return `State` of robots at the time to which their axes were turned, shape (k, 45)."""
-    vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
-    vector[:, SIM_SPEED] = _REAL_TIME
-    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
-    if len(state.infrared.level):
-        has = constants.infrared[rows] >= 0
-        level = state.infrared.level[constants.infrared[rows[has]]]
-        vector[has, IR_0:SONAR_0] = np.rint(level)
-    if len(state.laser.mode):
-        has = constants.laser[rows] >= 0
-        vector[has, LASER] = state.laser.mode[constants.laser[rows[has]]]
-    if len(state.compass.reading):
-        has = constants.compass[rows] >= 0
-        vector[has, COMPASS] = state.compass.reading[constants.compass[rows[has]]]
-    vector[:, BUMPER] = state.bumpers.pressed[rows]
-    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, constants, rows)
-    works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
-    vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
-    return vector
 
 
 def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:

@@ -13,6 +13,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive, heat
+from crs_cc.sim.devices.bumper import Bumpers
 from crs_cc.sim.devices.camera import Cameras
 from crs_cc.sim.devices.handling import Handling
 from crs_cc.sim.devices.installed import Installed, Timed
@@ -41,6 +42,7 @@ class DeviceBoard:
 
     Attributes:
         sonars: the sonars.
+        bumpers: the bumpers.
         sensor_board: the devices read by the vendor's sensor board.
         handling: the grippers and arms.
         messenger: the communication between robots.
@@ -58,7 +60,6 @@ class DeviceBoard:
             log: receives their events.
         """
         self.log = log
-        self.sonars = SonarRing(world, seed)
         self.sensor_board = SensorBoard(world, seed)
         self.cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
@@ -66,6 +67,8 @@ class DeviceBoard:
         self.installed: dict[str, Installed] = {
             row.name: row.install(row, world, seed, log) for row in _REGISTERED
         }
+        self.sonars: SonarRing = self.installed["sonar"].device
+        self.bumpers: Bumpers = self.installed["bumper"].device
         self.timers = Timers(self._timed(world))
 
     def _timed(self, world: WorldModel) -> dict[int, tuple[str, Timed]]:
@@ -90,7 +93,7 @@ class DeviceBoard:
         own = [*self.cameras.fans, *self.handling.grippers.fans]
         for each in self.installed.values():
             own += each.fans
-        return [*self.sonars.fans, *self.sensor_board.fans, *own]
+        return [*self.sensor_board.fans, *own]
 
     def begin(
         self,

@@ -30,6 +30,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray, Records
 from crs_cc.sim.comms.control import CommunicationControl
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.engine.dispatch import Dispatcher
@@ -107,9 +108,9 @@ class Environment:
         worked = data.devices.sensor_board.batteries.drain(state, self.timestep_s)
         data.let_go_if_empty(worked, end_s)
         # Contacts use the numbers of objects before robots join or leave below.
-        before = state.bumpers.pressed
-        began = data.bumpers.touch(state, data.constants, contacts, end_s)
-        now, names = state.bumpers.pressed, data.names
+        before = bumper_state(state).pressed
+        began = data.devices.bumpers.touch(state, data.constants, contacts, end_s)
+        now, names = bumper_state(state).pressed, data.names
         pressed, released = now & ~before, before & ~now
         # Degradations that begin are logged before the devices' work at the end of the cycle.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._dispatcher.served)
@@ -240,10 +241,7 @@ class Environment:
         """Return name and state of each device of a robot, for inspectors."""
         numbers = self._data.constants.numbers
         return [
-            (
-                row.title[0].lower() + row.title[1:],
-                row.inspect(self.state, numbers[row.name][number]),
-            )
+            (row.name, row.inspect(self.state, numbers[row.name][number]))
             for row in devices()
             if row.inspect is not None and numbers[row.name][number] >= 0
         ]

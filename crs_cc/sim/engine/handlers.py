@@ -24,7 +24,6 @@ from crs_cc.core.arrays import BoolArray
 from crs_cc.requests import CODES
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
-    bumper,
     compass,
     drive,
     heat,
@@ -33,7 +32,6 @@ from crs_cc.sim.devices import (
     odometry,
     pos_data,
     serial_link,
-    sonar,
     tag,
 )
 from crs_cc.sim.devices.waits import Wait
@@ -111,11 +109,8 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "DP": odometry.dp,
         "DA": odometry.da,
         "ZR": drive.zr,
-        "CONF_SN": devices.sonars.conf_sn,
         "CONF_TM": drive.conf_tm,
         "GS": acknowledge,
-        "GET_SN": devices.sonars.get_sn,
-        "GET_BP": bumper.get_bp,
         "GET_RC": acknowledge,
         "GET_RV": acknowledge,
         "CT": ct,
@@ -148,7 +143,6 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "QUIT_SERVER": disconnect,
         "CREATE": create,
         "SPECIAL": refuse,
-        "SONAR": devices.sonars.get_ranges,
         "HEAT": heat.get_heat,
         "TAG": tag.tag,
         "CAMERA": devices.cameras.take_picture,
@@ -157,8 +151,6 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "LASER": board.lasers.get_ranges,
         "PERIOD": devices.timers.set_period,
         "AGE": devices.timers.get_age,
-        "SONAR_MODE": sonar.set_mode,
-        "SONAR_RANGES": devices.sonars.get_ranges,
         "GRIPPER": handling.grippers.move,
         "GET_GRIPPER": handling.grippers.get_gripper,
         "ARM": handling.arms.move,

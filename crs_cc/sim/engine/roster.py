@@ -22,6 +22,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, IndexArray
 from crs_cc.core.quantity import ANGLE, HEAT
 from crs_cc.core.time_grid import ROUNDING_S
+from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.files import object_ids
 from crs_cc.sim.geometry.placement import TOLERANCE_M
 from crs_cc.sim.physics.carrying import release
@@ -99,7 +100,7 @@ def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> Non
     presence.left_s = np.where(gone, now_s, presence.left_s)
     state.drive.stop(rows)
     state.bodies.stop(rows)
-    state.bumpers.pressed[rows] = 0
+    bumper_state(state).pressed[rows] = 0
     state.heat.left[rows] = 0.0
     state.connected[rows] = False
     state.waits.end(rows)

@@ -15,8 +15,9 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.units import tenths_inch_to_m
+from crs_cc.sim.devices.sonar.model import Sonar, sonars_of
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.model.sensors import Camera
-from crs_cc.sim.model.sonar import Sonar
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 
@@ -57,9 +58,9 @@ def sights(
             continue
         place = np.array([state.x_m[number], state.y_m[number]])
         angle_rad = float(state.mount_rad[number])
-        mode = robot.model.sonar_modes[int(state.sonar.mode[number])]
+        mode = sonars_of(robot.model).modes[int(sonar_state(state).mode[number])]
         for sonar in mode.sonars:
-            echo_m = float(state.sonar.echo_m[number, sonar.id])
+            echo_m = float(sonar_state(state).echo_m[number, sonar.id])
             if math.isfinite(echo_m):
                 found.append(Beam(_turned(_cone(sonar, echo_m), angle_rad) + place))
         camera = robot.model.camera

@@ -29,7 +29,6 @@ from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.suggest import unknown
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices import drive
-from crs_cc.sim.devices.bumper import Bumpers
 from crs_cc.sim.devices.drive.rolling import RollingNoise
 from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -295,7 +294,6 @@ class WorldData:
         """Build all that is derived from the set of robots."""
         self.world = world
         self.constants = RobotConstants.of(world, self._seed)
-        self.bumpers = Bumpers(world)
         self.rolling = RollingNoise(world, self._seed)
         self.devices = DeviceBoard(world, self._seed, self.log)
         self.handlers = handlers_of(self.devices)

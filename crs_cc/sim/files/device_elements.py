@@ -65,7 +65,14 @@ def add_to_schema(schema: etree._Element) -> None:
     assert first is not None
     for device in devices():
         etree.SubElement(choice, f"{_XS}element", name=device.element, type=device.element)
-        schema.insert(schema.index(first), _type(device))
+        for kind in _types(device):
+            schema.insert(schema.index(first), kind)
+
+
+def _types(device: Device) -> list[etree._Element]:
+    """Return the types of a device's element: its own, or one derived from its model."""
+    own = device.folder / "element.xsd"
+    return list(etree.parse(own).getroot()) if own.is_file() else [_type(device)]
 
 
 def _type(device: Device) -> etree._Element:

@@ -25,12 +25,10 @@ from crs_cc.sim.files import (
     device_elements,
     handling_elements,
     sensor_elements,
-    sonar_elements,
 )
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.robot import Drive, Heat, Link, Odometry, RobotModel
-from crs_cc.sim.model.sonar import Sonar
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
@@ -49,10 +47,8 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     """Return the model that a robot definition describes; errors go to the reader."""
     body = root.first("body")
     vendor = root.attributes.get("model", "scout")
-    sonars = sonar_elements.sonars(root, reader)
-    board = sonar_elements.board(root.first("sonars"), sonars, reader)
     radius_m = reader.positive(body, "radius", LENGTH)
-    _check_places(root, radius_m, sonars, reader)
+    _check_places(root, radius_m, reader)
     _check_duplicates(root, reader)
     return RobotModel(
         root.attributes["name"],
@@ -60,11 +56,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         drive=_drive(root.first("drive"), reader),
         odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
-        sonars=sonars,
-        sonar_board=board,
-        own_modes=sonar_elements.modes(root.first("sonars"), sonars, board, reader),
         heat=_heat(root.first("heat"), reader),
-        bumpers=sensor_elements.bumpers(root, reader),
         infrared=sensor_elements.infrared(root, reader),
         compass=sensor_elements.compass(root, reader),
         laser=sensor_elements.laser(root, reader),
@@ -82,16 +74,8 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     )
 
 
-def _check_places(
-    root: Element, radius_m: float, sonars: tuple[Sonar, ...], reader: Reader
-) -> None:
+def _check_places(root: Element, radius_m: float, reader: Reader) -> None:
     """Report sensors outside of the body."""
-    places = {sonar.id: math.hypot(sonar.x_m, sonar.y_m) for sonar in sonars}
-    for element in root.sensors("sonar"):
-        number = element.first("id").text
-        if places.get(int(number) if number.isdigit() else -1, 0.0) > radius_m + _ROUNDING_M:
-            wrong = f"sensor {number} is outside of the body (radius: {radius_m:g} m)"
-            reader.error(element, wrong)
     for tag in ("laser", "camera"):
         element = root.first(tag)
         if abs(reader.quantity(element, "forward", LENGTH)) > radius_m + _ROUNDING_M:

@@ -23,40 +23,11 @@ from crs_cc.sim.model.sensors import (
     Laser,
     MotorBattery,
     SensorBoard,
-    Switch,
 )
 
-BUMPER_BITS: Final = 24
-"""The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
-
 _TURN: Final = 2 * math.pi
-_CLOCKWISE: Final = "clockwise"
 _SHORTEST_S: Final = 0.001  # bounds the work that one robot's measurements cause
 _ROUNDING: Final = 1e-9
-
-
-def bumpers(root: Element, reader: Reader) -> tuple[Switch, ...]:
-    """Return the switches of all rings; errors go to the reader."""
-    rings = root.first("bumpers").all("ring")
-    return tuple(switch for ring in rings for switch in _ring(ring, reader))
-
-
-def _ring(ring: Element, reader: Reader) -> list[Switch]:
-    count = reader.whole(ring, "switches", 1, BUMPER_BITS, absent=1)
-    spacing_rad = reader.positive(ring, "spacing", ANGLE, _TURN / count)
-    span_rad = reader.positive(ring, "span", ANGLE, spacing_rad)
-    first_rad = reader.quantity(ring, "first", ANGLE)
-    side = -1 if ring.attributes.get("direction") == _CLOCKWISE else 1
-    bits = [int(bit) for bit in ring.attributes.get("bits", "").split()] or list(range(count))
-    if len(bits) != count:
-        reader.error(ring, f"bits: expected {count} numbers, one for each switch, not {len(bits)}")
-    for bit in bits:
-        if bit >= BUMPER_BITS:
-            reader.error(ring, f"bits: {bit} is too large (maximum: {BUMPER_BITS - 1})")
-    return [
-        Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
-        for number, bit in enumerate(bits)
-    ]
 
 
 def infrared(root: Element, reader: Reader) -> Infrared | None:

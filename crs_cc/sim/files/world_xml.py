@@ -7,7 +7,7 @@ cannot express are checked afterwards.
 ...   <area length="6m" width="5m"/>
 ...   <robot x="1m" y="1m" heading="90deg"/>
 ... </world>''', "room")
->>> world.robots[0].model.name, len(world.robots[0].model.sonars)
+>>> world.robots[0].model.name, len(world.robots[0].model.device("sonar").sonars)
 ('scout', 16)
 >>> parse_world(b"<world version='1'><area length='6m'/></world>", "room")
 Traceback (most recent call last):

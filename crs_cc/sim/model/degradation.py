@@ -33,10 +33,9 @@ from crs_cc.core.quantity import (
 )
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
-from crs_cc.sim.model.degradable import Degradable, at_numbers, numbered
+from crs_cc.sim.model.degradable import Degradable, numbered
 from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.sensors import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
-from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
@@ -54,7 +53,6 @@ MAX_MEMORY: Final = 2**23
 _DEEPEST: Final = 64  # values that a delay stores for one element
 _LARGEST: Final = 4096  # and for all elements
 _SHALLOWEST: Final = 8
-_SWITCHES: Final = 24
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,15 +132,6 @@ _OTHERS: Final = {
     device.name: device
     for device in (
         Degradable(
-            "sonar", "distance measured by a sonar", LENGTH,
-            lambda model: at_numbers([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
-        ),
-        Degradable(
-            "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
-            RATIO, lambda model: at_numbers([switch.bit for switch in model.bumpers]), _SWITCHES,
-            "not pressed",
-        ),
-        Degradable(
             "infrared", "distance measured by an infrared sensor", LENGTH,
             lambda model: numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
             "nothing in range, 15",
@@ -200,9 +189,9 @@ _OTHERS: Final = {
 
 @cache
 def degradables() -> Mapping[str, Degradable]:
-    """Return every device that can be degraded, by name."""
+    """Return every device that can be degraded, by name, in alphabetical order."""
     ours = {row.name: row for device in devices() for row in device.degradables}
-    return {**_OTHERS, **ours}
+    return dict(sorted({**_OTHERS, **ours}.items()))
 
 
 def complaint(degradation: Degradation, model: RobotModel) -> str:

@@ -42,6 +42,8 @@ class Device:
             `files.document.Reader`; None to read it from the attributes of the element.
         state: returns the columns of its state at the start, a dataclass of arrays with a row for
             each device, given the models of all.
+        dense: whether these have a row for every robot instead, with None as the model of robots
+            without the device.
         install: equips the robots of a world with it: given this row, the world, the seed and the
             event log, returns `devices.installed.Installed`.
         requests: its requests; those with a negative code get one from the registry.
@@ -70,6 +72,7 @@ class Device:
     code: str = ""
     degradables: tuple[Degradable, ...] = ()
     inspect: Callable[[Any, int], str] | None = None
+    dense: bool = False
     number: int | None = None
     stream: int = -1
     source: str = ""

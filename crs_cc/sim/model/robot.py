@@ -11,8 +11,8 @@ midway between the wheels.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any, Final
+from dataclasses import dataclass, replace
+from typing import Any, Final, Self
 
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.handling import Arm, Gripper
@@ -27,9 +27,7 @@ from crs_cc.sim.model.sensors import (
     Laser,
     MotorBattery,
     SensorBoard,
-    Switch,
 )
-from crs_cc.sim.model.sonar import NO_SONARS, Sonar, SonarBoard, SonarMode
 
 USUAL_WHEELS: Final = Axis(speed_limit=1.0, acceleration_limit=2.0, speed=0.3, acceleration=0.5)
 
@@ -156,11 +154,7 @@ class RobotModel:
         drive: its drive.
         odometry: its encoders and odometry errors.
         mass_kg: its mass.
-        sonars: its sonars, by rising id.
-        sonar_board: properties common to all its sonars.
-        own_modes: its sonar modes; empty if there is only one.
         heat: its heat sensor.
-        bumpers: the switches of its bumpers.
         infrared: its infrared ring, or None.
         compass: its compass, or None.
         laser: its laser, or None.
@@ -183,11 +177,7 @@ class RobotModel:
     drive: Drive
     odometry: Odometry = Odometry()
     mass_kg: float = 20.0
-    sonars: tuple[Sonar, ...] = ()
-    sonar_board: SonarBoard = NO_SONARS
-    own_modes: tuple[SonarMode, ...] = ()
     heat: Heat = Heat()
-    bumpers: tuple[Switch, ...] = ()
     infrared: Infrared | None = None
     compass: Compass | None = None
     laser: Laser | None = None
@@ -206,11 +196,11 @@ class RobotModel:
     def __hash__(self) -> int:
         return hash(self.name)  # for speed: models are dictionary keys in inner loops
 
+    def with_device(self, name: str, model: Any) -> Self:
+        """Return a robot that differs in one device."""
+        others = tuple(each for each in self.devices if each[0] != name)
+        return replace(self, devices=(*others, (name, model)))
+
     def device(self, name: str) -> Any | None:
         """Return the model of a device of `registry.devices()`, None if the robot lacks it."""
         return next((model for each, model in self.devices if each == name), None)
-
-    @property
-    def sonar_modes(self) -> tuple[SonarMode, ...]:
-        """The sonar modes, at least one."""
-        return self.own_modes or (SonarMode("", self.sonars, self.sonar_board),)

@@ -21,21 +21,6 @@ MAX_COLUMNS: Final = 320
 
 
 @dataclass(frozen=True, slots=True)
-class Switch:
-    """One switch of a bumper.
-
-    Attributes:
-        bit: the bit of the vendor's `State[33]` that it sets.
-        bearing_rad: direction of its centre.
-        span_rad: the angle that it covers, half of it to each side.
-    """
-
-    bit: int
-    bearing_rad: float
-    span_rad: float
-
-
-@dataclass(frozen=True, slots=True)
 class Infrared:
     """Sixteen infrared sensors around the mount, on the robot's shell.
 

@@ -18,7 +18,7 @@ counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway bet
 ...     walls=(Wall("screen", 3.0, 0.0, 3.0, 2.0, thickness_m=0.1),),
 ...     robots=(Robot("robot0", scout, Pose(1.0, 1.0)),),
 ... )
->>> round(math.degrees(room.robots[0].model.sonars[0].half_angle_rad))
+>>> round(math.degrees(room.robots[0].model.device("sonar").sonars[0].half_angle_rad))
 10
 >>> [wall.id for wall in room.edge_walls()]
 ['edge-south', 'edge-east', 'edge-north', 'edge-west']

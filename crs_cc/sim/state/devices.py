@@ -20,11 +20,12 @@ _NAME: Final = "DeviceStates"
 def device_states(world: WorldModel) -> Any:
     """Return a dataclass with the state of each device of the registry, by its name."""
     models = [robot.model for robot in world.robots]
-    found = {each.name: [model.device(each.name) for model in models] for each in devices()}
-    return _columns()(**{
-        each.name: each.state([model for model in found[each.name] if model is not None])
-        for each in devices()
-    })  # fmt: skip
+    columns = {}
+    for each in devices():
+        found = [model.device(each.name) for model in models]
+        has = found if each.dense else [model for model in found if model is not None]
+        columns[each.name] = each.state(has)
+    return _columns()(**columns)
 
 
 @cache

@@ -7,8 +7,8 @@ and with the pending results of the current cycle: served requests, and events.
 >>> from crs_cc.sim.geometry.scene import Scene
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> state = EnvState.at_start(empty_world())
->>> state.x_m, state.sonar.reading_in(np.array([0]))[0, :3]
-(array([0.]), array([255, 255, 255], dtype=int32))
+>>> state.x_m, state.drive.clock_s
+(array([0.]), array([0.]))
 >>> from crs_cc.sim.state.snapshot_codec import packed
 >>> state.sha256() == packed(state).state().sha256()
 True
@@ -29,7 +29,6 @@ from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.arm import ArmState
 from crs_cc.sim.state.battery import BatteryState
 from crs_cc.sim.state.bodies import Bodies
-from crs_cc.sim.state.bumper import BumperState
 from crs_cc.sim.state.camera import CameraState
 from crs_cc.sim.state.compass import CompassState
 from crs_cc.sim.state.degradation import DegradationState
@@ -48,7 +47,6 @@ from crs_cc.sim.state.obstacles import ObstacleState
 from crs_cc.sim.state.odometry import OdometryState
 from crs_cc.sim.state.pos_data import PosDataState
 from crs_cc.sim.state.presence import PresenceState
-from crs_cc.sim.state.sonar import SonarState
 from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
 
@@ -72,8 +70,6 @@ class EnvState:
             drive, which never turns.
         drive: the motion of the axes.
         odometry: the estimated pose of each robot.
-        sonar: the sonars' schedules and readings.
-        bumpers: the bumper switches.
         infrared: the infrared sensors' readings.
         compass: the compasses' readings.
         laser: the lasers' scans, and the reported ones.
@@ -109,8 +105,6 @@ class EnvState:
     base_rad: FloatArray
     drive: DriveState
     odometry: OdometryState
-    sonar: SonarState
-    bumpers: BumperState
     infrared: InfraredState
     compass: CompassState
     laser: LaserState
@@ -152,8 +146,6 @@ class EnvState:
             base_rad=heading_rad.copy(),
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),
-            sonar=SonarState.at_start(world),
-            bumpers=BumperState.at_start(world),
             infrared=InfraredState.at_start(world),
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),

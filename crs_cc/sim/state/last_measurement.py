@@ -20,7 +20,8 @@ import numpy.typing as npt
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.time_grid import is_due
 
-_CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
+CONFIGURATION: Final = 7
+"""Size of a configuration: x, y, heading, turret, and the speeds of three axes."""
 
 
 @dataclass(slots=True)
@@ -38,7 +39,7 @@ class LastMeasurement:
     @classmethod
     def never(cls, count: int) -> Self:
         """Return robots that have not measured yet."""
-        return cls(np.full(count, -1.0), np.zeros((count, _CONFIGURATION), dtype=np.int32))
+        return cls(np.full(count, -1.0), np.zeros((count, CONFIGURATION), dtype=np.int32))
 
     def are_due(self, rows: IndexArray, at_s: FloatArray, interval_s: FloatArray) -> BoolArray:
         """Return which robots have the instrument, and may measure with it again.

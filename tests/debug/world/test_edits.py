@@ -58,12 +58,12 @@ def test_devices_are_degraded_with_the_attributes_of_world_files(driver) -> None
 def test_degradations_take_effect_immediately(driver) -> None:
     for _ in range(10):
         driver.environment.step()
-    assert math.isfinite(driver.state.sonar.echo_m[0, 0])
+    assert math.isfinite(driver.state.devices.sonar.echo_m[0, 0])
     edit(driver.environment, "degrade a sonar dead")
     for _ in range(30):
         driver.environment.step()
-    assert not math.isfinite(driver.state.sonar.echo_m[0, 0])
-    assert math.isfinite(driver.state.sonar.echo_m[1, 0])
+    assert not math.isfinite(driver.state.devices.sonar.echo_m[0, 0])
+    assert math.isfinite(driver.state.devices.sonar.echo_m[1, 0])
 
 
 def test_objects_and_robots_are_removed(driver) -> None:
@@ -106,7 +106,10 @@ def test_charge_heat_and_links_are_changed() -> None:
         ("turn a 90", "expected: turn NAME to HEADING"),
         ("degrade a sonar.3", "expected: degrade ROBOT DEVICE[.ELEMENT] FAULT..."),
         ("degrade c sonar dead", "unknown robot 'c' (known: a, b)"),
-        ("degrade a sonra dead", "device: unknown device 'sonra' (known: sonar, bumper"),
+        (
+            "degrade a sonra dead",
+            "device: unknown device 'sonra' (known: altitude, arm, battery",
+        ),
         ("degrade a sonar.16 dead", "element: unknown '16' of sonar (known: 0 to 15)"),
         ("degrade a compass dead", "the robot has no compass"),
         ("degrade a sonar loud", "unknown fault 'loud' (known: bias, gain"),

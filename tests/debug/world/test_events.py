@@ -89,11 +89,11 @@ def test_only_the_kinds_of_the_table_can_be_caught() -> None:
 
 def test_presses_and_releases_do_not_depend_on_the_kinds_wanted() -> None:
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0.5m" y="0"/>'))
-    before = driver.state.bumpers.pressed.copy()
+    before = driver.state.devices.bumper.pressed.copy()
     driver.ask("VM", 100, 100)
     for _ in range(60):
         step = driver.environment.step()
-        now = driver.state.bumpers.pressed
+        now = driver.state.devices.bumper.pressed
         assert np.array_equal(step.pressed, now & ~before)
         assert np.array_equal(step.released, before & ~now)
         before = now.copy()

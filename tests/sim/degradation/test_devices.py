@@ -243,4 +243,4 @@ def test_predictions_know_nothing_of_it():
     message, _ = driver.post("PREDICT", 0, 0, 0, 0)
     assert CODES["PREDICT"]
     assert message["data"][:180].view("<i4")[SONAR_0] == 80
-    assert math.isfinite(driver.state.sonar.echo_m[0, 0])
+    assert math.isfinite(driver.state.devices.sonar.echo_m[0, 0])

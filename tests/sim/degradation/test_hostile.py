@@ -81,8 +81,8 @@ def test_nothing_breaks(seed, kind):
     for array in (state.bodies.position_m, state.heading_rad, state.odometry.x_m,
                   state.odometry.heading_rad, state.drive.axes.travelled):  # fmt: skip
         assert np.isfinite(array).all()
-    assert not np.isnan(state.sonar.echo_m).any()
-    assert ((state.bumpers.pressed >= 0) & (state.bumpers.pressed < 2**24)).all()
+    assert not np.isnan(state.devices.sonar.echo_m).any()
+    assert ((state.devices.bumper.pressed >= 0) & (state.devices.bumper.pressed < 2**24)).all()
 
 
 def ask(environment: Environment, code: int, rng: np.random.Generator, at_s: float) -> None:

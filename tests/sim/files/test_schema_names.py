@@ -8,6 +8,7 @@ import pytest
 from lxml import etree
 
 from crs_cc.sim.files.schema_names import unknown_names
+from crs_cc.sim.files.xml_document import schema_document
 
 ROOT = Path(__file__).parents[3]
 SIM = ROOT / "crs_cc" / "sim"
@@ -20,5 +21,5 @@ FILES = [
 @pytest.mark.parametrize(("path", "schema"), FILES, ids=lambda each: Path(each).stem)
 def test_valid_documents_have_no_unknown_names(path: Path, schema: str) -> None:
     parser = etree.XMLParser(remove_comments=True)
-    document, known = etree.parse(path, parser), etree.parse(SIM / "files" / schema)
+    document, known = etree.parse(path, parser), schema_document(schema)
     assert list(unknown_names(document.getroot(), known.getroot())) == []

@@ -10,6 +10,7 @@ import pytest
 from lxml import etree
 
 from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import (
     empty_world,
     known_robots,
@@ -105,8 +106,8 @@ def test_built_in_world_has_one_scout_at_the_origin():
 
 def test_scout_matches_the_vendor_manual():
     scout = empty_world().robots[0].model
-    assert [sonar.id for sonar in scout.sonars] == list(range(16))
-    for sonar in scout.sonars:
+    assert [sonar.id for sonar in sonars_of(scout).sonars] == list(range(16))
+    for sonar in sonars_of(scout).sonars:
         assert sonar.direction_rad == pytest.approx(math.radians(22.5) * sonar.id)
         assert math.hypot(sonar.x_m, sonar.y_m) == pytest.approx(scout.radius_m, abs=1e-6)
         bearing = math.atan2(sonar.y_m, sonar.x_m) % math.tau
@@ -138,7 +139,7 @@ def test_sensor_element_of_the_report_is_read(tmp_path):
         <drive wheel-base="1" speed-limit="1" acceleration-limit="1" speed="1" acceleration="1"/>
         {sensor}</robot-definition>"""
     )
-    (sonar,) = load_robot(path).sonars
+    (sonar,) = sonars_of(load_robot(path)).sonars
     assert (sonar.id, sonar.x_m, sonar.y_m, sonar.range_m, sonar.radius_m) == (2, 3.2, 0, 6, 0.1)
     assert math.degrees(sonar.direction_rad) == pytest.approx(270)
 
@@ -621,8 +622,8 @@ def test_program_outside_the_world_folder_is_rejected(tmp_path: Path) -> None:
 
 def test_setup_changes_only_its_own_attributes():
     ideal, noisy = empty_world().robots[0].model, empty_world("noisy").robots[0].model
-    assert ideal.sonar_board.noise_m == 0
-    assert noisy.sonar_board.noise_m > 0
+    assert sonars_of(ideal).board.noise_m == 0
+    assert sonars_of(noisy).board.noise_m > 0
     assert noisy.drive.wheel_base_m == ideal.drive.wheel_base_m
     assert empty_world("ideal") == empty_world()
 
@@ -630,10 +631,10 @@ def test_setup_changes_only_its_own_attributes():
 def test_each_robot_can_have_its_own_setup():
     text = b"""<world version="1"><area length="9" width="9"/>
       <robot x="1" y="1"/><robot x="3" y="3" setup="noisy"/></world>"""
-    quiet, noisy = (robot.model.sonar_board.noise_m for robot in parse_world(text, "w").robots)
+    quiet, noisy = (sonars_of(robot.model).board.noise_m for robot in parse_world(text, "w").robots)
     assert quiet == 0 < noisy
     quiet, noisy = (
-        robot.model.sonar_board.noise_m for robot in parse_world(text, "w", "ideal").robots
+        sonars_of(robot.model).board.noise_m for robot in parse_world(text, "w", "ideal").robots
     )
     assert quiet == noisy == 0
 

@@ -13,6 +13,7 @@ from crs_cc.sim.geometry.contact_mask import Pieces
 from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.world import Area, Box, Polygon, Pose, Wall, WorldModel
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 
@@ -47,7 +48,7 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
     state = Environment(world, 1).state
     state.x_m[0], state.y_m[0] = 2 + deep_m - SCOUT_RADIUS_M, y_m
     state.heading_rad[0] = math.radians(heading)
-    ring, pose = SonarRing(world, 1), [state.x_m[0], y_m, state.heading_rad[0]]
+    ring, pose = SonarRing(device("sonar"), world, 1), [state.x_m[0], y_m, state.heading_rad[0]]
     rays = RayCaster(Scene(world), ring.fans)
     readings = ring.look(state, rays, np.array([0]), np.array([pose]))[0].tolist()
     turned = round(heading / 22.5)

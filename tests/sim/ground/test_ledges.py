@@ -24,7 +24,7 @@ def approach(things: str, speed: int = 300, seconds: float = 6.0, robot: int = 0
 def test_plateau_blocks_like_a_wall_from_below():
     driver = approach(PLATEAU.format("30cm") + '<robot x="1" y="3"/>')
     assert driver.state.x_m[0] == pytest.approx(2 - SCOUT_RADIUS_M, abs=0.005)
-    assert driver.state.bumpers.pressed[0]
+    assert driver.state.devices.bumper.pressed[0]
     assert driver.state.collisions[0] == 1
     contacts = [step.contacts for step in driver.steps if len(step.contacts.other)]
     assert driver.steps[0].names[contacts[0].other[0]] == "(ground)"

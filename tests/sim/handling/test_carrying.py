@@ -53,7 +53,7 @@ def test_wall_that_stops_the_load_stops_the_robot(tmp_path):
     assert driver.state.x_m[0] == pytest.approx(0.70, abs=0.004)
     assert place(driver)[0] == pytest.approx(0.96, abs=0.004)
     assert kinds(steps) == []
-    assert not driver.state.bumpers.pressed.any()
+    assert not driver.state.devices.bumper.pressed.any()
 
 
 def test_load_turned_into_a_wall_slides_along_it(tmp_path):

@@ -54,14 +54,6 @@ int crs_period(int sensor, int ms);
 /* How long ago a sensor measured what it tells: ms, -1 for never, and without such a sensor. */
 int crs_age(int sensor);
 
-/* Lets the sonars work in another of the modes of the robot's definition, which count from 0, from
-   each one's next ping on. */
-int crs_sonar_mode(int mode);
-
-/* What the sonars heard last: 0.1 inch, -1 for no echo, however far that is. Gives how many it
-   told, at most `most`. */
-int crs_sonar(int *ranges, int most);
-
 /* The gripper opens or closes, in its own time; the function returns at once. It closes on what is
    between its fingers and carries it until it opens. */
 #define CRS_OPEN 0

@@ -88,8 +88,6 @@ struct __crs_message {
 #define CRS_LASER 204
 #define CRS_PERIOD 205
 #define CRS_AGE 206
-#define CRS_SONAR_MODE 207
-#define CRS_SONAR_RANGES 208
 #define CRS_GRIPPER 220
 #define CRS_GET_GRIPPER 221
 #define CRS_ARM 222

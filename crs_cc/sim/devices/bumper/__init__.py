@@ -21,7 +21,13 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.quantity import RATIO
+from crs_cc.sim.devices.bumper.element import BUMPER_BITS, Switches, read, switches_of
+from crs_cc.sim.devices.bumper.state import BumperState, bumper_state
+from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.model.degradable import Degradable, at_numbers, elements_of
+from crs_cc.sim.model.device import Device
 from crs_cc.sim.state.bodies import Contacts
 
 if TYPE_CHECKING:
@@ -30,10 +36,10 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
 
 
 _TURN: Final = 2 * math.pi
-_BITS: Final = 24  # of State[33]
 _PRESSED: Final = 0.5
 _ON_EDGE_RAD: Final = 1e-9  # rounding must not let a contact slip between two switches that meet
 
@@ -51,10 +57,10 @@ class Bumpers:
         models = [robot.model for robot in world.robots]
         kinds = list(dict.fromkeys(models))
         self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
-        most = max((len(model.bumpers) for model in kinds), default=0)
+        most = max((len(switches_of(model)) for model in kinds), default=0)
         table = np.zeros((len(kinds), most, 3))  # robots with fewer switches get some of width 0
         for row, model in zip(table, kinds, strict=True):
-            row[: len(model.bumpers)] = _switches(model)
+            row[: len(switches_of(model))] = _switches(model)
         self._bearing_rad, self._span_rad = table[..., 0], table[..., 1]
         self._bit = table[..., 2].astype(np.int32)
 
@@ -86,7 +92,7 @@ class Bumpers:
             the contacts that did not exist in the cycle before.
         """
         robot = contacts.robot
-        before = state.bumpers.pressed
+        before = bumper_state(state).pressed
         quiet = not len(robot) and not before.any() and not len(state.contacts_before)
         if quiet and not constants.degradations.concern(state, "bumper"):
             return contacts
@@ -99,10 +105,10 @@ class Bumpers:
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
         pressed = self.degraded(state, constants, pressed, end_s)
-        state.bumpers.pressed = pressed
+        bumper_state(state).pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
         if len(hit):
-            state.bumpers.hit.note(hit, end_s, configuration(state, constants, hit))
+            bumper_state(state).hit.note(hit, end_s, configuration(state, constants, hit))
         return Contacts(
             robot[began],
             contacts.other[began],
@@ -121,7 +127,7 @@ class Bumpers:
         """Return the pressed switches at a time after degradation, (robots,)."""
         if not constants.degradations.concern(state, "bumper"):
             return pressed
-        robots, places = np.arange(len(pressed)), np.arange(_BITS)
+        robots, places = np.arange(len(pressed)), np.arange(BUMPER_BITS)
         values = ((pressed[:, None] >> places) & 1).astype(np.float64)
         instants = np.full(len(robots), at_s)
         values = constants.degradations.alter(state, "bumper", robots, values, instants)
@@ -130,14 +136,40 @@ class Bumpers:
         return np.asarray(bits & have, dtype=np.int32)
 
 
+def _switches(model: RobotModel) -> FloatArray:
+    rows = [(switch.bearing_rad, switch.span_rad, 1 << switch.bit) for switch in switches_of(model)]
+    return np.array(rows, dtype=np.float64).reshape(-1, 3)
+
+
 def get_bp(context: RequestContext) -> BoolArray:
     """Answer GET_BP with the switches, in `State`; refuse robots without bumpers.
 
     Switches are pressed and released at the end of a cycle.
     """
-    return np.asarray(context.constants.bumpers[context.rows])
+    return np.asarray(context.constants.numbers["bumper"][context.rows] >= 0)
 
 
-def _switches(model: RobotModel) -> FloatArray:
-    rows = [(switch.bearing_rad, switch.span_rad, 1 << switch.bit) for switch in model.bumpers]
-    return np.array(rows, dtype=np.float64).reshape(-1, 3)
+def install(_row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
+    """Return the bumpers of a world's robots."""
+    return Installed(handlers={"GET_BP": get_bp}, device=Bumpers(world))
+
+
+DEVICE = Device(
+    name="bumper",
+    title="Bumpers",
+    element="bumpers",
+    summary="Contact switches around the body, in one or several rings.",
+    model=Switches,
+    read=read,
+    state=lambda models: BumperState.released(len(models)),
+    dense=True,
+    install=install,
+    degradables=(
+        Degradable(
+            "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
+            RATIO, elements_of("bumper", lambda model: at_numbers([one.bit for one in model.all])),
+            BUMPER_BITS, "not pressed",
+        ),
+    ),
+    source=__file__,
+)  # fmt: skip

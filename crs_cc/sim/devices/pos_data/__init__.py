@@ -20,6 +20,8 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array
 from crs_cc.requests.request import BUMPER, INFRARED, LASER, SONAR
+from crs_cc.sim.devices.bumper.state import bumper_state
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.state.mask import POS_DATA
 from crs_cc.sim.state.pos_data import NUMBERS, PLACES
 
@@ -75,9 +77,10 @@ def _read(
 ) -> tuple[FloatArray, Int32Array]:
     """Return the times of sensors' readings, (k, s), below 0 for never, and poses, (k, s, 7)."""
     if kind == SONAR:
-        return state.sonar.fired_s[robots], state.sonar.fired_from[robots]
+        sonar = sonar_state(state)
+        return sonar.fired_s[robots], sonar.fired_from[robots]
     if kind == BUMPER:
-        return _last(state.bumpers.hit, robots)
+        return _last(bumper_state(state).hit, robots)
     if kind == INFRARED:
         return _last(state.infrared.measured, constants.infrared[robots])
     if kind == LASER:

@@ -37,17 +37,31 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.quantity import LENGTH
 from crs_cc.core.units import SOUND_MPS, m_to_tenths_inch
+from crs_cc.requests import device_request
+from crs_cc.requests.request import fields
+from crs_cc.robot_api.row import OURS, Function
 from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
 from crs_cc.sim.devices.sonar.beams import Beams, overheard
+from crs_cc.sim.devices.sonar.element import read
 from crs_cc.sim.devices.sonar.errors import SonarErrors
+from crs_cc.sim.devices.sonar.model import (
+    MAX_SONARS,
+    SONAR_TICK_S,
+    SonarMode,
+    Sonars,
+    sonars_of,
+)
+from crs_cc.sim.devices.sonar.state import SonarState, inches, sonar_state
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.echoes import Pings, first_echo
 from crs_cc.sim.geometry.rays import Fan
-from crs_cc.sim.model.sonar import MAX_SONARS, SONAR_TICK_S, SonarMode
-from crs_cc.sim.state.sonar import inches
+from crs_cc.sim.model.degradable import Degradable, at_numbers, elements_of
+from crs_cc.sim.model.device import Device
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -56,6 +70,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.geometry.outline_query import Prospect
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
 
 
 _ROBOTS_AT_ONCE: Final = 64  # robots per batch when all sonars are computed, which bounds memory
@@ -69,12 +84,18 @@ class SonarRing:
         fans: the beams of each kind of robot.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
+    def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         models = [robot.model for robot in world.robots]
         kinds = dict.fromkeys(models)
-        self.fans = [_fan(mode) for model in kinds for mode in model.sonar_modes]
+        self.fans = [_fan(mode) for model in kinds for mode in sonars_of(model).modes]
         self._beams = Beams(models)
-        self._errors = SonarErrors(world, seed)
+        self._errors = SonarErrors(world, seed, row.stream)
+        sonars = [sonars_of(model) for model in models]
+        self._has = np.zeros((len(models), MAX_SONARS), dtype=np.bool_)
+        for has, each in zip(self._has, sonars, strict=True):
+            has[[sonar.id for sonar in each.sonars]] = True
+        self._modes = np.array([len(each.modes) if each.sonars else 0 for each in sonars], np.int64)
+        self._least_interval_s = np.array([each.board.least_interval_s for each in sonars])
 
     def begin(
         self,
@@ -85,7 +106,7 @@ class SonarRing:
         now_s: float,
     ) -> None:
         """Fire all sonars in the orders just before robots start."""
-        sonar = state.sonar
+        sonar = sonar_state(state)
         heard_m = self.ranges_now_m(state, constants, rays, rows, np.full(len(rows), now_s))
         row, turn = np.nonzero(np.arange(MAX_SONARS) < sonar.length[rows, None])
         robot = rows[row]
@@ -113,15 +134,15 @@ class SonarRing:
             to_s: the time of each, shape (k,).
         """
         while True:
-            due = state.sonar.next_s[rows] <= to_s
+            due = sonar_state(state).next_s[rows] <= to_s
             if not due.any():
                 break
             firing = rows[due]
-            at_s = state.sonar.next_s[firing]
+            at_s = sonar_state(state).next_s[firing]
             drive.advance(state, constants, firing, np.maximum(at_s, state.drive.clock_s[firing]))
-            state.sonar.hear(firing, at_s)
+            sonar_state(state).hear(firing, at_s)
             self._fire(state, constants, rays, firing, at_s)
-        state.sonar.hear(rows, to_s)
+        sonar_state(state).hear(rows, to_s)
 
     def ranges_now_m(
         self,
@@ -135,18 +156,18 @@ class SonarRing:
         distance_m = self._around(state, rays, rows, *self._stands(state, constants, rows))
         reported_m = np.empty_like(distance_m)
         for number in range(MAX_SONARS):
-            deviates = self._errors.draw(rows, state.sonar.count[rows])
+            deviates = self._errors.draw(rows, sonar_state(state).count[rows])
             reported_m[:, number] = self._reported_m(
                 state, constants, (rows, number, at_s), distance_m[:, number], deviates
             )
-            state.sonar.count[rows] += 1
+            sonar_state(state).count[rows] += 1
         return reported_m
 
     def get_ranges(self, context: RequestContext) -> BoolArray:
         """Answer SONAR and SONAR_RANGES in 0.1 in, -1 for no echo; refuse robots without sonars."""
         state, constants, rows = context.state, context.constants, context.rows
-        echo_m = state.sonar.echo_m[rows]
-        has = np.asarray(constants.sonars[rows].any(axis=1))
+        echo_m = sonar_state(state).echo_m[rows]
+        has = np.asarray(self._has[rows].any(axis=1))
         now = has & (context["fire"] != 0)
         if now.any():
             echo_m[now] = self.ranges_now_m(
@@ -162,7 +183,7 @@ class SonarRing:
 
         Sonars fire by themselves: the readings are up to date at the time of the request.
         """
-        return np.asarray(context.constants.sonars[context.rows].any(axis=1))
+        return np.asarray(self._has[context.rows].any(axis=1))
 
     def conf_sn(self, context: RequestContext) -> BoolArray:
         """Set the firing order and rate; refuse an order with a missing sonar.
@@ -171,17 +192,24 @@ class SonarRing:
         """
         state, constants = context.state, context.constants
         order, given, good = orders(context["count"], context["order"], MAX_SONARS)
-        has = constants.sonars[context.rows]
+        has = self._has[context.rows]
         known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
         good &= has.any(axis=1) & (known | ~given).all(axis=1)
         rows, order, given = context.rows[good], order[good], given[good]
         interval_s = context["rate"][good] % _RATES * SONAR_TICK_S
-        state.sonar.interval_s[rows] = np.maximum(interval_s, constants.least_interval_s[rows])
-        state.sonar.reorder(
+        sonar_state(state).interval_s[rows] = np.maximum(interval_s, self._least_interval_s[rows])
+        sonar_state(state).reorder(
             rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
         )
         until_s = np.minimum(context.at_s[good], constants.last_instant_s(state.cycle))
         self.advance(state, constants, context.rays, rows, until_s)
+        return good
+
+    def set_mode(self, context: RequestContext) -> BoolArray:
+        """Select a mode for the next pings of a sonar; refuse unknown modes."""
+        mode = context["mode"]
+        good = np.asarray((mode >= 0) & (mode < self._modes[context.rows]))
+        sonar_state(context.state).mode[context.rows[good]] = mode[good]
         return good
 
     def look(
@@ -210,7 +238,7 @@ class SonarRing:
         at_s: FloatArray,
     ) -> None:
         """Send a ping from each of some robots."""
-        sonar = state.sonar
+        sonar = sonar_state(state)
         number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
         place, turn = self._stands(state, constants, rows)
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
@@ -252,7 +280,9 @@ class SonarRing:
             deviates: of each firing, (k, 3).
         """
         rows, number, at_s = pings
-        reported_m = self._errors.reported_m(rows, state.sonar.mode[rows], distance_m, deviates)
+        reported_m = self._errors.reported_m(
+            rows, sonar_state(state).mode[rows], distance_m, deviates
+        )
         if not constants.degradations.concern(state, "sonar"):
             return reported_m
         elements = np.broadcast_to(number, rows.shape)
@@ -293,7 +323,7 @@ class SonarRing:
     ) -> FloatArray:
         each = np.repeat(np.arange(len(rows)), MAX_SONARS)
         number = np.tile(np.arange(MAX_SONARS), len(rows))
-        mode = state.sonar.mode[rows[each]]
+        mode = sonar_state(state).mode[rows[each]]
         pings = self._beams.pings(rows[each], number, place[each], turn[each], mode)
         prospect = self._prospect(state, rays, pings, number)
         heard_m = first_echo(pings, prospect, hushed=rays.surfaces.hushed)
@@ -307,16 +337,70 @@ class SonarRing:
         return rays.prospect(state, z_m, np.tan(pings.half_rad))
 
 
-def set_mode(context: RequestContext) -> BoolArray:
-    """Select a mode for the next pings of a sonar; refuse unknown modes."""
-    mode = context["mode"]
-    good = np.asarray((mode >= 0) & (mode < context.constants.sonar_modes[context.rows]))
-    context.state.sonar.mode[context.rows[good]] = mode[good]
-    return good
-
-
 def _fan(model: SonarMode) -> Fan:
     return Fan.of(
         (sonar.x_m, sonar.y_m, sonar.direction_rad, sonar.half_angle_rad, sonar.range_m)
         for sonar in model.sonars
     )
+
+
+def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
+    """Return the sonars of a world's robots."""
+    ring = SonarRing(row, world, seed)
+    handlers = {
+        "CONF_SN": ring.conf_sn,
+        "GET_SN": ring.get_sn,
+        "SONAR": ring.get_ranges,
+        "SONAR_MODE": ring.set_mode,
+        "SONAR_RANGES": ring.get_ranges,
+    }
+    return Installed(handlers=handlers, fans=ring.fans, device=ring)
+
+
+DEVICE = Device(
+    name="sonar",
+    title="Sonar",
+    element="sonars",
+    summary="Properties of all sonars.",
+    model=Sonars,
+    read=read,
+    state=SonarState.at_start,
+    dense=True,
+    install=install,
+    requests=(
+        device_request(
+            "SONAR_MODE", 207, "int crs_sonar_mode(int mode)", "selects a mode of the sonars",
+            fields(("mode", "i[0]", "1", "the mode's number in the definition")),
+        ),
+        device_request(
+            "SONAR_RANGES", 208, "int crs_sonar(int *ranges, int most)", "reads all sonars",
+            fields(("fire", "i[0]", "1", "0 for the last echoes, else all fire now")),
+            results=fields(
+                ("ranges", "data", "0.1 in", "range of each sonar, -1 for no echo", "int32")
+            ),
+        ),
+    ),
+    functions=(
+        Function(
+            "int crs_sonar_mode(int mode)",
+            "selects an operating mode of the sonars from the robot definition, effective from the"
+            " next ping of each sonar",
+            posts=("SONAR_MODE",), source=(OURS,),
+        ),
+        Function(
+            "int crs_sonar(int *ranges, int most)",
+            "copies the current readings of the sonars, -1 for no echo; returns the number of"
+            " readings copied, at most `most`",
+            units="0.1 in", posts=("SONAR_RANGES",), source=(OURS,),
+        ),
+    ),
+    degradables=(
+        Degradable(
+            "sonar", "distance measured by a sonar", LENGTH,
+            elements_of("sonar", lambda model: at_numbers([each.id for each in model.sonars])),
+            MAX_SONARS, "no echo",
+        ),
+    ),
+    stream=0,
+    source=__file__,
+)  # fmt: skip

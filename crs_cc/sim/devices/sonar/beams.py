@@ -23,9 +23,10 @@ import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.core.units import SOUND_MPS
+from crs_cc.sim.devices.sonar.model import MAX_SONARS, sonars_of
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points
-from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
@@ -46,8 +47,8 @@ class Beams:
     def __init__(self, models: Sequence[RobotModel]) -> None:
         """Create the beams of robots of these models."""
         different = list(dict.fromkeys(models))
-        kinds = [mode for model in different for mode in model.sonar_modes]
-        counts = [len(model.sonar_modes) for model in different]
+        kinds = [mode for model in different for mode in sonars_of(model).modes]
+        counts = [len(sonars_of(model).modes) for model in different]
         first = np.cumsum([0, *counts])[[different.index(model) for model in models]]
         self._first = first.astype(np.intp)
         shape = (len(kinds), MAX_SONARS)
@@ -124,7 +125,7 @@ def overheard(
         from_s: the time at which these are sent.
         to_s: the time at which the robots stop listening.
     """
-    sonar, start = state.sonar, pings.start[listeners]
+    sonar, start = sonar_state(state), pings.start[listeners]
     reach_m = beams.start_m + float(pings.range_m.max(initial=0.0))
     cells = CellList(state.x_m, state.y_m, max(reach_m, _NEAR_M))
     listener, other = cells.near(start.real, start.imag)

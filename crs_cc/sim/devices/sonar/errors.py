@@ -26,7 +26,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
-from crs_cc.core.random_streams import SONAR, Noise
+from crs_cc.core.random_streams import Noise
+from crs_cc.sim.devices.sonar.model import sonars_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
@@ -39,8 +40,8 @@ _DEVIATES: Final = 3
 class SonarErrors:
     """The errors of all robots' sonars."""
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        modes = [robot.model.sonar_modes for robot in world.robots]
+    def __init__(self, world: WorldModel, seed: int, stream: int) -> None:
+        modes = [sonars_of(robot.model).modes for robot in world.robots]
         boards = [mode.board for each in modes for mode in each]
         self._first = np.cumsum([0, *map(len, modes)])[:-1].astype(np.intp)
         self._blind_m = np.array([board.blind_m for board in boards])
@@ -56,7 +57,7 @@ class SonarErrors:
             board.noise_m or board.noise_share or board.dropouts or board.crosstalk
             for board in boards
         )
-        self._noise = Noise(seed, SONAR, _DEVIATES, len(modes)) if random else None
+        self._noise = Noise(seed, stream, _DEVIATES, len(modes)) if random else None
 
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
         """Return the deviates of one firing of each robot, shape (k, 3).

@@ -16,8 +16,8 @@ from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.devices.mount import mount_rad
+from crs_cc.sim.devices.sonar.model import MAX_SONARS
 from crs_cc.sim.devices.vendor_state import IR_0, SONAR_0
-from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext

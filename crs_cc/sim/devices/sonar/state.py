@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Self
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.units import m_to_inch
-from crs_cc.sim.model.sonar import MAX_SONARS
-from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.devices.sonar.model import MAX_SONARS, NONE, Sonars
+from crs_cc.sim.state.last_measurement import CONFIGURATION
+
+if TYPE_CHECKING:
+    from crs_cc.sim.state.env_state import EnvState
 
 NO_ECHO: Final = 255
 """A sonar's reading in inches without an echo, the largest that the byte on the link can hold
 (vendor source `Ndirect.c` 2.7)."""
-
-CONFIGURATION: Final = 7
-"""A robot's configuration when a sonar fires: x, y, heading, turret, three speeds."""
 
 _NONE: Final = -1
 
@@ -63,9 +64,9 @@ class SonarState:
     fired_from: Int32Array
 
     @classmethod
-    def at_start(cls, world: WorldModel) -> Self:
+    def at_start(cls, models: Sequence[Sonars | None]) -> Self:
         """Return sonars without echoes; those in the order start at once."""
-        boards = [robot.model.sonar_board for robot in world.robots]
+        boards = [(model or NONE).board for model in models]
         count = len(boards)
         order = np.zeros((count, MAX_SONARS), dtype=np.intp)
         for row, board in zip(order, boards, strict=True):
@@ -118,6 +119,11 @@ class SonarState:
         robot, turn = np.nonzero(np.arange(MAX_SONARS) < length[:, None])
         silent[robot, order[robot, turn]] = False
         self.echo_m[rows] = np.where(silent, np.inf, self.echo_m[rows])
+
+
+def sonar_state(state: EnvState) -> SonarState:
+    """Return the sonars' part of the state."""
+    return state.device("sonar", SonarState)
 
 
 def inches(distance_m: FloatArray) -> Int32Array:

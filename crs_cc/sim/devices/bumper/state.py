@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import Int32Array
-from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.last_measurement import LastMeasurement
+
+if TYPE_CHECKING:
+    from crs_cc.sim.state.env_state import EnvState
 
 
 @dataclass(slots=True)
@@ -25,7 +27,11 @@ class BumperState:
     hit: LastMeasurement
 
     @classmethod
-    def at_start(cls, world: WorldModel) -> Self:
-        """Return released switches."""
-        count = len(world.robots)
+    def released(cls, count: int) -> Self:
+        """Return the released switches of so many robots."""
         return cls(np.zeros(count, dtype=np.int32), LastMeasurement.never(count))
+
+
+def bumper_state(state: EnvState) -> BumperState:
+    """Return the bumpers' part of the state."""
+    return state.device("bumper", BumperState)

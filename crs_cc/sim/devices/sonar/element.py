@@ -7,9 +7,17 @@ from dataclasses import replace
 from typing import Final
 
 from crs_cc.core.quantity import ANGLE, LENGTH, TIME
+from crs_cc.sim.devices.sonar.model import (
+    MAX_SONARS,
+    SONAR_TICK_S,
+    Sonar,
+    SonarBoard,
+    SonarMode,
+    Sonars,
+)
+from crs_cc.sim.files.body import body_radius_m, is_outside
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import half_angle_rad
-from crs_cc.sim.model.sonar import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard, SonarMode
 
 _RATE: Final = 15  # times 4 ms: the usual argument of `conf_sn`
 _MOST_RATE: Final = 255
@@ -18,13 +26,24 @@ _SHORTEST_S: Final = 0.001  # bounds the work that one robot's firing causes
 _THINNEST_RAD: Final = math.radians(0.01)
 
 
-def sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
+def read(root: Element, reader: Reader) -> Sonars | None:
+    """Return the sonars of a definition, None if it has none; errors go to the reader."""
+    element, sonars = root.first("sonars"), _sonars(root, reader)
+    board = _board(element, sonars, reader)
+    modes = _modes(element, sonars, board, reader)
+    return Sonars(sonars, board, modes) if sonars else None
+
+
+def _sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
     """Return the sonars of a definition, by rising number."""
     found: dict[int, Sonar] = {}
     for element in root.sensors("sonar"):
         sonar = _sonar(element, reader)
         if sonar.id in found:
             reader.error(element, f"duplicate sensor id {sonar.id}")
+        if is_outside(root, sonar.x_m, sonar.y_m, reader):
+            radius = f"radius: {body_radius_m(root, reader):g} m"
+            reader.error(element, f"sensor {sonar.id} is outside of the body ({radius})")
         found[sonar.id] = sonar
     return tuple(found[number] for number in sorted(found))
 
@@ -42,7 +61,7 @@ def _sonar(element: Element, reader: Reader) -> Sonar:
     )
 
 
-def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
+def _board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
     """Return the properties common to the sonars of a definition.
 
     Args:
@@ -62,7 +81,7 @@ def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard
     return _heard(element, usual, reader)
 
 
-def modes(
+def _modes(
     element: Element, of: tuple[Sonar, ...], usual: SonarBoard, reader: Reader
 ) -> tuple[SonarMode, ...]:
     """Return the sonar modes of a definition, empty if there is only one.

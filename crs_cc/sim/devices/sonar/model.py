@@ -12,7 +12,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from crs_cc.sim.model.robot import RobotModel
 
 MAX_SONARS: Final = 16
 """Number of sonars in the vendor's `State` array (vendor header `Nclient.h` 1.29)."""
@@ -103,3 +106,33 @@ class SonarMode:
     name: str
     sonars: tuple[Sonar, ...]
     board: SonarBoard
+
+
+@dataclass(frozen=True, slots=True)
+class Sonars:
+    """All sonars of a robot.
+
+    Attributes:
+        sonars: the sonars, by rising id.
+        board: their common properties.
+        own_modes: their modes; empty if there is only one.
+    """
+
+    sonars: tuple[Sonar, ...]
+    board: SonarBoard = NO_SONARS
+    own_modes: tuple[SonarMode, ...] = ()
+
+    @property
+    def modes(self) -> tuple[SonarMode, ...]:
+        """The modes, at least one."""
+        return self.own_modes or (SonarMode("", self.sonars, self.board),)
+
+
+NONE: Final = Sonars(())
+"""The sonars of a robot that has none."""
+
+
+def sonars_of(model: RobotModel) -> Sonars:
+    """Return the sonars of a robot, maybe none."""
+    found: Sonars | None = model.device("sonar")
+    return NONE if found is None else found
