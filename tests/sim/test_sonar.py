@@ -104,6 +104,28 @@ def test_sonars_fire_independently_of_requests():
     assert asked.sonar.count[0] == unasked.sonar.count[0]
 
 
+@pytest.mark.parametrize(
+    ("speed", "acceleration"), [(240, 50), (7, 390)], ids=["rest later", "rest in same cycle"]
+)
+def test_sonars_fire_where_robot_is_when_command_timeout_expires_during_ws(speed, acceleration):
+    moving, waiting = fired = {}, {}
+    for seen in fired:
+        driver = Driver.of(open_world(wall_robot(), timestep="100ms"))
+        conf_sn(driver, 10, *range(16))  # at all multiples of 40 ms
+        driver.ask("AC", acceleration, acceleration)
+        driver.ask("CONF_TM", 1)
+        driver.ask("VM", speed, speed)
+        driver.run_s(0.2)
+        # The wheels brake at 1.275 s, between two firings of one cycle.
+        driver.post("WS" if seen is waiting else "GS", 1, 1, 0, 255, at_s=0.275)
+        for _ in range(20):
+            driver.run(1)
+            times_s, places = driver.state.sonar.fired_s[0], driver.state.sonar.fired_from[0]
+            seen.update(zip(times_s.tolist(), places.tolist(), strict=True))
+    assert waiting == moving
+    assert {round(time_s, 2) for time_s in waiting} >= {1.2, 1.24, 1.28}
+
+
 def wall_robot() -> str:
     return '<robot x="0" y="0"/>' + wall_at(100)
 

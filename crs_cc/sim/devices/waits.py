@@ -14,11 +14,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
-from crs_cc.sim.devices import drive
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import Handler
-    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -34,38 +32,6 @@ class Wait:
 
     ends_s: Callable[[EnvState, IndexArray], FloatArray]
     finish: Handler
-
-
-def settle(
-    waits: Mapping[int, Wait],
-    state: EnvState,
-    constants: RobotConstants,
-    rows: IndexArray,
-    limit_s: float,
-) -> FloatArray:
-    """End the waits of robots that end before a limit.
-
-    Args:
-        waits: the wait of each kind of request.
-        state: changed in place.
-        constants: the robots' constants.
-        rows: the waiting robots, k of them.
-        limit_s: the end of the current cycle.
-
-    Returns:
-        the time at which each wait ended, infinite for those that go on, shape (k,).
-    """
-    ends_s = when(waits, state, rows)
-    # The command timeout may expire before; then the axes stop earlier than predicted.
-    deadline_s = state.drive.deadline_s[rows]
-    cut = (deadline_s < ends_s) & (deadline_s < limit_s)
-    if cut.any():
-        drive.advance(state, constants, rows[cut], np.nextafter(deadline_s[cut], np.inf))
-        ends_s = when(waits, state, rows)
-    ended = ends_s < limit_s
-    drive.advance(state, constants, rows[ended], ends_s[ended])
-    state.waits.end(rows[ended])
-    return np.where(ended, ends_s, np.inf)
 
 
 def when(waits: Mapping[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:

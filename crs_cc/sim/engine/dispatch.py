@@ -8,7 +8,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Re
 from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.request_context import RequestContext
-from crs_cc.sim.devices.waits import settle, when
+from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.world_data import WorldData
 
@@ -68,7 +68,7 @@ class Dispatcher:
         if not len(waiting):
             return waiting, np.zeros(0), np.zeros(0, MESSAGE)
         codes, asked = waits.code[waiting], waits.asked[waiting]
-        ends_s = self._settle_waits(waiting)
+        ends_s = self._end_waits_of(waiting)
         ended = np.isfinite(ends_s)
         rows, at_s, messages, codes = waiting[ended], ends_s[ended], asked[ended], codes[ended]
         for code in np.unique(codes).tolist():
@@ -86,7 +86,7 @@ class Dispatcher:
         Answer those that end, in place.
         """
         self._data.state.waits.begin(request.code, rows, messages)
-        goes_on_s = self._settle_waits(rows)
+        goes_on_s = self._end_waits_of(rows)
         ended = np.isfinite(goes_on_s)
         replies = messages[ended]
         self._finish(request, rows[ended], replies, goes_on_s[ended])
@@ -97,24 +97,30 @@ class Dispatcher:
         self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
     ) -> None:
         """Finish waits that have ended: turn their messages into the replies."""
-        self._data.devices.advance(
-            self._data.state, self._data.constants, self._data.rays, rows, at_s
-        )
         context = self._context(request, rows, messages, at_s)
         verdict = self._data.waits[request.code].finish(context)
         if verdict is not None:
             messages["result"][~verdict] = 0
 
-    def _settle_waits(self, rows: IndexArray) -> FloatArray:
-        """End the waits that end in this cycle, with the devices advanced to their ends."""
-        if not len(rows):
-            return np.zeros(0)
-        state, constants = self._data.state, self._data.constants
-        ends_s = when(self._data.waits, state, rows)
-        soon = ends_s < self._data.end_s
-        until_s = np.minimum(ends_s, state.drive.deadline_s[rows])
-        self._data.devices.advance(state, constants, self._data.rays, rows[soon], until_s[soon])
-        return settle(self._data.waits, state, constants, rows, self._data.end_s)
+    def _end_waits_of(self, rows: IndexArray) -> FloatArray:
+        """End the waits of robots that end in this cycle, with the robots advanced to these times.
+
+        Returns:
+            the time at which each wait ended, infinite for those that go on, shape (k,).
+        """
+        data, state = self._data, self._data.state
+        ends_s = when(data.waits, state, rows)
+        # The command timeout may expire before; then the axes stop earlier than predicted.
+        deadline_s = state.drive.deadline_s[rows]
+        cut = (deadline_s < ends_s) & (deadline_s < data.end_s)
+        if cut.any():
+            data.advance_to(rows[cut], np.nextafter(deadline_s[cut], np.inf))
+            ends_s = when(data.waits, state, rows)
+        ended = ends_s < data.end_s
+        if ended.any():
+            data.advance_to(rows[ended], ends_s[ended])
+            state.waits.end(rows[ended])
+        return np.where(ended, ends_s, np.inf)
 
     def _context(
         self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
