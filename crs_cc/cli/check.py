@@ -60,9 +60,9 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
             found, error_status = _messages(Path(name), compiler, programs, sources, together)
         messages += [each for each in found if each.severity == "error" or not quiet]
         status = status or error_status
-    if not status and _has_entry(programs):
+    if not status and programs:
         sources.messages += messages
-        messages, status = _linked(programs, sources)
+        messages, status = (_linked if _has_entry(programs) else _sized)(programs, sources)
     if as_json:
         click.echo(json.dumps([as_data(message) for message in messages], indent=2))
         return status
@@ -141,6 +141,21 @@ def _linked(programs: Sequence[Program], diagnostics: Diagnostics) -> tuple[list
 
     try:
         compile_program(link(programs, library(), diagnostics))
+    except CompileError as error:
+        return merged(diagnostics.messages, error.diagnostics), error.exit_status
+    return diagnostics.messages, 0
+
+
+def _sized(programs: Sequence[Program], diagnostics: Diagnostics) -> tuple[list[Diagnostic], int]:
+    """Return all messages, those about parts that fit into no robot included, and the exit status.
+
+    Without an entry point it is not known which of their functions and objects will be linked.
+    """
+    from crs_cc.runtime.layout import check_sizes
+
+    try:
+        for program in programs:
+            check_sizes(program)
     except CompileError as error:
         return merged(diagnostics.messages, error.diagnostics), error.exit_status
     return diagnostics.messages, 0

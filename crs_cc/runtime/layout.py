@@ -24,7 +24,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.core.errors import CompileError
-from crs_cc.ir.program import Function, Parameter, Register, SetJump, Slot
+from crs_cc.ir.program import Data, Function, Parameter, Program, Register, SetJump, Slot
 
 NULL_SIZE: Final = 4096
 STACK_SIZE: Final = 2 * 2**20
@@ -79,6 +79,35 @@ def argument_offsets(sizes: list[int]) -> list[int]:
     for size in sizes:
         offsets.append(offsets[-1] + round_up(size, 4))
     return offsets
+
+
+def check_sizes(program: Program) -> None:
+    """Check what fits into no robot's memory, whatever else a program contains.
+
+    Args:
+        program: a program, or a part of one.
+
+    Raises:
+        CompileError: an object is too large for a robot's memory, or a local variable needs a
+            stricter alignment than frames have.
+    """
+    for data in program.data.values():
+        if data.size > MEMORY_BYTES - STACK_TOP:
+            raise does_not_fit(data)
+    for function in program.functions.values():
+        for slot in function.slots:
+            _check_alignment(slot, function)
+
+
+def does_not_fit(data: Data) -> CompileError:
+    """Return the error for an object that has no room in a robot's memory."""
+    name = data.variable.name if data.variable else data.name
+    return CompileError.at(
+        data.location,
+        f"'{name}' does not fit: {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
+        "a robot's memory is limited; use a smaller array",
+        "linking",
+    )
 
 
 def lay_out(

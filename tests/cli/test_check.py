@@ -93,3 +93,31 @@ def test_check_rejects_programs_that_do_not_fit_as_run_does(
     assert refused.startswith(message)
     assert main(["check", "-q", "large.c"]) == 121
     assert capfd.readouterr().err == refused
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        ("char a[2000000000];\n", "part.c:1:6: error: 'a' does not fit: 2000000000 bytes of "),
+        (
+            "int f(void)\n{ static int b[4000000]; return b[0]; }\n",
+            "part.c:2:14: error: 'b' does not fit: 16000000 bytes of ",
+        ),
+        (
+            "int f(void) { _Alignas(4096) char a[9]; a[0] = 0; return a[0]; }\n",
+            "part.c:1:5: error: 'a' in 'f' is aligned to 4096 bytes",
+        ),
+    ],
+)
+def test_check_rejects_a_part_of_a_program_with_an_object_that_fits_nowhere(
+    source: str, message: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("part.c").write_text(source)
+    assert main(["check", "-q", "part.c"]) == 121
+    assert capfd.readouterr().err.startswith(message)
+
+
+def test_check_accepts_a_large_object_that_the_program_never_uses_as_run_does() -> None:
+    Path("main.c").write_text("char a[2000000000];\nint main(void) { return 0; }\n")
+    assert main(["run", "main.c"]) == 0
+    assert main(["check", "-q", "main.c"]) == 0

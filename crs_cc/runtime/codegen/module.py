@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.core.errors import CompileError
 from crs_cc.ir.program import ByteState, Data, Program
 from crs_cc.requests import FAILED, slot_offset
 from crs_cc.runtime.codegen import jumps, shadow
@@ -35,6 +34,7 @@ from crs_cc.runtime.layout import (
     NULL_SIZE,
     STACK_TOP,
     argument_offsets,
+    does_not_fit,
     red_zone,
     round_up,
 )
@@ -163,12 +163,7 @@ def _place(program: Program) -> dict[str, int]:
         addresses[data.name] = end
         end += max(1, data.size) + red_zone(data.size)
         if end > MEMORY_BYTES:
-            raise CompileError.at(
-                data.location,
-                f"'{data.name}' does not fit: {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
-                "a robot's memory is limited; use a smaller array",
-                "linking",
-            )
+            raise does_not_fit(data)
     heap = round_up(end, 16)
     addresses.update(zip(HEAP_SYMBOLS, (heap, MEMORY_BYTES), strict=True))
     return addresses
