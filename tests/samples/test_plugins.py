@@ -79,6 +79,19 @@ def test_a_device_that_cannot_be_loaded_is_named(installed: Path, tmp_path: Path
     assert "Traceback" not in done.stderr
 
 
+def test_a_device_whose_measurement_fails_is_named(installed: Path, tmp_path: Path) -> None:
+    """An exception in the package's code during a run is no internal error of crs."""
+    target = tmp_path / "installed"
+    shutil.copytree(installed, target)
+    code = target / "crs_uwb" / "__init__.py"
+    code.write_text(code.read_text().replace("nearest_m <= ", "farthest_m <= "))
+    done = crs(target, "run", str(SAMPLE / "meeting.xml"), "--max-time", "8")
+    assert done.returncode == 2
+    (message,) = done.stderr.splitlines()
+    assert message.startswith(f"{code}:")
+    assert "error: device 'uwb': measure raised NameError: name 'farthest_m' is not" in message
+
+
 PAGE = (ROOT / "docs" / "extending.md").read_text()
 
 

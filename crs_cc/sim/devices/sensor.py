@@ -21,6 +21,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.core.random_streams import Noise
 from crs_cc.core.time_grid import is_due
 from crs_cc.sim.devices.installed import Installed, Timed
+from crs_cc.sim.devices.measured import measured
 from crs_cc.sim.devices.timers import read_on_request
 
 if TYPE_CHECKING:
@@ -160,7 +161,8 @@ class Sensor:
         if not len(rows):
             return
         settings = {name: column[mine] for name, column in self.settings.items()}
-        value = self._measure(Measurement(state, constants, rays, rows, at_s, settings))
+        measurement = Measurement(state, constants, rays, rows, at_s, settings)
+        value = measured(self.row, self._measure, measurement, (len(rows), readings.value.shape[1]))
         value, extra = value[:, : self._width], value[:, self._width :]
         if self._sigma is not None:
             error = self._noise.rows(rows, readings.count[mine]) * self._sigma[mine, None]
