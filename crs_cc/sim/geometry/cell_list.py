@@ -18,6 +18,9 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 
 _ROUNDING: Final = 1e-9  # keeps points that are just within reach in the cells that are searched
+PAIRS_IN_BLOCK: Final = 1 << 18
+"""Pairs that are computed in one block, which bounds memory; see `blocks`."""
+
 _AT_ONCE: Final = 256  # queries whose pairs are listed in one block,
 _PAIRS_AT_ONCE: Final = 2_000_000  # or fewer, if that gave more pairs than this
 _FEW_PAIRS: Final = 1_000  # fewer pairs than this are not filtered: it would cost more
@@ -38,6 +41,28 @@ def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArr
     ends = np.cumsum(counts)
     members = np.arange(len(owners)) + (starts - ends + counts).take(owners)
     return owners, members
+
+
+def blocks(counts: IndexArray, most: int | None = None) -> Iterator[slice]:
+    """Yield slices of consecutive queries with few enough pairs, at least one query in each.
+
+    Args:
+        counts: the number of pairs of each query.
+        most: the number of pairs of one slice; by default `PAIRS_IN_BLOCK`.
+
+    >>> [(part.start, part.stop) for part in blocks(np.array([3, 3, 9, 1]), most=6)]
+    [(0, 2), (2, 3), (3, 4)]
+    """
+    most = PAIRS_IN_BLOCK if most is None else most
+    if 0 < counts.sum() <= most:
+        yield slice(0, len(counts))
+        return
+    ends, first = np.cumsum(counts), 0
+    while first < len(counts):
+        done = int(ends[first - 1]) if first else 0
+        last = max(first + 1, int(np.searchsorted(ends, done + most, side="right")))
+        yield slice(first, last)
+        first = last
 
 
 def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None:
@@ -76,16 +101,24 @@ class CellList:
         Returns:
             the query and the point of each pair, by rising query.
         """
+        starts, counts = self._ranges(x_m, y_m)
+        owners, members = expand(starts.ravel(), counts.ravel())
+        return owners // counts.shape[1], self._order.take(members)
+
+    def counts(self, x_m: FloatArray, y_m: FloatArray) -> IndexArray:
+        """Return the number of pairs of each query."""
+        return np.asarray(self._ranges(x_m, y_m)[1].sum(axis=1))
+
+    def _ranges(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
+        """Return the ranges of points in the rows of cells around queries, (k, rows)."""
         columns, rows = self._cells(x_m, y_m)
         # Queries beyond the grid are moved to its margin, whose cells are empty too.
         rows = rows[:, None] + np.arange(-_SPAN, _SPAN + 1)
         rows = np.minimum(np.maximum(rows, 0), self._side - 1) * self._side
         first = rows + np.maximum(columns - _SPAN, 0)[:, None]
         last = rows + np.minimum(columns + _SPAN, self._side - 1)[:, None]
-        starts = self._ends.take(first.ravel())
-        counts = self._ends.take(last.ravel() + 1) - starts
-        owners, members = expand(starts, counts)
-        return owners // rows.shape[1], self._order.take(members)
+        starts = self._ends.take(first)
+        return starts, self._ends.take(last + 1) - starts
 
     def _cells(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
         last = self._side - 1

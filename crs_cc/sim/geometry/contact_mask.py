@@ -20,6 +20,7 @@ array([[ True, False]])
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
@@ -27,7 +28,8 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
-from crs_cc.sim.geometry.cell_list import CellList, few_pairs
+from crs_cc.sim.geometry import cell_list
+from crs_cc.sim.geometry.cell_list import CellList, blocks, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
@@ -97,23 +99,33 @@ class Pieces:
         """
         covered = np.zeros((len(poses), len(fan)), dtype=np.bool_)
         place = poses[:, 0] + 1j * poses[:, 1]
+        for part in self._blocks(place):
+            hit = None if things is None else things[part]
+            self._cover(fan, poses[part], covered[part], hit)
+        return covered
+
+    def _cover(
+        self, fan: Fan, poses: FloatArray, covered: BoolArray, things: IndexArray | None
+    ) -> None:
+        """Mark the beams that start on or inside an object, see `cover`."""
+        place = poses[:, 0] + 1j * poses[:, 1]
         robots, shapes = self._near(place)
         # In the frame of the piece: its centre is the origin, x is its long axis.
         backturn = np.conjugate(self._along.take(shapes))
         local = (place.take(robots) - self._middle.take(shapes)) * backturn
         close = np.flatnonzero(self._within(local, shapes, self._start_m))
         if not len(close):
-            return covered
-        robots, shapes = robots.take(close), shapes.take(close)
+            return
+        robots, shapes, local = robots.take(close), shapes.take(close), local.take(close)
         facing = np.exp(1j * poses[robots, 2]) * backturn.take(close)
-        starts = local.take(close)[:, None] + facing[:, None] * fan.start
-        pairs, beams = np.nonzero(self._within(starts, shapes[:, None], _ON_M))
-        left = self._left_of_slants(starts[pairs, beams], shapes.take(pairs))
-        pairs, beams = pairs[left], beams[left]
-        covered[robots.take(pairs), fan.order.take(beams)] = True
-        if things is not None:
-            things[robots.take(pairs), fan.order.take(beams)] = self._things[shapes.take(pairs)]
-        return covered
+        for part in blocks(np.full(len(close), len(fan))):
+            starts = local[part][:, None] + facing[part][:, None] * fan.start
+            pairs, beams = np.nonzero(self._within(starts, shapes[part][:, None], _ON_M))
+            left = self._left_of_slants(starts[pairs, beams], shapes[part].take(pairs))
+            pairs, beams = pairs[left] + part.start, fan.order.take(beams[left])
+            covered[robots.take(pairs), beams] = True
+            if things is not None:
+                things[robots.take(pairs), beams] = self._things[shapes.take(pairs)]
 
     def _within(self, local: ComplexArray, shapes: IndexArray, margin_m: float) -> BoolArray:
         along = np.abs(local.real) <= self._half_length_m.take(shapes) + margin_m
@@ -124,6 +136,15 @@ class Pieces:
         outward = (np.conjugate(self._slants[shapes]) * local[:, None]).real
         return np.asarray((outward <= self._slants_m[shapes] + _ON_M).all(axis=1))
 
+    def _blocks(self, place: ComplexArray) -> Iterator[slice]:
+        """Yield parts of the robots whose pairs are few enough to be listed."""
+        counts = np.full(len(place), len(self._things))
+        if counts.sum() > cell_list.PAIRS_IN_BLOCK:
+            counts = self._grid.counts(place)
+            if len(self._bodies):
+                counts = counts + self._cells_of_bodies().counts(place.real, place.imag)
+        return blocks(counts)
+
     def _near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         """Return pairs of robot and piece, including all in which a sensor can be."""
         robots, shapes = self._grid.near(place)
@@ -133,11 +154,16 @@ class Pieces:
         if pairs := few_pairs(len(place), count):
             others, movers = pairs
         else:
-            if self._cells is None:
-                middle = self._middle[self._fixed :]
-                self._cells = CellList(middle.real, middle.imag, self._reach_m)
-            others, movers = self._cells.near(place.real, place.imag)
+            others, movers = self._cells_of_bodies().near(place.real, place.imag)
+            rising = np.lexsort((movers, others))  # as in `few_pairs`: the last object counts
+            others, movers = others[rising], movers[rising]
         return np.concatenate([robots, others]), np.concatenate([shapes, movers + self._fixed])
+
+    def _cells_of_bodies(self) -> CellList:
+        if self._cells is None:
+            middle = self._middle[self._fixed :]
+            self._cells = CellList(middle.real, middle.imag, self._reach_m)
+        return self._cells
 
     def _grid_of_fixed(self) -> Grid:
         half_width_m = self._half_width_m[: self._fixed]

@@ -53,7 +53,8 @@ from typing import Final, Self
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
-from crs_cc.sim.geometry.cell_list import expand
+from crs_cc.sim.geometry import cell_list
+from crs_cc.sim.geometry.cell_list import blocks, expand
 from crs_cc.sim.geometry.outline_query import Prospect
 
 ANY_ANGLE: Final = math.pi / 2
@@ -64,7 +65,7 @@ _RAYS: Final = np.linspace(-1.0, 1.0, 17)
 _ON_M: Final = 1e-9  # a transducer this close to a face is on it
 _BEFORE_M: Final = 1e-6  # an object closer than this to a target does not hide it
 _SEAM_M: Final = 1e-3  # faces whose ends are this close touch
-_AT_ONCE: Final = 1 << 18  # pairs in one block
+_MANY: Final = 1 << 10  # more items than this may be equal ones: their pairs would take too long
 _STRAIGHT: Final = 1e-3  # sine of the angle below which a face continues in another
 
 
@@ -118,6 +119,10 @@ class Pings:
     def __len__(self) -> int:
         return len(self.place)
 
+    def part(self, which: slice) -> Self:
+        """Return a part of the pings."""
+        return type(self)(*(getattr(self, name)[which] for name in self.__slots__))
+
     def local(self, which: IndexArray, place: ComplexArray) -> ComplexArray:
         """Transform points to the frames of transducers, whose axes are x."""
         return (place - self.start.take(which)) * np.conjugate(self.axis.take(which))
@@ -150,9 +155,14 @@ class Points:
         ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
         return cls(ping, place, np.abs(place), share)
 
+    def of_pings(self, part: slice) -> Self:
+        """Return the targets of a part of the pings, which are numbered anew."""
+        found = self.where((self.ping >= part.start) & (self.ping < part.stop))
+        return type(self)(found.ping - part.start, found.place, found.told_m, found.share)
+
     def where(self, kept: BoolArray | IndexArray | slice) -> Self:
         """Return a selection of the targets."""
-        return type(self)(self.ping[kept], self.place[kept], self.told_m[kept], self.share[kept])
+        return type(self)(*(getattr(self, name)[kept] for name in self.__slots__))
 
 
 def first_echo(
@@ -173,40 +183,85 @@ def first_echo(
     Returns:
         distances from the transducers [m], infinite without an echo, shape (k,).
     """
-    faces, pierced = _faces(pings, obstacles, hushed)
-    rounds, covered = _rounds(pings, obstacles, hushed)
+    found_m = np.empty(len(pings))
     shaped = voices is not None or hushed is not None
     shaped = shaped or bool(pings.falloff.any() or (pings.critical_rad < ANY_ANGLE).any())
     shares = _RAYS if pings.falloff.any() else _SIDES
-    angle_rad = pings.half_rad[:, None] * shares
-    rays = np.exp(1j * angle_rad)
-    reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
-    loud_m = reach_m
-    face_m, round_m = faces.hits_m(rays[faces.ping]), rounds.hits_m(rays[rounds.ping])
-    if shaped:
-        free_m = np.full(reach_m.shape, np.inf)
-        np.minimum.at(free_m, faces.ping, face_m)
-        np.minimum.at(free_m, rounds.ping, round_m)
-        reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
-    if hushed is not None:
-        face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
-        round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
-    glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
-    glancing_m += _ON_M  # rounding must not silence a face at exactly the critical angle
-    face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
-    round_m[round_m > reach_m[rounds.ping]] = np.inf
-    found_m = np.full(len(pings), np.inf)
-    np.minimum.at(found_m, faces.ping, face_m.min(axis=1))
-    np.minimum.at(found_m, rounds.ping, round_m.min(axis=1))
-    for points in _points(faces, rounds, shaped, voices):
-        heard = _in_beam(pings, points)
-        if shaped:
-            _hear(heard, faces, rounds, found_m)
-        else:
-            np.minimum.at(found_m, heard.ping, heard.told_m)
-    found_m[pierced] = 0.0
-    found_m[covered] = 0.0
+    for part, outlines in obstacles.blocks(pings.place):
+        heard = None if voices is None else voices.of_pings(part)
+        block = _Block(pings.part(part), outlines, heard, hushed)
+        found_m[part] = block.first_echo(shares, shaped=shaped)
     return found_m
+
+
+@dataclass(frozen=True, slots=True)
+class _Block:
+    """Pings that are computed together; see `first_echo` for the attributes."""
+
+    pings: Pings
+    obstacles: Prospect
+    voices: Points | None
+    hushed: FloatArray | None
+
+    def first_echo(self, shares: FloatArray, *, shaped: bool) -> FloatArray:
+        """Return the distance of each ping's first echo.
+
+        `shares` has the angles of rays off the axes, relative to the beams' half angles; `shaped`
+        is whether it matters which targets are hidden or are no corners.
+        """
+        pings = self.pings
+        faces, pierced = _faces(pings, self.obstacles, self.hushed)
+        rounds, covered = _rounds(pings, self.obstacles, self.hushed)
+        found_m = self._on_rays(faces, rounds, shares, shaped=shaped)
+        if not shaped:
+            for points in (_feet(faces, rounds), _ends(faces)):
+                heard = points.where(_in_beam(pings, points))
+                np.minimum.at(found_m, heard.ping, heard.told_m)
+        else:
+            for points in self._targets(faces, rounds, found_m):
+                _hear(points.where(_in_beam(pings, points)), faces, rounds, found_m)
+        found_m[pierced] = 0.0
+        found_m[covered] = 0.0
+        return found_m
+
+    def _targets(self, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -> Iterator[Points]:
+        """Yield blocks of targets nearer than `found_m`, which the caller updates."""
+        yield _feet(faces, rounds)
+        for end in (faces.start, faces.start + faces.along):
+            yield _corner_ends(self.pings, faces, end, found_m)
+        near = faces.where(faces.nearest_m() <= found_m[faces.ping] + _BEFORE_M)
+        near = near.where(_distinct(near.ping, near.start, near.along, near.share))
+        for one, other in _pairs(near.ping, near.ping):
+            yield _corners(near, one, other)
+        if self.voices is not None:
+            yield self.voices
+
+    def _on_rays(
+        self, faces: _Faces, rounds: _Rounds, shares: FloatArray, *, shaped: bool
+    ) -> FloatArray:
+        """Return the first echo along rays of each beam, infinite for none."""
+        pings, hushed = self.pings, self.hushed
+        angle_rad = pings.half_rad[:, None] * shares
+        rays = np.exp(1j * angle_rad)
+        reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
+        loud_m = reach_m
+        face_m, round_m = _hits_m(faces, rays), _hits_m(rounds, rays)
+        if shaped:
+            free_m = np.full(reach_m.shape, np.inf)
+            np.minimum.at(free_m, faces.ping, face_m)
+            np.minimum.at(free_m, rounds.ping, round_m)
+            reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
+        if hushed is not None:
+            face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
+            round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
+        glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
+        glancing_m += _ON_M  # rounding must not silence a face at exactly the critical angle
+        face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
+        round_m[round_m > reach_m[rounds.ping]] = np.inf
+        found_m = np.full(len(pings), np.inf)
+        np.minimum.at(found_m, faces.ping, face_m.min(axis=1))
+        np.minimum.at(found_m, rounds.ping, round_m.min(axis=1))
+        return found_m
 
 
 # -- faces and circles in the beams ----------------------------------------------------------------
@@ -232,6 +287,16 @@ class _Faces:
         hit = (distance_m > 0.0) & (share >= 0.0) & (share <= 1.0)
         return np.where(hit, distance_m, np.inf)
 
+    def nearest_m(self) -> FloatArray:
+        """Return the distances to the nearest points of the faces."""
+        square = self.along.real**2 + self.along.imag**2
+        share = -(self.start * self.along.conj()).real / square
+        return np.abs(self.start + np.clip(share, 0.0, 1.0) * self.along)
+
+    def where(self, kept: BoolArray | IndexArray | slice) -> Self:
+        """Return a selection of the faces."""
+        return type(self)(*(getattr(self, name)[kept] for name in self.__slots__))
+
 
 @dataclass(frozen=True, slots=True)
 class _Rounds:
@@ -248,6 +313,16 @@ class _Rounds:
         square = radius_m[..., None] ** 2 - turned.imag * turned.imag
         hit = (square >= 0.0) & (turned.real > 0.0)
         return np.where(hit, turned.real - np.sqrt(np.maximum(square, 0.0)), np.inf)
+
+
+def _hits_m(shapes: _Faces | _Rounds, rays: ComplexArray) -> FloatArray:
+    """Return the distances to all shapes along all rays of their pings, (shapes, rays)."""
+    if len(shapes.ping) * rays.shape[1] <= cell_list.PAIRS_IN_BLOCK:
+        return shapes.hits_m(rays[shapes.ping])
+    found_m = np.empty((len(shapes.ping), rays.shape[1]))
+    for part in blocks(np.full(len(found_m), rays.shape[1])):
+        found_m[part] = shapes.hits_m(rays[shapes.ping[part]], part)
+    return found_m
 
 
 def _faces(
@@ -297,46 +372,54 @@ def _rounds(
     return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
 
 
-def _points(
-    faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None
-) -> Iterator[Points]:
-    """Yield blocks of targets: feet and ends of faces, nearest points of circles, corners."""
+def _feet(faces: _Faces, rounds: _Rounds) -> Points:
+    """Return the feet of perpendiculars on faces, and the nearest points of circles."""
     square = faces.along.real**2 + faces.along.imag**2
     share = -(faces.start * faces.along.conj()).real / square
     foot = np.flatnonzero((share > 0.0) & (share < 1.0))
+    place = faces.start[foot] + share[foot] * faces.along[foot]
     front = rounds.middle * (1.0 - rounds.radius_m / np.abs(rounds.middle))
-    yield Points.at(
-        _ends(faces, faces.start, shaped),
-        _ends(faces, faces.start + faces.along, shaped),
-        (
-            faces.ping[foot],
-            faces.start[foot] + share[foot] * faces.along[foot],
-            faces.share[foot],
-        ),
-        (rounds.ping, front, rounds.share),
-    )
-    if shaped:
-        for one, other in _pairs(faces.ping, faces.ping):
-            yield _corners(faces, one, other)
-    if voices is not None:
-        yield voices
+    feet = faces.ping[foot], place, faces.share[foot]
+    return Points.at(feet, (rounds.ping, front, rounds.share))
 
 
-def _ends(
-    faces: _Faces, end: ComplexArray, shaped: bool
-) -> tuple[IndexArray, ComplexArray, FloatArray]:
-    """Return the ends of faces, except (if that matters) those at which another face continues."""
-    if not shaped:
-        return faces.ping, end, faces.share
-    along, corner = faces.along, np.ones(len(end), dtype=np.bool_)
-    for one, other in _pairs(faces.ping, faces.ping):
+def _ends(faces: _Faces) -> Points:
+    """Return both ends of all faces."""
+    ends = (faces.start, faces.start + faces.along)
+    return Points.at(*((faces.ping, end, faces.share) for end in ends))
+
+
+def _corner_ends(pings: Pings, faces: _Faces, end: ComplexArray, found_m: FloatArray) -> Points:
+    """Return those ends of faces in the beams that no other face continues.
+
+    Args:
+        pings: the pings.
+        faces: the faces.
+        end: an end of each.
+        found_m: the first echo of each ping so far; ends behind it are omitted.
+    """
+    points = Points.at((faces.ping, end, faces.share))
+    which = _in_beam(pings, points)
+    which = which[points.told_m[which] < found_m[points.ping[which]]]
+    which = which[_distinct(faces.ping[which], end[which], faces.along[which], faces.share[which])]
+    along, corner = faces.along, np.ones(len(which), dtype=np.bool_)
+    for item, other in _pairs(faces.ping[which], faces.ping):
+        one = which[item]
         length_m, apart = np.abs(along[other]), end[one] - faces.start[other]
         over_m = (apart * along[other].conj()).real / length_m
         goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
         goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
         goes_on &= _parallel(along[one], along[other])
-        corner[one[goes_on]] = False
-    return faces.ping[corner], end[corner], faces.share[corner]
+        corner[item[goes_on]] = False
+    return points.where(which[corner])
+
+
+def _distinct(ping: IndexArray, *columns: ComplexArray | FloatArray) -> IndexArray | slice:
+    """Return the indices of the first of equal items, or of all items if they are few."""
+    if len(ping) <= _MANY:
+        return slice(None)
+    parts = [part for column in columns for part in (column.real, column.imag)]
+    return np.sort(np.unique(np.column_stack([ping, *parts]), axis=0, return_index=True)[1])
 
 
 def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
@@ -356,12 +439,13 @@ def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
     return Points.at((faces.ping[one], faces.start[one] + share * faces.along[one], heard))
 
 
-def _in_beam(pings: Pings, points: Points) -> Points:
-    """Return those targets that are in the beams and within reach."""
+def _in_beam(pings: Pings, points: Points) -> IndexArray:
+    """Return which targets are in the beams and within reach."""
     tan = np.tan(pings.half_rad).take(points.ping)
-    points = points.where(np.abs(points.place.imag) <= tan * points.place.real)
+    inside = np.flatnonzero(np.abs(points.place.imag) <= tan * points.place.real)
+    points = points.where(inside)
     reach_m = pings.reach_m(points.ping, np.angle(points.place)) * points.share
-    return points.where(np.abs(points.place) <= reach_m)
+    return inside[np.abs(points.place) <= reach_m]
 
 
 def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -> None:
@@ -374,12 +458,13 @@ def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -
         found_m: the first echo of each ping so far, changed in place.
     """
     points = points.where(points.told_m < found_m[points.ping])
+    points = points.where(_distinct(points.ping, points.place, points.told_m))
     points = points.where(np.argsort(points.told_m, kind="stable"))
     before = np.bincount(faces.ping, minlength=len(found_m))
     before += np.bincount(rounds.ping, minlength=len(found_m))
     while len(points.ping):
         work = np.cumsum(before[points.ping])
-        count = max(1, int(np.searchsorted(work, _AT_ONCE, side="right")))
+        count = max(1, int(np.searchsorted(work, cell_list.PAIRS_IN_BLOCK, side="right")))
         near = points.where(slice(count))
         near = near.where(~_hidden(near, faces, rounds))
         np.minimum.at(found_m, near.ping, near.told_m)
@@ -402,13 +487,9 @@ def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> Iterator[tuple[IndexAr
     """Yield pairs of items of the same ping, in blocks; the second ones must be sorted by ping."""
     starts = np.searchsorted(sorted_pings, ping, side="left")
     counts = np.searchsorted(sorted_pings, ping, side="right") - starts
-    ends, first = np.cumsum(counts), 0
-    while first < len(ping):
-        done = int(ends[first - 1]) if first else 0
-        last = max(first + 1, int(np.searchsorted(ends, done + _AT_ONCE, side="right")))
-        one, other = expand(starts[first:last], counts[first:last])
-        yield one + first, other
-        first = last
+    for part in blocks(counts):
+        one, other = expand(starts[part], counts[part])
+        yield one + part.start, other
 
 
 def _parallel(a: ComplexArray, b: ComplexArray) -> BoolArray:

@@ -30,6 +30,7 @@ this is our choice.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
@@ -152,6 +153,17 @@ class Level:
     outlook: Outlook
     z_m: FloatArray | float
     spread: FloatArray | float
+
+    def blocks(self, place: ComplexArray) -> Iterator[tuple[slice, Level]]:
+        """Yield parts of the robots as `Obstacles.blocks` does, each with the outlines for it."""
+        outlook = self.outlook
+        more = 4 * outlook.grid.counts(place) + 1
+        if outlook.terrain.heights is not None:
+            more = more + 2 * outlook.terrain.heights.nodes_m.size  # a side for each of two pixels
+        for part, _ in outlook.obstacles.blocks(place, more):
+            values = (np.asarray(value) for value in (self.z_m, self.spread))
+            z_m, spread = (value[part] if value.ndim else value for value in values)
+            yield part, Level(outlook, z_m, spread)
 
     def segments_near(self, place: ComplexArray) -> Segments:
         """Return `Obstacles.segments_near` without objects below the beams, and with ground."""

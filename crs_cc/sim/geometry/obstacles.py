@@ -8,6 +8,7 @@ look-up finds all that a robot there can measure. Movable shapes are sorted agai
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, Self
 
@@ -15,7 +16,8 @@ import numpy as np
 
 from crs_cc.core import segment
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
-from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
+from crs_cc.sim.geometry import cell_list
+from crs_cc.sim.geometry.cell_list import CellList, blocks, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
 
 _MOST_CELLS: Final = 128  # along each side of the grid
@@ -55,6 +57,34 @@ class Obstacles:
         self._owners, self._segment_owners = moving.owners, moving.segment_owners
         self._segment_cells: CellList | None = None
         self._circle_cells: CellList | None = None
+
+    def blocks(
+        self, place: ComplexArray, more: IndexArray | None = None
+    ) -> Iterator[tuple[slice, Obstacles]]:
+        """Yield parts of the robots whose pairs are few enough, each with the outlines for it.
+
+        Args:
+            place: the robots' positions.
+            more: the number of pairs of each robot besides, if any.
+        """
+        most = self._segment_grid.count + self._circle_grid.count
+        most += len(self._moving.length_m) + len(self._moving.radius_m)
+        most += 0 if more is None else int(more.max(initial=0))
+        if len(place) * most <= cell_list.PAIRS_IN_BLOCK:
+            yield slice(0, len(place)), self
+            return
+        counts = self._counts(place)
+        for part in blocks(counts if more is None else counts + more):
+            yield part, self
+
+    def _counts(self, place: ComplexArray) -> IndexArray:
+        """Return how many pairs each robot has at most."""
+        counts = self._segment_grid.counts(place) + self._circle_grid.counts(place)
+        if len(self._moving.length_m):
+            counts = counts + self._cells_of_segments().counts(place.real, place.imag)
+        if len(self._moving.radius_m):
+            counts = counts + self._cells_of_circles().counts(place.real, place.imag)
+        return np.asarray(counts)
 
     def segments_near(
         self, place: ComplexArray
@@ -111,11 +141,22 @@ class Obstacles:
         moving = self._moving
         if pairs := few_pairs(len(place), len(moving.length_m)):
             return pairs
+        return self._cells_of_segments().near(place.real, place.imag)
+
+    def _cells_of_segments(self) -> CellList:
+        moving = self._moving
         if self._segment_cells is None:
             middle = (moving.start + moving.end) / 2
             reach_m = self._reach_m + float(moving.length_m.max()) / 2
             self._segment_cells = CellList(middle.real, middle.imag, reach_m)
-        return self._segment_cells.near(place.real, place.imag)
+        return self._segment_cells
+
+    def _cells_of_circles(self) -> CellList:
+        moving = self._moving
+        if self._circle_cells is None:
+            reach_m = self._reach_m + float(moving.radius_m.max())
+            self._circle_cells = CellList(moving.middle.real, moving.middle.imag, reach_m)
+        return self._circle_cells
 
     def _moving_circles(
         self, place: ComplexArray, own: IndexArray
@@ -124,10 +165,7 @@ class Obstacles:
         if pairs := few_pairs(len(place), len(moving.radius_m)):
             others, movers = pairs
         else:
-            if self._circle_cells is None:
-                reach_m = self._reach_m + float(moving.radius_m.max())
-                self._circle_cells = CellList(moving.middle.real, moving.middle.imag, reach_m)
-            others, movers = self._circle_cells.near(place.real, place.imag)
+            others, movers = self._cells_of_circles().near(place.real, place.imag)
         middle, radius_m = moving.circles(movers)
         away = middle - place.take(others)
         within = away.real**2 + away.imag**2 <= (radius_m + self._reach_m) ** 2
@@ -169,6 +207,9 @@ class Grid:
 
     A shape is the set of points within a radius of a line segment. If `behind_m` is given, shapes
     are omitted for points further than that to the left of their segment.
+
+    Attributes:
+        count: the number of shapes.
     """
 
     def __init__(
@@ -178,21 +219,21 @@ class Grid:
         reach_m: float,
         behind_m: float = math.inf,
     ) -> None:
-        self._count = len(ends_m)
+        self.count = len(ends_m)
         self._behind_m = behind_m
         around_m = (radius_m + reach_m + _SLACK_M)[:, None]
         low = np.minimum(ends_m[:, 0:2], ends_m[:, 2:4]) - around_m
         high = np.maximum(ends_m[:, 0:2], ends_m[:, 2:4]) + around_m
-        self._corner_m = low.min(axis=0, initial=np.inf) if self._count else np.zeros(2)
-        extent_m = high.max(axis=0) - self._corner_m if self._count else np.zeros(2)
+        self._corner_m = low.min(axis=0, initial=np.inf) if self.count else np.zeros(2)
+        extent_m = high.max(axis=0) - self._corner_m if self.count else np.zeros(2)
         self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS, 1e-3)
         while self._listed(low, high) > _MOST_LISTED and self._cell_m < extent_m.max():
             self._cell_m *= 2
         self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
         found = [
-            self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self._count)), ends_m,
+            self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self.count)), ends_m,
                            around_m, low, high)
-            for first in range(0, self._count, _SHAPES_AT_ONCE)
+            for first in range(0, self.count, _SHAPES_AT_ONCE)
         ]  # fmt: skip
         nothing = np.zeros(0, dtype=np.intp)
         cells = np.concatenate([nothing, *(cells for cells, _ in found)])
@@ -204,15 +245,24 @@ class Grid:
 
     def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         """Return pairs of point and shape, including all within reach."""
-        if pairs := few_pairs(len(place), self._count):
+        if pairs := few_pairs(len(place), self.count):
             return pairs
+        cell = self._cell(place)
+        points, members = expand(self._starts.take(cell), self._counts.take(cell))
+        return points, self._shapes.take(members)
+
+    def counts(self, place: ComplexArray) -> IndexArray:
+        """Return the number of shapes within reach of the cell of each point."""
+        return np.asarray(self._counts.take(self._cell(place)))
+
+    def _cell(self, place: ComplexArray) -> IndexArray:
+        """Return the cell of each point; that after the last one is outside of the grid."""
         column = np.floor((place.real - self._corner_m[0]) / self._cell_m)
         row = np.floor((place.imag - self._corner_m[1]) / self._cell_m)
         columns, rows = self._size
         inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
-        cell = np.where(inside, row * columns + column, columns * rows).astype(np.intp)
-        points, members = expand(self._starts.take(cell), self._counts.take(cell))
-        return points, self._shapes.take(members)
+        cell = np.where(inside, row * columns + column, columns * rows)
+        return np.asarray(cell, dtype=np.intp)
 
     def _listed(self, low: FloatArray, high: FloatArray) -> int:
         """Return an upper bound of the number of pairs of cell and shape."""

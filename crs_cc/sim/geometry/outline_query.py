@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Protocol
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
@@ -12,6 +13,9 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 
 class Prospect(Protocol):
     """Returns pairs of a robot and an outline, including all within reach."""
+
+    def blocks(self, place: ComplexArray) -> Iterator[tuple[slice, Prospect]]:
+        """Yield parts of the robots whose pairs are few enough, each with the outlines for it."""
 
     def segments_near(
         self, place: ComplexArray

@@ -30,7 +30,7 @@ from typing import Final, Self
 import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
-from crs_cc.sim.geometry.cell_list import expand
+from crs_cc.sim.geometry.cell_list import blocks, expand
 from crs_cc.sim.geometry.outline_query import Prospect
 
 NO_THING: Final = -1
@@ -137,12 +137,13 @@ def nearest(
     hit = None if things is None else np.full(found.shape, NO_THING, dtype=np.intp)
     if own is None:
         own = np.full(len(poses), -1, dtype=np.intp)
-    for first in range(0, len(poses), _CHUNK):
-        part = slice(first, first + _CHUNK)
-        robots = _Robots.at(fan, poses[part])
-        hits = _Hits(found[part].reshape(-1), None if hit is None else hit[part].reshape(-1))
-        _try_segments(fan, robots, obstacles, hits)
-        _try_circles(fan, robots, obstacles, own[part], hits)
+    for block, outlines in obstacles.blocks(poses[:, 0] + 1j * poses[:, 1]):
+        for first in range(block.start, block.stop, _CHUNK):
+            part = slice(first, min(first + _CHUNK, block.stop))
+            robots = _Robots.at(fan, poses[part])
+            hits = _Hits(found[part].reshape(-1), None if hit is None else hit[part].reshape(-1))
+            _try_segments(fan, robots, outlines, hits)
+            _try_circles(fan, robots, outlines, own[part], hits)
     beyond = found > fan.range_m
     found[beyond] = np.inf
     given = np.empty_like(found)
@@ -198,13 +199,14 @@ def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -
         starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
-    pairs, beams = expand(starts, counts)
-    beams %= len(fan)
-    numbers = viewers.take(pairs) * len(fan) + beams
-    start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
-    a, b = (a.take(pairs) - start) * backturn, (b.take(pairs) - start) * backturn
-    things = None if things is None else things.take(pairs)
-    hits.take(numbers, _to_segment(fan, beams, a, b), things)
+    for part in blocks(counts):
+        pairs, beams = expand(starts[part], counts[part])
+        pairs, beams = pairs + part.start, beams % len(fan)
+        numbers = viewers.take(pairs) * len(fan) + beams
+        start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
+        ends = ((end.take(pairs) - start) * backturn for end in (a, b))
+        distance_m = _to_segment(fan, beams, *ends)
+        hits.take(numbers, distance_m, None if things is None else things.take(pairs))
 
 
 def _try_circles(
@@ -221,12 +223,13 @@ def _try_circles(
         starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
-    pairs, beams = expand(starts, counts)
-    beams %= len(fan)
-    numbers = viewers.take(pairs) * len(fan) + beams
-    middle = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
-    things = None if things is None else things.take(pairs)
-    hits.take(numbers, _to_circle(fan, beams, middle, radius.take(pairs)), things)
+    for part in blocks(counts):
+        pairs, beams = expand(starts[part], counts[part])
+        pairs, beams = pairs + part.start, beams % len(fan)
+        numbers = viewers.take(pairs) * len(fan) + beams
+        away = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
+        distance_m = _to_circle(fan, beams, away, radius.take(pairs))
+        hits.take(numbers, distance_m, None if things is None else things.take(pairs))
 
 
 # -- candidate pairs of beam and shape -------------------------------------------------------------

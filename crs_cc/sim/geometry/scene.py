@@ -130,11 +130,14 @@ class _Sides:
     def __init__(self, bodies: Iterable[tuple[int, Thing]]) -> None:
         pairs = [(body, thing) for body, thing in bodies if not isinstance(thing, Cylinder)]
         corners = [own_corners_m(thing) for _, thing in pairs]
-        numbers = [np.full(len(rows), body) for (body, _), rows in zip(pairs, corners, strict=True)]
-        none = np.zeros((0, 2))
-        self.bodies = np.concatenate([_NONE, *numbers])
-        self._starts_m = np.concatenate([none, *corners])
-        self._ends_m = np.concatenate([none, *(np.roll(rows, -1, axis=0) for rows in corners)])
+        counts = np.array([len(rows) for rows in corners], dtype=np.intp)
+        self.bodies = np.repeat(np.array([body for body, _ in pairs], dtype=np.intp), counts)
+        self._starts_m = np.concatenate([np.zeros((0, 2)), *corners])
+        # Each side ends where the next one starts, the last one of a body where the first one does.
+        after = np.arange(1, len(self.bodies) + 1)
+        last = np.cumsum(counts) - 1
+        after[last] = last - counts + 1
+        self._ends_m = self._starts_m[after]
 
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
         if not len(self.bodies):
@@ -159,7 +162,7 @@ def own_corners_m(thing: Box | Polygon) -> FloatArray:
 @lru_cache(maxsize=4096)  # a scene is rebuilt whenever an obstacle is added or removed
 def corners_m(thing: Box | Polygon) -> FloatArray:
     """Return the corners of an object in the world frame, counter-clockwise, shape (corners, 2)."""
-    corners = _thing_segments([thing])[:, :2]
+    corners = _sides_of([thing])[0][:, :2]
     corners.flags.writeable = False
     return corners
 
@@ -196,12 +199,13 @@ def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
             owners.append(number)
         else:
             things.append((number, solid))
-    sides = [np.full(len(own_corners_m(thing)), number) for number, thing in things]
+    numbers = np.array([number for number, _ in things], dtype=np.intp)
+    sides, rows = _sides_of([thing for _, thing in things])
     return Outlines(
-        np.concatenate([*segments, _thing_segments([thing for _, thing in things])]),
+        np.concatenate([*segments, sides]),
         np.array(circles).reshape(-1, 3),
         np.array(owners, dtype=np.intp),
-        np.concatenate([np.array(segment_owners, dtype=np.intp), *sides]),
+        np.concatenate([np.array(segment_owners, dtype=np.intp), numbers[rows]]),
     )
 
 
@@ -213,10 +217,12 @@ def _wall_segments(wall: Wall) -> FloatArray:
     return _with_length(np.array(sides))
 
 
-def _thing_segments(things: Sequence[Box | Polygon]) -> FloatArray:
+def _sides_of(things: Sequence[Box | Polygon]) -> tuple[FloatArray, IndexArray]:
+    """Return the sides of objects in the world frame, and the index of the object of each."""
     rows = [(thing.pose.x_m, thing.pose.y_m, thing.pose.heading_rad) for thing in things]
     poses = np.array(rows).reshape(-1, 3)
-    return _Sides(enumerate(things)).segments(poses[:, :2], poses[:, 2])
+    sides = _Sides(enumerate(things))
+    return sides.segments(poses[:, :2], poses[:, 2]), sides.bodies
 
 
 def _with_length(ends_m: FloatArray) -> FloatArray:

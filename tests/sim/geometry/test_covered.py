@@ -184,3 +184,15 @@ def test_vectorised_contact_mask_matches_pairwise_computation(few, monkeypatch):
     ]
     assert pieces.cover(fan, poses).tolist() == expected
     assert 0.1 < np.mean(expected) < 0.9
+
+
+@pytest.mark.parametrize("pairs", [1, 500])
+def test_block_size_changes_no_bit(pairs, monkeypatch):
+    world, poses = crowd()
+    fan = Fan.of([(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.1, 6.0) for a in (4.0, 0.5, 2.0)])
+    pieces = Pieces(Scene(world), fan.start_m)
+    things = [np.full((len(poses), len(fan)), -1) for _ in range(2)]
+    whole = pieces.cover(fan, poses, things[0])
+    monkeypatch.setattr("crs_cc.sim.geometry.cell_list.PAIRS_IN_BLOCK", pairs)
+    assert np.array_equal(whole, pieces.cover(fan, poses, things[1]))
+    assert np.array_equal(*things)

@@ -8,6 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from crs_cc.sim.geometry import echoes
+from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points, first_echo
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import Fan
@@ -307,3 +309,55 @@ def test_many_soft_objects_in_one_place_take_bounded_memory_and_time():
     tracemalloc.stop()
     assert peak < 100e6  # all pairs of corners and sides at once were 1.7 GB
     assert found_m == pytest.approx(first_echo(pings, around), abs=1e-6)
+
+
+def test_many_pings_near_many_objects_take_bounded_memory():
+    """All pairs of a ping and a side at once were 0.6 GB."""
+    around = obstacles_of(*(Box(f"b{number}", Pose(3, 0), 1, 1) for number in range(5_000)))
+    pings = Pings.of([(0j, 0j, toward) for toward in np.linspace(-0.2, 0.2, 100)], 0.4, RANGE_M)
+    tracemalloc.start()
+    found_m = first_echo(pings, around)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 120e6
+    assert found_m == pytest.approx(2.5)
+
+
+def test_equal_soft_objects_take_time_in_proportion_to_their_number(monkeypatch):
+    """Each corner was compared with each side: 99,000 boxes would have taken an hour."""
+    boxes = [Box(f"b{number}", Pose(3, 0), 1, 1) for number in range(5_000)]
+    around, hushed = obstacles_of(*boxes), np.full(len(boxes), 0.8)
+    pings, pairs = Pings.of([(0j, 0j, 0.2)], 0.4, RANGE_M), 0
+
+    def counted(starts, counts):
+        nonlocal pairs
+        pairs += int(counts.sum())
+        return expand(starts, counts)
+
+    monkeypatch.setattr(echoes, "expand", counted)
+    assert first_echo(pings, around, hushed=hushed) == pytest.approx(2.5)
+    assert pairs < 10 * len(boxes)
+
+
+@pytest.mark.parametrize("pairs", [1, 500])
+@pytest.mark.parametrize("lobe", [0.0, LOBE])
+def test_block_size_changes_no_bit(pairs, lobe, monkeypatch):
+    scene = Scene(crowd(60, seed=7))
+    moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+    around = Obstacles(scene.fixed, moving, 6.7, 0.3)
+    pings = pings_of(scene.start[: scene.robots], lobe)
+    which = np.arange(0, len(pings), 3)
+    place = np.random.default_rng(1).uniform(0.5, 2.0, len(which)) + 0j
+    voices = Points(which, place, np.abs(place), np.ones(len(which)))
+    hushed = np.random.default_rng(2).uniform(0.3, 1.0, len(scene.names))
+
+    def heard():
+        return [
+            first_echo(pings, around),
+            first_echo(pings, around, voices),
+            first_echo(pings, around, hushed=hushed),
+        ]
+
+    whole = heard()
+    monkeypatch.setattr("crs_cc.sim.geometry.cell_list.PAIRS_IN_BLOCK", pairs)
+    assert all(map(np.array_equal, whole, heard()))

@@ -1,6 +1,7 @@
 """Beams against walls, boxes, cylinders and robots: by hand, and against thousands of thin rays."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from crs_cc.sim.geometry import rays
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.placement import misplaced
 from crs_cc.sim.geometry.rays import Fan, nearest
-from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.scene import NOTHING, Scene
 from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Pose, Robot, Wall, WorldModel
 
@@ -156,12 +157,12 @@ def crowd(robots: int, seed: int) -> WorldModel:
     return WorldModel("w", world.area, walls, boxes, cylinders, robots=tuple(kept))
 
 
-def look_around(world: WorldModel, fan: Fan):
+def look_around(world: WorldModel, fan: Fan, things: np.ndarray | None = None):
     scene = Scene(world)
     moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
     obstacles = Obstacles(scene.fixed, moving, fan.reach_m, fan.start_m)
     count = len(world.robots)
-    return nearest(fan, scene.start[:count], obstacles, own=np.arange(count))
+    return nearest(fan, scene.start[:count], obstacles, own=np.arange(count), things=things)
 
 
 @pytest.mark.parametrize("robots", [40, 300])
@@ -173,6 +174,31 @@ def test_candidate_filtering_changes_no_bit(robots, monkeypatch):
     monkeypatch.setattr("crs_cc.sim.geometry.cell_list._FEW_PAIRS", 10**9)
     assert np.array_equal(chosen, look_around(world, fan))
     assert 0 < np.isinf(chosen).mean() < 0.5
+
+
+@pytest.mark.parametrize("pairs", [1, 500])
+def test_block_size_changes_no_bit(pairs, monkeypatch):
+    world, fan = crowd(300, seed=300), Fan.of(RING)
+    seen = [np.zeros((len(world.robots), len(fan)), dtype=np.intp) for _ in range(2)]
+    whole = look_around(world, fan, seen[0])
+    monkeypatch.setattr("crs_cc.sim.geometry.cell_list.PAIRS_IN_BLOCK", pairs)
+    assert np.array_equal(whole, look_around(world, fan, seen[1]))
+    assert np.array_equal(*seen)
+
+
+def test_many_beams_and_robots_near_many_objects_take_bounded_memory():
+    """All pairs of a beam and a side at once were 1.3 GB."""
+    boxes = tuple(Box(f"b{number}", Pose(3.0, 3.0), 1, 1) for number in range(3_000))
+    scene = Scene(WorldModel("w", Area(0, 0, 9, 9), boxes=boxes))
+    fan = Fan.of([(0.2, 0.0, way, 0.01, 9.0) for way in np.linspace(-1.0, 1.0, 200)])
+    obstacles = Obstacles(scene.fixed, NOTHING, fan.reach_m, fan.start_m)
+    poses = np.tile([0.5, 3.0, 0.0], (20, 1))
+    tracemalloc.start()
+    found_m = nearest(fan, poses, obstacles)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 150e6
+    assert np.array_equal(found_m, np.tile(nearest(fan, poses[:1], obstacles), (20, 1)))
 
 
 def test_cone_matches_many_thin_rays():

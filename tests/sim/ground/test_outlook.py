@@ -121,3 +121,25 @@ def test_robot_touching_a_ledge_reads_0():
 def test_flat_worlds_skip_height_occlusion():
     world = world_of('<robot x="1m" y="5m"/>' + BOX.format(""), BIG)
     assert Environment(world, 1)._data.rays._outlook is None
+
+
+@pytest.mark.parametrize("ground", [PLATEAU.format("30cm"), RAMP.format("0deg")])
+def test_block_size_changes_no_bit_of_sonars_at_different_heights(ground, monkeypatch):
+    kinds = ("scout", "nomad200", "amigobot")
+    robots = [
+        f'<robot definition="{kind}" x="{x}m" y="{y}m" heading="{40 * x}deg"/>'
+        for x, kind in enumerate(kinds * 2, start=1)
+        for y in (2, 7)
+    ]
+    low = [f'<box x="{x}m" y="9m" length="1m" width="1m" height="{x}0cm"/>' for x in range(1, 8)]
+    world = world_of(ground + WALL + "".join(robots + low), BIG)
+
+    def echoes_m():
+        driver = Driver.of(world)
+        driver.run(20)
+        return driver.state.sonar.echo_m
+
+    whole = echoes_m()
+    assert 0.1 < np.isfinite(whole).mean() < 0.9
+    monkeypatch.setattr("crs_cc.sim.geometry.cell_list.PAIRS_IN_BLOCK", 1)
+    assert np.array_equal(whole, echoes_m())
