@@ -49,7 +49,7 @@ def test_an_element_decides_the_unit_of_its_values(element, number, bias):
     ("attributes", "said"),
     [
         ('robot="r" device="sonar" dead="yes"', "robot: unknown robot 'r' (known: robot0)"),
-        ('robot="robot0" device="radar" dead="yes"', "unknown device 'radar' (known: altitude, arm"),
+        ('robot="robot0" device="radar" dead="yes"', "unknown device 'radar' (known: altitude"),
         ('robot="robot0" device="compass" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="compass" element="1" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="sonar" element="16" dead="yes"', "unknown '16' of sonar (known"),

@@ -1,4 +1,4 @@
-/* The camera's columns and blobs, which come as numbers, page by page. */
+/* The camera's columns and blobs, transferred as numbers, page by page. */
 #include <crs/device.h>
 
 static int look(int blobs, int *numbers, int most)

@@ -1,4 +1,4 @@
-/* What comes in: messages, at once or when one comes, and the groups that are listened to. */
+/* Receiving messages, immediately or by waiting, and group membership. */
 #include <crs/device.h>
 #include <string.h>
 

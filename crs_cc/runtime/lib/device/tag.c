@@ -1,4 +1,4 @@
-/* The tag actuator; its reply tells a robot that has none from one that found nothing. */
+/* The tag actuator; its reply distinguishes a robot without one from one that found nothing. */
 #include <crs/device.h>
 
 int crs_tag(void)

@@ -1,4 +1,4 @@
-/* Sensors that measure by themselves: how often, and how old a reading is. */
+/* Periodic sensors: their periods, and the age of readings. */
 #include <crs/device.h>
 
 int crs_period(int sensor, int ms)

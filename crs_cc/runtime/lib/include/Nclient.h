@@ -1,11 +1,11 @@
 /* The Nomadic client library, the interface of control programs to their robot.
 
-   Written anew with the names, values and meanings of the vendor's header 1.29 of 1999. On the
-   Scout axis 1 ("translation") is the right wheel and axis 2 ("steering") the left wheel.
-   Lengths are in 0.1 inch, angles in 0.1 degree, counted counterclockwise, sonar readings in
-   inches; speeds and accelerations the same per second and per second squared.
-   Functions give TRUE, or FALSE when they failed or no robot is connected; docs/robot-api.md
-   describes each. */
+   An independent implementation of the vendor's header 1.29 of 1999: same names, values and
+   meanings. On the Scout axis 1 ("translation") is the right wheel and axis 2 ("steering") the left
+   wheel. Lengths are in 0.1 inch, angles in 0.1 degree, counterclockwise, sonar readings in inches;
+   speeds and accelerations in these units per second and per second squared.
+   Functions return TRUE, or FALSE if they fail or no robot is connected. Reference:
+   docs/robot-api.md. */
 #ifndef _HOST_CLIENT_NCLIENT_H_
 #define _HOST_CLIENT_NCLIENT_H_
 
@@ -46,17 +46,17 @@
 #define MV_TQ 7
 #define MV_MT 8
 
-/* How the arm finds its zero. */
+/* Modes of arm_zr: how the arm finds its zero position. */
 #define ZR_CHECK 1
 #define ZR_ORIENT 2
 #define ZR_NO_N_GRIPPER 4
 
-/* Types of the packets that the arm understands. */
+/* Packet types of the arm. */
 #define ARM_ZR 40
 #define ARM_WS 41
 #define ARM_MV 42
 
-/* Sensors whose replies can carry where and when they were read, one bit each. */
+/* Sensors whose replies can contain the position and time of the reading; bits. */
 #define POS_NONE 0
 #define POS_INFRARED 1
 #define POS_SONAR 2
@@ -64,14 +64,14 @@
 #define POS_LASER 8
 #define POS_COMPASS 16
 
-/* 1 when such data has been asked for, else 0. */
+/* 1 if position data is requested for the sensor, else 0. */
 #define POS_INFRARED_P (posDataCheck() & POS_INFRARED ? 1 : 0)
 #define POS_SONAR_P (posDataCheck() & POS_SONAR ? 1 : 0)
 #define POS_BUMPER_P (posDataCheck() & POS_BUMPER ? 1 : 0)
 #define POS_LASER_P (posDataCheck() & POS_LASER ? 1 : 0)
 #define POS_COMPASS_P (posDataCheck() & POS_COMPASS ? 1 : 0)
 
-/* Numbers of sensors in that data. */
+/* Sensor numbers in position data. */
 #define POS_IR_1 0
 #define POS_IR_2 1
 #define POS_IR_3 2
@@ -105,7 +105,7 @@
 #define POS_SONAR_15 14
 #define POS_SONAR_16 15
 
-/* Where things stand in State. */
+/* Indices into State. */
 #define STATE_SIM_SPEED 0       /* speed of the simulation, 10 is real time */
 #define STATE_IR_0 1
 #define STATE_IR_1 2
@@ -154,7 +154,7 @@
 #define STATE_COMPASS 43
 #define STATE_ERROR 44
 
-/* Where things stand in Smask. */
+/* Indices into Smask. */
 #define SMASK_POS_DATA 0
 #define SMASK_IR_1 1
 #define SMASK_IR_2 2
@@ -200,19 +200,19 @@
 #define SMASK_LASER 42
 #define SMASK_COMPASS 43
 
-/* The state, as the last replies told it, and the mask of what replies are to refresh, which ct
-   sends. */
+/* The state according to the last reply, and the mask of the elements that replies update, which
+   ct sends. */
 extern long State[NUM_STATE];
 extern int Smask[NUM_MASK];
 
-/* How many readings of the laser follow: points of two numbers, or segments of four. */
+/* The number of laser readings, and the readings: points of two numbers, or segments of four. */
 extern int Laser[2 * NUM_LASER + 1];
 
-/* The server, to be set before connect_robot. */
+/* Host and port of the server; set before connect_robot. */
 extern char SERVER_MACHINE_NAME[80];
 extern int SERV_TCP_PORT;
 
-/* These are there for programs that set them; nothing depends on them. */
+/* For compatibility; they have no effect. */
 extern char ROBOT_MACHINE_NAME[80];
 extern int CONN_TYPE;
 extern char SERIAL_PORT[40];
@@ -319,7 +319,7 @@ int refresh_sonar_sensor(void);
 int refresh_laser_sensor(void);
 int refresh_client_graphics(void);
 
-/* Where and when sensors were read; times in milliseconds of the board that reads them. */
+/* Position and time of sensor readings; times are in ms, of the clock of the sensor board. */
 typedef unsigned long TimeData;
 
 typedef struct _ConfigData {
@@ -344,14 +344,14 @@ int posLaserGet(PosData *posData);
 int posCompassGet(PosData *posData);
 int posTimeGet(void);
 
-/* The batteries' voltages. */
+/* Battery voltages. */
 float voltCpuGet(void);
 float voltMotorGet(void);
 
 /* Speech. */
 int tk(char *talk);
 
-/* Packets of the user's own. */
+/* User-defined packets. */
 typedef union {
     char bytes[8];
     double data;
@@ -418,8 +418,8 @@ long arm_mv(long l_mode, long l_v, long g_mode, long g_v);
 long arm_ws(short lift, short grip, long timeout, long *time_remain);
 long arm_zr(short mode);
 
-/* Not the vendor's: what Scout programs used to define for themselves. They are functions, so
-   that a program's own macros or functions of these names take their place. */
+/* Not in the vendor's header: functions that Scout programs commonly define for themselves. A
+   program's own macros or functions of these names replace them. */
 #ifndef scout_pr
 int scout_pr(int trans, int steer);
 #endif

@@ -1,24 +1,24 @@
-/* What robots have here beyond the vendor's: devices, and messages from robot to robot.
+/* Devices and communication between robots, in addition to the vendor's Nclient.h.
 
-   It goes with Nclient.h, and with the report's dialect. Lengths are in 0.1 inch, angles in 0.1
-   degree, counter-clockwise. A function gives TRUE (1), or FALSE (0) when the robot has no such
-   device, unless said otherwise. No connection is needed. docs/crs-h.md has it all. */
+   The header can be used with Nclient.h and with the report's dialect. Lengths are in 0.1 inch,
+   angles in 0.1 degree, counterclockwise. Unless stated otherwise, functions return TRUE (1), or
+   FALSE (0) if the robot lacks the device. No connection is needed. Reference: docs/crs-h.md. */
 #ifndef _CRS_H
 #define _CRS_H
 
-/* GPS receiver, inclinometer, and other sensors that read a few numbers. */
+/* GPS receiver, inclinometer, and other sensors that measure a few numbers. */
 #include <crs/registered.h>
 
-/* A column of a camera's picture: what colour it shows, 0xRRGGBB, and how far away that is: 0.1
-   inch, -1 where nothing is in range. */
+/* A column of a camera picture: the colour of the visible object, 0xRRGGBB, and its distance in
+   0.1 inch, -1 if no object is in range. */
 struct crs_pixel {
     int colour;
     int range;
 };
 
-/* Neighbouring columns of one colour: where their middle is, from where the camera looks, to the
-   left counting above 0; how wide they are, both 0.1 degree; their colour; the range of the
-   nearest. */
+/* Adjacent columns of one colour: the angle of their centre from the optical axis, positive to the
+   left, and their angular width, both in 0.1 degree; the colour, 0xRRGGBB; the distance of the
+   nearest column in 0.1 inch. */
 struct crs_blob {
     int angle;
     int width;
@@ -26,103 +26,102 @@ struct crs_blob {
     int range;
 };
 
-/* Lets the camera look. Both tell from the left to the right, as many as there is room for, and
-   give how many these are. */
+/* Take a picture; store its columns, or its blobs, from left to right, at most `most`. Return the
+   number stored. */
 int crs_camera(struct crs_pixel *row, int most);
 int crs_blobs(struct crs_blob *blobs, int most);
 
-/* How much heat there is around. */
+/* Measure the heat at the robot. */
 int crs_heat(int *heat);
 
-/* Lets the laser look; tells how far away things are in each direction, from the right to the left:
-   0.1 inch, -1 where nothing is in range. Gives how many it told, at most `most`; 0 also while the
-   laser is switched off, as by conf_ls(). */
+/* Take a laser scan; store the range in each direction, from right to left, in 0.1 inch, -1 if no
+   object is in range, at most `most`. Return the number stored, 0 also while the laser is switched
+   off, see conf_ls(). */
 int crs_laser(int *ranges, int most);
 
-/* Sensors that may measure by a timer of their own. */
+/* Sensors that can measure periodically. */
 #define CRS_SENSOR_CAMERA 1
 #define CRS_SENSOR_HEAT 2
 #define CRS_SENSOR_LASER 3
 #define CRS_SENSOR_INFRARED 4
 #define CRS_SENSOR_COMPASS 5
 
-/* Sets how often a sensor measures by itself, the first time now; whoever asks for its reading is
-   then told the last one. 0: it measures when it is asked. Its rate is the shortest period there
-   is. */
+/* Set the period at which a sensor measures, starting now; functions that read it then return the
+   last measurement. With a period of 0 it measures on request. The period is limited by the rate
+   of the sensor. */
 int crs_period(int sensor, int ms);
 
-/* How long ago a sensor measured what it tells: ms, -1 for never, and without such a sensor. */
+/* Return the age of a sensor's last measurement in ms; -1 if there is none, or no such sensor. */
 int crs_age(int sensor);
 
-/* The gripper opens or closes, in its own time; the function returns at once. It closes on what is
-   between its fingers and carries it until it opens. */
+/* Open or close the gripper; the function returns immediately. The gripper grasps an object between
+   its fingers, and holds it until it opens. */
 #define CRS_OPEN 0
 #define CRS_CLOSE 1
 int crs_gripper(int what);
 
-/* How far the fingers are apart (0.1 inch), whether anything breaks the beam between them, and what
-   they hold weighs (gram, 0 for nothing). Any of the pointers may be NULL. */
+/* Store the distance between the fingers (0.1 inch), whether an object breaks the beam between
+   them, and the mass of the held object (gram, 0 for none). Any of the pointers may be NULL. */
 int crs_get_gripper(int *opening, int *beam, int *weight);
 
-/* The joints of the arm turn to angles, or on by angles from where they are, in their own time; the
-   functions return at once. 0 is straight on. 0.1 degree. */
+/* Turn the joints of the arm to absolute angles, or by angles relative to the current ones, in 0.1
+   degree; the functions return immediately. At 0 the arm is straight. */
 int crs_arm_move(int shoulder, int elbow);
 int crs_arm_turn(int shoulder, int elbow);
 
-/* Where the joints are (0.1 degree), and the tip: ahead of the robot's middle and to the left (0.1
-   inch). Any of the pointers may be NULL. */
+/* Store the angles of the joints (0.1 degree), and the position of the tip relative to the robot's
+   centre: forward, and to the left (0.1 inch). Any of the pointers may be NULL. */
 int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
 
-/* The hand at the tip closes on what is there and lifts it, or opens as soon as there is room
-   below; the function returns at once. What it holds weighs this (gram, 0 for nothing). */
+/* Close the hand at the tip, which grasps and lifts an object, or open it once the place below is
+   free; crs_hand returns immediately. crs_get_hand stores the held mass (gram, 0 for none). */
 int crs_hand(int what);
 int crs_get_hand(int *weight);
 
-/* Takes the heat from all things near; gives how many lost theirs. */
+/* Remove the heat of all objects nearby; return their number. */
 int crs_tag(void);
 
-/* Messages go from robot to robot on a channel: these, and what the world has besides. Robots count
-   from 0. */
+/* Communication channels; a world file can define more. Robots are numbered from 0. */
 #define CRS_RADIO    0
 #define CRS_INFRARED 1
 #define CRS_LOCAL    2
 
 #define CRS_ALL          (-1)
-#define CRS_MESSAGE_SIZE 248     /* most bytes of a message */
+#define CRS_MESSAGE_SIZE 248     /* maximum size of a message in bytes */
 #define CRS_FOREVER      (-1)
 
-/* A message that came in. */
+/* A received message. */
 struct crs_message {
     int from;                    /* the sender's number */
-    int to;                      /* one's own number, or CRS_ALL */
-    int group;                   /* the group it was sent to, -1 for none */
-    int type;                    /* what the sender said */
+    int to;                      /* the receiver's number, or CRS_ALL */
+    int group;                   /* the group that it was sent to, -1 for none */
+    int type;                    /* as given by the sender */
     int channel;
-    int sent;                    /* when, in ms since the start of the run */
+    int sent;                    /* time in ms since the start of the run */
     int arrived;
-    int size;                    /* bytes of data */
-    char data[CRS_MESSAGE_SIZE + 1];   /* behind the last byte stands a 0 */
+    int size;                    /* size of data in bytes */
+    char data[CRS_MESSAGE_SIZE + 1];   /* followed by a null character */
 };
 
-/* FALSE also for what is too large, or dropped because too many wait; TRUE does not say that a
-   message arrives. */
+/* Send a message. FALSE if it is too large, or dropped because the queue is full; TRUE does not
+   guarantee delivery. */
 int crs_send(int to, int type, const void *data, int size);
 int crs_broadcast(int type, const void *data, int size);
 int crs_multicast(int group, int type, const void *data, int size);
 
-/* Where later messages are sent, at first CRS_RADIO. */
+/* Select the channel for subsequent messages, initially CRS_RADIO. */
 int crs_use_channel(int channel);
 
-/* Takes the oldest message that has arrived. If there is none, waits so long for one, 0 not at all;
-   FALSE for none. */
+/* Receive the oldest message in the inbox. If it is empty, wait for at most this time, 0 to return
+   immediately; FALSE if there is no message. */
 int crs_receive(struct crs_message *message, int milliseconds);
 int crs_message_count(void);
 
-/* Groups are 0 to 31. */
+/* Join or leave a group, 0 to 31. */
 int crs_join_group(int group);
 int crs_leave_group(int group);
 
-/* Numbers and names; -1 for none of that name. A name that has no room is cut off. */
+/* Numbers and names; -1 if the name is unknown. A name that does not fit is truncated. */
 int crs_find_channel(const char *name);
 int crs_my_number(void);
 int crs_robot_count(void);

@@ -1,6 +1,6 @@
-/* The only door out of a control program: fill in a message, post it, find the reply in its place.
-   The same as crs_cc/requests, where units and meaning of every code are written; a test holds
-   the two together. Both functions are intrinsics of the compiler. */
+/* Requests, the only interface of a control program to its environment: the message that is posted
+   is replaced by the reply. The codes are those of crs_cc/requests, which has their units and
+   meanings; a test compares the two. Both functions are compiler intrinsics. */
 #ifndef _CRS_REQUEST_H
 #define _CRS_REQUEST_H
 
@@ -101,11 +101,11 @@ struct __crs_message {
 #define CRS_CHANNEL 244
 #define CRS_ROBOT 245
 
-/* Posts the message and gives the reply's result. */
+/* Post the message; return the result of the reply. */
 int __crs_request(int code, struct __crs_message *message);
 
-/* Ends the program with an error of requests.ERROR_KINDS, named by a string literal; behind it may
-   stand the address to blame. */
+/* Stop the program with an error of requests.ERROR_KINDS, given as a string literal, optionally
+   followed by the faulting address. */
 void __crs_stop(const char *kind, ...);
 
 #endif

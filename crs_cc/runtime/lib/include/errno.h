@@ -94,7 +94,7 @@ extern int errno;
 #define EWOULDBLOCK EAGAIN
 #define ENOTSUP EOPNOTSUPP
 
-/* GNU: argv[0], and what stands after its last slash. */
+/* GNU: argv[0], and its part after the last slash. */
 extern char *__progname_full;
 extern const char *__progname;
 #define program_invocation_name __progname_full

@@ -4,15 +4,15 @@
 
 struct __crs_jump {
     unsigned activation;     /* the call of a function that called setjmp; 0 for none */
-    unsigned place;          /* where it goes on */
-    int automatic;           /* how many local arrays it had got memory for */
-    unsigned long unblocked; /* the signals that siglongjmp lets through; 0 to change none */
+    unsigned place;          /* its resume point */
+    int automatic;           /* number of its variable-length arrays */
+    unsigned long unblocked; /* signal mask restored by siglongjmp; 0 to leave it */
 };
 
 typedef struct __crs_jump jmp_buf[1];
 typedef struct __crs_jump sigjmp_buf[1];
 
-/* The compiler's: it goes on in the middle of the calling function. */
+/* Compiler intrinsic: it resumes in the middle of the calling function. */
 #define setjmp(buffer) __crs_setjmp(buffer)
 #define _setjmp(buffer) __crs_setjmp(buffer)
 #define sigsetjmp(buffer, save) __crs_sigsetjmp(buffer, (save) ? __crs_unblocked() : 0)

@@ -68,7 +68,7 @@ unsigned int alarm(unsigned int seconds);
 unsigned int ualarm(unsigned int first, unsigned int interval);
 int pause(void);
 
-/* Who we are: a program is the only one of its machine. */
+/* User and process: a program is the only one on its machine. */
 pid_t getpid(void);
 pid_t getppid(void);
 pid_t getpgrp(void);

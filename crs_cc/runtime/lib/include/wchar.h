@@ -19,8 +19,8 @@ typedef unsigned int wint_t;
 #ifndef _MBSTATE_T
 #define _MBSTATE_T
 typedef struct {
-    unsigned int value;      /* of a character whose end is still to come */
-    int missing, length;     /* bytes that it lacks, and that it has in all */
+    unsigned int value;      /* of an incomplete character */
+    int missing, length;     /* missing bytes, and total bytes */
 } mbstate_t;
 #endif
 

@@ -1,4 +1,4 @@
-/* Names of BSD, System V and GNU for what C has in another form. */
+/* BSD, System V and GNU names of functions that C has in another form. */
 #include <math.h>
 
 #include "kernel.h"

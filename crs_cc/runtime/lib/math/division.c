@@ -28,7 +28,7 @@ static struct integer take_apart(double x)
     return result;
 }
 
-/* The remainder of the truncated quotient of positive finite numbers; *quotient takes the lowest
+/* The remainder of the truncated quotient of positive finite numbers; *quotient receives the lowest
    bits of the quotient, 31 at least. */
 static double divide(double x, double y, unsigned int *quotient)
 {

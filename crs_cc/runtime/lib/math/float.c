@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <math.h>
 
-/* Rounds to float; what becomes too large or too small for one is a range error. */
+/* Rounds to float; overflow and underflow are range errors. */
 static float narrow(double x)
 {
     float result = (float)x;

@@ -1,4 +1,4 @@
-/* The exact functions for float (C17 7.12), and nextafterf, whose steps are float's. */
+/* The exact functions for float (C17 7.12), and nextafterf, which steps by units of float. */
 #include <errno.h>
 #include <math.h>
 

@@ -220,7 +220,7 @@ double lgamma(double x)
     return __crs_log_gamma(x, &signgam);
 }
 
-/* The sign of gamma(x) goes where the caller wants it (BSD). */
+/* The sign of gamma(x) is stored where the caller specifies (BSD). */
 double lgamma_r(double x, int *sign)
 {
     return __crs_log_gamma(x, sign);

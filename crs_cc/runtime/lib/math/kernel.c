@@ -1,4 +1,4 @@
-/* What the mathematical functions share. */
+/* Shared parts of the mathematical functions. */
 #include <errno.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* What the mathematical functions share: access to bits, arithmetic with twice the digits, errors,
-   and the kernels that several of them are built on. */
+/* Shared parts of the mathematical functions: access to bits, arithmetic with twice the digits,
+   errors, and the kernels that several of them are built on. */
 #ifndef CRS_KERNEL_H
 #define CRS_KERNEL_H
 
@@ -50,7 +50,7 @@ struct __crs_scaled {
         error = ((ah_ * bh_ - product) + ah_ * bl_ + al_ * bh_) + al_ * bl_;        \
     } while (0)
 
-/* Errors (C17 7.12.1): each sets errno and gives what the function returns. */
+/* Errors (C17 7.12.1): each sets errno and returns the function's value. */
 double __crs_domain_error(void);              /* not a number, EDOM */
 double __crs_pole_error(double sign);         /* infinity, ERANGE */
 double __crs_overflow(double sign);           /* infinity, ERANGE */

@@ -1,4 +1,4 @@
-/* Parts and neighbours of a number, and what comes from comparing (C17 7.12.6, 7.12.7.2, 7.12.11,
+/* Parts and neighbours of a number, and results of comparisons (C17 7.12.6, 7.12.7.2, 7.12.11,
    7.12.12). All are exact; ldexp and its like round once where the result is subnormal. */
 #include <errno.h>
 #include <limits.h>

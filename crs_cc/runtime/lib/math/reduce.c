@@ -58,7 +58,7 @@ static void multiply_out(unsigned int *fraction, unsigned long long m, int e)
 }
 
 /* For |x| = m 2^e: a quarter turn is a quarter of the fraction, so that its two upper bits are the
-   quadrant. What follows them is rounded to the nearest quadrant and turned into two doubles. No
+   quadrant. The remaining bits are rounded to the nearest quadrant and turned into two doubles. No
    double lies so near to a multiple of pi/2 that all of `upper` would vanish. */
 static int reduce_large(double x, struct __crs_pair *rest)
 {

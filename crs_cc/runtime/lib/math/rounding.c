@@ -41,7 +41,7 @@ double round(double x)
     return round_half_away(x);
 }
 
-/* What does not fit gives the least number of the type, as on i386. */
+/* Values that do not fit convert to the least number of the type, as on i386. */
 static long to_long(double x)
 {
     return x > -2147483649.0 && x < 2147483648.0 ? (long)x : -2147483647L - 1;

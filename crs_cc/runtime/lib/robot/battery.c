@@ -1,4 +1,4 @@
-/* The batteries' voltages, as the last state told them: a reading of 0 to 255 means 2 to 5 volts
+/* Battery voltages according to the last state: a reading of 0 to 255 means 2 to 5 volts
    after a divider (vendor source Nclient.c 2.7). */
 #include <crs/robot.h>
 

@@ -5,7 +5,7 @@
 
 #include <crs/robot.h>
 
-#define OWN_MACHINE "robot"   /* what gethostname gives */
+#define OWN_MACHINE "robot"   /* the result of gethostname */
 #define DEFAULT_BAUD 38400
 #define DEFAULT_PORT 65001    /* at which a robot listens */
 
@@ -18,7 +18,7 @@ static void greet(const char *name)
     greeted = 1;
 }
 
-/* What the server tells for a good connection: a port of its own, which is neither 0 nor 1. */
+/* The server's reply to a successful connection: a port of its own, neither 0 nor 1. */
 static int port(void)
 {
     return SERV_TCP_PORT > 1 ? SERV_TCP_PORT : 7019;
@@ -30,7 +30,7 @@ static void report_no_server(void)
            SERVER_MACHINE_NAME[0] != 0 ? SERVER_MACHINE_NAME : OWN_MACHINE, SERV_TCP_PORT);
 }
 
-/* Asks for a robot; returns whether it is ours now. If it is not, all stays as it was. */
+/* Requests a robot; returns whether it is connected. On failure nothing changes. */
 static int ask_for_robot(int code, long id, int baud)
 {
     struct __crs_message message;
@@ -119,7 +119,7 @@ int connect_robot(long id, ...)
         return connect_to_server(id);
     greet("Ndirect");
     va_start(more, id);
-    (void)va_arg(more, int);   /* the model, which the robot tells as well */
+    (void)va_arg(more, int);   /* the model, which the robot reports as well */
     device = va_arg(more, char *);
     value = va_arg(more, int);
     va_end(more);

@@ -1,4 +1,4 @@
-/* One command is one exchange: a request goes to the robot, and its reply fills State, as the
+/* One command is one exchange: a request is sent to the robot, and its reply fills State, as the
    vendor's client fills it from reply packets. */
 #include <stdio.h>
 
@@ -25,7 +25,7 @@ int __crs_is_direct_without_sensors(void)
     return __crs_is_direct() && __crs_client.model != MODEL_N200;
 }
 
-/* What the vendor's clients say does not tell which call it is about. */
+/* The vendor's messages do not name the call. */
 static void complain_of_no_connection(void)
 {
     static int told;
@@ -38,7 +38,7 @@ static void complain_of_no_connection(void)
     told = 1;
 }
 
-/* A robot answers to what it does not know with a packet of its own, which Ndirect does not take
+/* A robot answers unknown requests with a packet of its own, which Ndirect does not take
    for an error. */
 static void note_refusal(void)
 {
@@ -72,7 +72,7 @@ int __crs_post(int code, struct __crs_message *message)
     return result;
 }
 
-/* The speed of the simulation and the motors' status come whatever the mask. */
+/* The speed of the simulation and the motor status are independent of the mask. */
 static int is_let_through(int index)
 {
     return index == STATE_SIM_SPEED || index == STATE_MOTOR_STATUS

@@ -47,7 +47,7 @@ int get_sg(void)
     return read_readings(CRS_GET_SG);
 }
 
-/* As the vendor's it copies as many numbers as Laser tells readings, though a point has two. */
+/* Like the vendor's it copies one number for each reading in Laser, though a point has two. */
 int get_laser(int laser[2 * NUM_LASER + 1])
 {
     int i;

@@ -1,4 +1,4 @@
-/* The order in which sensors take their turns, as both dialects send it. */
+/* The firing order of sensors, as both dialects send it. */
 #include <crs/order.h>
 #include <stddef.h>
 

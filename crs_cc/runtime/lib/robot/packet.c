@@ -1,5 +1,5 @@
-/* Packing and unpacking packets of the user's own: the least significant byte first, and negative
-   numbers as sign and magnitude, as everything that goes over the vendor's line. */
+/* Packing and unpacking user-defined packets: the least significant byte first, and negative
+   numbers as sign and magnitude, as in all packets of the vendor's protocol. */
 #include <crs/robot.h>
 
 #define HEADER 4   /* two bytes of length, a serial number, a type */

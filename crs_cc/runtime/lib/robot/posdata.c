@@ -3,12 +3,12 @@
 
 #include <crs/robot.h>
 
-/* What replies have told so far; a Nomad's sensors come in this order. */
+/* The data of replies so far; a Nomad's sensors are in this order. */
 static struct {
     PosData infrared[INFRAREDS], sonar[SONARS], bumper, laser, compass;
 } known;
 
-/* Asks for `count` readings of one kind of sensor, if they are attached to replies. */
+/* Requests `count` readings of one kind of sensor, if they are attached to replies. */
 static void fetch(int sensors, PosData *place, int count)
 {
     struct __crs_message message;
@@ -46,7 +46,7 @@ static int copy_one(int sensors, PosData *place, PosData *ring, int size, int nu
     return TRUE;
 }
 
-/* The vendor's test of the argument has a slip and lets everything pass; so does ours. */
+/* The vendor's check of the argument is faulty and accepts any value; so does ours. */
 int posDataRequest(int posRequest)
 {
     Smask[SMASK_POS_DATA] = posRequest;

@@ -1,7 +1,7 @@
 /* The commands of the CRS report, in its units, over the same requests as the vendor's client.
 
-   What a sensor tells gets into State when it is asked, the rest of State with every command. A
-   program need not connect: in the report the robot is connected by whoever starts it. */
+   A sensor's reading is stored in State when it is read, the rest of State with every command. A
+   program need not connect: in the report, starting it connects the robot. */
 #include <crs/clock.h>
 #include <crs/order.h>
 #include <crs/report.h>
@@ -40,8 +40,8 @@ static int post(int code, struct __crs_message *message)
     return result != 0;
 }
 
-/* Posts a command that is answered with the vendor's State, and takes from it what no sensor of the
-   report's tells. */
+/* Posts a command whose reply is the vendor's State, and copies what no sensor of the
+   report measures. */
 static int exchange(int code, struct __crs_message *message)
 {
     const int *numbers = (const int *)message->data;
@@ -161,8 +161,8 @@ static int is_still(void)
     return has_arrived || (State[STATE_VEL_RIGHT] == 0 && State[STATE_VEL_LEFT] == 0);
 }
 
-/* "Until the robot comes to a stand still" (appendix A), however long it takes; a robot that
-   something holds up stands, too, though its motors do not rest. */
+/* "Until the robot comes to a stand still" (appendix A), without a limit; a robot that
+   is blocked stands still, too, though its motors do not rest. */
 int ws(int x, int y, int z, int dummy)
 {
     int result;
@@ -173,7 +173,7 @@ int ws(int x, int y, int z, int dummy)
     return result;
 }
 
-/* What the left wheel runs for a rotation to the right, to the nearest 0.1 inch. The report's
+/* Travel of the left wheel for a rotation to the right, to the nearest 0.1 inch. The report's
    example "turns the robot to its right" (2.2.3), where the vendor's macro turns left. */
 static int turning(int steer)
 {
@@ -232,13 +232,13 @@ static int read_sonars(int fires)
     return TRUE;
 }
 
-/* What the sonars told when it was their turn. */
+/* The last readings of the sonars in the firing order. */
 int get_sn(void)
 {
     return read_sonars(0);
 }
 
-/* What they all tell now. */
+/* The readings of all sonars now. */
 int sonarSensorCheck(void)
 {
     return read_sonars(1);

@@ -1,4 +1,4 @@
-/* The main of a program in the form of the CRS report, whose own code begins in runcode. */
+/* The main function of a program in the form of the CRS report, which defines runcode. */
 
 int runcode();
 

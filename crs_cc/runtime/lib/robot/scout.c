@@ -1,5 +1,5 @@
-/* What programs for the Scout defined for themselves, as functions, so that a program's own macros
-   or functions of these names take their place. */
+/* Functions that programs for the Scout commonly define for themselves; a program's own macros
+   or functions of these names replace them. */
 #include <crs/robot.h>
 
 #undef scout_vm

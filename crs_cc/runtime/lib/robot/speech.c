@@ -1,4 +1,4 @@
-/* Speaking: what the robot says stands on standard output. */
+/* Speech: the robot's words are written to standard output. */
 #include <stdio.h>
 #include <string.h>
 

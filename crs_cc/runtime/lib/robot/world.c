@@ -1,4 +1,4 @@
-/* The simulator's world: obstacles, where robots are, what would be if. Under Ndirect there is
+/* The simulator's world: obstacles, robot poses, predictions. Under Ndirect there is
    none, and these functions do nothing. */
 #include <string.h>
 

@@ -2,9 +2,9 @@
 
    A double is m * 2^e. Its integer part is written in base 2^32 and divided by 10^9 again and
    again, which gives nine digits each time, from the right. Its fraction is a binary fraction in
-   base 2^32 and multiplied by 10^9 again and again; what crosses the point is the next nine digits,
-   from the left, and what stays is the exact remainder, so that the digits can end as soon as there
-   are enough of them and rounding still knows whether it stands below, on or above the middle. */
+   base 2^32 and multiplied by 10^9 again and again; the integer part is the next nine digits,
+   from the left, and the fraction is the exact remainder, so that the digits can end as soon as
+   there are enough of them and rounding still knows whether it is below, on or above the middle. */
 #include "decimal.h"
 
 #define BLOCK 1000000000u
@@ -12,7 +12,7 @@
 
 struct digits {
     struct __crs_decimal *to;
-    unsigned int words[WORDS]; /* what is not yet digits, least significant word first */
+    unsigned int words[WORDS]; /* the remainder, least significant word first */
 };
 
 /* Appends nine digits; zeros in front of the first digit that counts only move the point. */
@@ -78,7 +78,7 @@ static int append_fraction(struct digits *digits, int size, int fixed, int preci
     }
 }
 
-/* Cuts the digits at `keep` and rounds; `rest` tells that more follows after the last digit. */
+/* Cuts the digits at `keep` and rounds; `rest` is nonzero if more digits follow the last one. */
 static void round_at(struct __crs_decimal *decimal, int keep, int rest)
 {
     char *digits = decimal->digits;

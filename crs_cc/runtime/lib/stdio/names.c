@@ -25,7 +25,7 @@ int rename(const char *from, const char *to)
     return __crs_by_name(CRS_FILE_RENAME, both, size);
 }
 
-/* A name that no file has: the numbers count up, so that two runs give the same ones. */
+/* An unused file name: the numbers count up, so that two runs use the same names. */
 char *tmpnam(char *name)
 {
     static char own[L_tmpnam];

@@ -1,4 +1,4 @@
-/* Positions in files, and what a stream knows of its state (C17 7.21.9 and 7.21.10). */
+/* File positions, and stream status (C17 7.21.9 and 7.21.10). */
 #include <errno.h>
 
 #include <crs/descriptor.h>

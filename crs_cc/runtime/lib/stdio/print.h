@@ -1,4 +1,4 @@
-/* Formatted output: where it goes, and one conversion specification. */
+/* Formatted output: its destination, and one conversion specification. */
 #ifndef CRS_PRINT_H
 #define CRS_PRINT_H
 
@@ -10,7 +10,7 @@ struct __crs_sink {
     FILE *stream;         /* null when the output goes to a string */
     char *text;
     unsigned int room;    /* bytes left in the string, without its final null character */
-    unsigned int count;   /* characters given so far, whether or not they had room */
+    unsigned int count;   /* characters printed so far, including those that did not fit */
     int failed;           /* errno of the first error, 0 for none */
 };
 
@@ -18,7 +18,7 @@ struct __crs_conversion {
     int flags;
     int width;
     int precision;        /* -1 when absent */
-    int width_from, precision_from;    /* number of the argument that tells, 0 for the next */
+    int width_from, precision_from;    /* number of the argument with its value, 0 for the next */
     int position;         /* number of the argument, 0 for the next */
     int length;           /* 'H' for hh, 'q' for ll, j and L, else the letter itself, or 0 */
     char letter;
@@ -28,7 +28,7 @@ void __crs_emit(struct __crs_sink *sink, const char *text, int size);
 void __crs_pad(struct __crs_sink *sink, char c, int count);
 
 /* Prints the prefix (a sign, 0x) of a field whose rest is `size` characters, with the padding that
-   comes before and after it; returns the padding that must follow the rest. */
+   precedes and follows it; returns the padding that must follow the rest. */
 int __crs_open_field(struct __crs_sink *sink, const struct __crs_conversion *conversion,
                      const char *prefix, int prefix_size, int size);
 

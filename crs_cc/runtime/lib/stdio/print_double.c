@@ -12,7 +12,7 @@ struct text {
     int upper;
     int point;               /* digits of the decimal in front of the point */
     int fraction;            /* digits after it */
-    int dot;                 /* 1 when there is a decimal point */
+    int dot;                 /* 1 if there is a decimal point */
     char exponent[8];
     int exponent_size;
 };

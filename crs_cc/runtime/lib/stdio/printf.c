@@ -1,6 +1,6 @@
 /* Formatted output (C17 7.21.6.1): the format; print.c and print_double.c do the conversions.
 
-   %n is refused: it writes nothing, and the call returns -1 with errno EINVAL. Beyond C there are
+   %n is refused: it writes nothing, and the call returns -1 with errno EINVAL. Extensions are
    POSIX's numbered arguments, %2$d, and Linux's %m, the text of errno. */
 #include <errno.h>
 #include <limits.h>
@@ -53,11 +53,11 @@ static const char *read_length(const char *at, struct __crs_conversion *conversi
 struct arguments {
     va_list rest;            /* those not yet used */
     va_list all;
-    const char *format;      /* tells the sizes of numbered ones */
+    const char *format;      /* has the sizes of numbered ones */
     int error;               /* errno as it was when the call began */
 };
 
-/* Reads the number of an argument, "2$"; 0 when there is none. */
+/* Reads the number of an argument, "2$"; 0 if there is none. */
 static const char *read_position(const char *at, int *position)
 {
     const char *behind = read_number(at, position);
@@ -120,7 +120,7 @@ static void print_argument(struct __crs_sink *sink, struct __crs_conversion *con
         __crs_print_unsigned(sink, conversion, va_arg(*arguments, unsigned long long));
 }
 
-/* Reads what follows a percent sign up to the conversion's letter, and gives the letter's place. */
+/* Reads a specification after its percent sign; returns a pointer to its conversion letter. */
 static const char *read_specification(const char *at, struct __crs_conversion *conversion)
 {
     conversion->width_from = conversion->precision_from = -1;
@@ -159,7 +159,7 @@ static void take_width_and_precision(struct __crs_conversion *conversion,
             va_arg(*find_argument(arguments, conversion->precision_from, &numbered), int);
 }
 
-/* Prints the conversion specification that begins after a percent sign; returns what follows it. */
+/* Prints the conversion specification after a percent sign; returns a pointer to its end. */
 static const char *print_conversion(struct __crs_sink *sink, const char *format,
                                     struct arguments *arguments)
 {

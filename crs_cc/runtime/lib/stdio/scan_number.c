@@ -39,7 +39,7 @@ void __crs_put_back(struct __crs_source *source, int c)
         source->text--;
 }
 
-/* Takes the next character into the item if it is one of the set; returns it, or 0. */
+/* Appends the next character to the item if it is in the set; returns it, or 0. */
 static int accept(struct item *item, const char *set)
 {
     int c;
@@ -71,7 +71,7 @@ static void open_item(struct item *item, struct __crs_source *source, int width)
 
 static const char decimal_digits[] = "0123456789", hexadecimal_digits[] = "0123456789abcdefABCDEF";
 
-/* Converts the text of an integer; what a type cannot hold becomes its limit. */
+/* Converts the text of an integer; values out of range become the limit of the type. */
 static unsigned long long convert(const char *text, int base, int is_signed, int is_long_long)
 {
     if (is_long_long)
@@ -80,7 +80,7 @@ static unsigned long long convert(const char *text, int base, int is_signed, int
     return is_signed ? (unsigned long long)strtol(text, NULL, base) : strtoul(text, NULL, base);
 }
 
-/* Takes the characters of an integer and finds its base; returns 0 when there is none. */
+/* Reads the characters of an integer and finds its base; returns 0 if there is none. */
 static int read_integer(struct item *item, int *found)
 {
     const char *digits = decimal_digits;
@@ -101,7 +101,7 @@ static int read_integer(struct item *item, int *found)
     return accept_all(item, digits) > 0 || any;
 }
 
-/* Takes letters as long as they spell the word, in either case. */
+/* Reads letters as long as they spell the word, in either case. */
 static int spells(struct item *item, const char *word)
 {
     char either[3];
@@ -116,8 +116,8 @@ static int spells(struct item *item, const char *word)
     return 1;
 }
 
-/* Takes the characters of a floating-point number; returns 0 when they make none. As on Linux an
-   exponent may lack its digits, and is then left out. */
+/* Reads the characters of a floating-point number; returns 0 if they are none. As on Linux an
+   exponent may lack its digits, and is then ignored. */
 static int read_float(struct item *item)
 {
     const char *digits = decimal_digits, *exponent = "eE";

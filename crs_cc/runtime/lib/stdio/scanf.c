@@ -21,11 +21,11 @@ static int skip_space(struct __crs_source *source)
    shall be wide the UTF-8 is gathered in such a block first. */
 struct text {
     char *bytes;
-    int size, room;      /* room 0: as much as there is */
+    int size, room;      /* room 0: unlimited */
     int counts;          /* characters, of which one may have several bytes */
 };
 
-/* Returns 0 when there is no memory. */
+/* Returns 0 if there is no memory. */
 static int append(struct text *text, int c, int is_wide)
 {
     char *larger;
@@ -44,7 +44,7 @@ static int append(struct text *text, int c, int is_wide)
     return 1;
 }
 
-/* Reads up to `most` characters of a set; a set is what lies between [ and ], taken apart. */
+/* Reads up to `most` characters of a set; a set is the parsed text between [ and ]. */
 static void scan_characters(struct __crs_source *source, int most, const char *member,
                             struct text *text, int is_wide)
 {
@@ -63,7 +63,7 @@ static void scan_characters(struct __crs_source *source, int most, const char *m
     }
 }
 
-/* Takes a scan set apart; returns what follows its bracket. */
+/* Parses a scan set; returns a pointer after its bracket. */
 static const char *read_set(const char *at, char *member)
 {
     int inside = *at != '^', from, to;
@@ -108,8 +108,8 @@ static int hand_over(const struct __crs_input *conversion, struct text *text, in
     return count >= 0;
 }
 
-/* Does %s, %[, and %c, whose input may end early, as on Linux. Returns 1 if something matched, and
-   advances *format over a set. */
+/* Converts %s, %[, and %c, whose input may end early, as on Linux. Returns 1 if something matched,
+   and advances *format over a set. */
 static int scan_string(struct __crs_source *source, const struct __crs_input *conversion,
                        int letter, const char **format, void *to)
 {

@@ -105,8 +105,8 @@ int __crs_append(FILE *stream, const void *bytes, int size)
     return 0;
 }
 
-/* Refills an empty input buffer. What the user is asked must be seen first, so that output that
-   waits for the end of its line goes out (C17 7.21.3p3). */
+/* Refills an empty input buffer. A prompt must be visible before, so line-buffered output that
+   is waiting for a newline is flushed (C17 7.21.3p3). */
 static int refill(FILE *stream)
 {
     FILE *other;

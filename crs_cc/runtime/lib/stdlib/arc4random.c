@@ -1,6 +1,6 @@
-/* BSD's random numbers that need no seed. Here they have a fixed one, so that a run can be
-   repeated: a counter that goes through the finaliser of MurmurHash3 (Appleby, 2011), whose every
-   input bit changes every output bit. They are no secret. */
+/* BSD's random numbers without a seed. Here the seed is fixed, so that a run can be
+   repeated: a counter passed through the finaliser of MurmurHash3 (Appleby, 2011), whose every
+   input bit changes every output bit. They are not secret. */
 #include <stdlib.h>
 
 static unsigned int counter;

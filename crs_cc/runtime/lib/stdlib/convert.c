@@ -5,7 +5,7 @@
 
 static char digits[512];
 
-/* Takes "d.ddde+xx" apart: digits without point, place of the point, sign. */
+/* Parses "d.ddde+xx": digits without point, position of the point, sign. */
 static char *take_apart(const char *text, int count, int *point, int *negative)
 {
     int size = 0;

@@ -28,7 +28,7 @@ char *getenv(const char *name)
     return found == NULL ? NULL : found + size + 1;
 }
 
-/* Makes room for one more name; returns -1 with errno when there is none. */
+/* Makes room for one more name; returns -1 with errno if there is no memory. */
 static int grow(void)
 {
     int wanted = capacity == 0 ? 16 : capacity * 2;

@@ -110,7 +110,7 @@ _Noreturn void abort(void)
         __crs_stop("abort called");
 }
 
-/* What quick_exit runs instead (C17 7.22.4.7). */
+/* Functions called by quick_exit (C17 7.22.4.7). */
 static void (*quick_handlers[32])(void);
 static int quick_count;
 

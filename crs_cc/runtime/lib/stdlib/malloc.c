@@ -7,18 +7,18 @@
    adjacent: freeing coalesces them.
 
    Free chunks are in bins by size: one bin for each size below 512, then four for each power of
-   two; a bitmap tells which bins are not empty. An allocation takes the first chunk that is large
+   two; a bitmap marks the bins that are not empty. An allocation uses the first chunk that is large
    enough from the smallest bin that can have one. The memory after the last chunk was never used;
-   it is taken when no bin can serve, and returned when its neighbour is freed.
+   it is used if no bin has a chunk, and extended when its neighbour is freed.
 
-   A freed block is first put in quarantine, so that a use after free is detected; the longer it
-   waits the better. The oldest leave when there is more than QUARANTINE, all when there is no
+   A freed block is first put in quarantine, so that a use after free is detected, the longer it
+   stays the better. The oldest leave if there is more than QUARANTINE, all if there is no
    other memory.
 
-   In checked builds C may access nothing of this but the blocks in use: the functions of this file
+   In checked builds C may access only the blocks in use: the functions of this file
    update the shadow memory, and are not checked themselves. runtime/diagnosis/heap.py reads the
    same headers for messages. Everything happens in unchecked builds too, so that a program has
-   the same addresses and takes the same time in both. */
+   the same addresses and the same time in both. */
 #include <crs_request.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@
 
 #define HEADER 32
 #define SITES 5                 /* calls that led to the allocation, in the header */
-#define IN_USE 1u               /* flags in the size of a chunk: a block was given from it, */
+#define IN_USE 1u               /* flags in the size of a chunk: it has a block in use, */
 #define WAITING 2u              /* and is in the quarantine */
 #define FLAGS 15u
 #define SMALLEST (HEADER + 16)
@@ -39,11 +39,11 @@
 struct chunk {
     unsigned int size;          /* of this chunk, and its flags */
     unsigned int size_before;   /* of the chunk before it, 0 for the first */
-    unsigned int asked;         /* bytes asked for */
+    unsigned int asked;         /* requested bytes */
     int allocated[SITES];
     struct chunk *next;         /* these only while it is not in use */
     struct chunk *previous;
-    int freed[SITES];           /* as many as there is room for */
+    int freed[SITES];           /* as many as fit */
 };
 
 extern char __heap_start[], __heap_end[];
@@ -51,7 +51,7 @@ extern char __heap_start[], __heap_end[];
 static struct chunk *bins[BINS];
 static unsigned int occupied[BINS / 32];
 static char *unused;                 /* end of the last chunk; null before the first call */
-static unsigned int last_size;       /* size of the last chunk, 0 when there is none */
+static unsigned int last_size;       /* size of the last chunk, 0 if there is none */
 static struct chunk *oldest, *youngest;  /* of the quarantine, which is chained by `next` */
 static unsigned int waiting;         /* bytes in the quarantine */
 
@@ -130,7 +130,7 @@ static struct chunk *find(unsigned int size)
     return bins[word * 32 + __builtin_ctz(bits)];
 }
 
-/* Takes a new chunk from the memory that was never used. */
+/* Allocates a new chunk from the unused memory. */
 static struct chunk *extend(unsigned int size)
 {
     struct chunk *chunk;
@@ -145,7 +145,7 @@ static struct chunk *extend(unsigned int size)
     return chunk;
 }
 
-/* Makes a free chunk of what lies after the first `size` bytes of a chunk in use. */
+/* Frees the part of a chunk in use after its first `size` bytes. */
 static void release(struct chunk *chunk)
 {
     struct chunk *after = AFTER(chunk), *before;
@@ -184,7 +184,7 @@ static void cut(struct chunk *chunk, unsigned int size)
     release(tail);
 }
 
-/* Returns the chunk size for a block, 0 when there is none so large. */
+/* Returns the chunk size for a block, 0 if it is too large. */
 static unsigned int chunk_size(size_t size)
 {
     if (size > 0x7fffff00u)
@@ -192,7 +192,7 @@ static unsigned int chunk_size(size_t size)
     return size < 16 ? SMALLEST : (size + HEADER + 15) & ~15u;
 }
 
-/* Lets the oldest chunks out of the quarantine until it holds no more than `most` bytes. */
+/* Releases the oldest chunks from quarantine until it holds at most `most` bytes. */
 static void let_out(unsigned int most)
 {
     struct chunk *chunk;
@@ -366,7 +366,7 @@ static void retire(struct chunk *chunk)
         let_out(QUARANTINE);
 }
 
-/* How many calls that led to its release a chunk has room for. */
+/* Size of the call stack of its release that a chunk can store. */
 #define ROOM(chunk) (SIZE(chunk) >= sizeof(struct chunk))
 
 void free(void *block)
@@ -403,7 +403,7 @@ static int grow(struct chunk *chunk, unsigned int wanted)
     return 1;
 }
 
-/* Changes how many bytes of a chunk may be used. */
+/* Changes the number of usable bytes of a chunk. */
 static void ask(struct chunk *chunk, unsigned int size)
 {
     char *block = BLOCK(chunk);

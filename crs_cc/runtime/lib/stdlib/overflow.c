@@ -1,4 +1,4 @@
-/* Arithmetic on numbers of 64 bits that tells of overflow; the compiler makes the calls. */
+/* 64-bit arithmetic that detects overflow; the compiler generates the calls. */
 
 struct number {
     unsigned long long magnitude;

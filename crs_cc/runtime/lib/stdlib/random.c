@@ -1,10 +1,10 @@
 /* Pseudo-random numbers (C17 7.22.2; random, srandom, initstate, setstate, rand_r: POSIX).
 
    The additive feedback generator of BSD's random(3): x[n] = x[n-s] + x[n-d] modulo 2^32, of which
-   the upper 31 bits are given, its first d numbers made from the seed by the minimal standard
+   the upper 31 bits are returned, its first d numbers made from the seed by the minimal standard
    generator of Park and Miller, x[n] = 16807 x[n-1] modulo 2^31 - 1 (CACM 31, 1988), the first 10 d
-   results thrown away; d = 31 and s = 3 unless a program brings a state of another size. It is also
-   Linux's, so a seed gives the numbers it gave on the real host. */
+   results discarded; d = 31 and s = 3 unless a program passes a state of another size. It is also
+   Linux's, so a seed yields the same numbers as on the real host. */
 #include <errno.h>
 #include <stdlib.h>
 

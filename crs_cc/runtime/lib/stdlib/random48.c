@@ -6,7 +6,7 @@ static unsigned short state[3] = {0, 0, 0}, seed_before[3];
 static unsigned long long factor = 0x5deece66dULL;
 static unsigned short addend = 11;
 
-/* Steps a state and gives its 48 bits. */
+/* Advances a state and returns its 48 bits. */
 static unsigned long long step(unsigned short x[3])
 {
     unsigned long long value = (unsigned long long)x[2] << 32 | (unsigned int)x[1] << 16 | x[0];

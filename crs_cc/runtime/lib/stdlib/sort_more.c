@@ -11,7 +11,7 @@ static int compare_two(const void *left, const void *right)
     return compare_with(left, right, extra_argument);
 }
 
-/* A comparison may sort, too: what it sets is set back. */
+/* A comparison may sort, too: the variables that it sets are restored. */
 void qsort_r(void *items, size_t count, size_t size,
              int (*compare)(const void *left, const void *right, void *extra), void *extra)
 {

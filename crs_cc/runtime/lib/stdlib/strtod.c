@@ -4,7 +4,7 @@
    to Read Floating Point Numbers Accurately", 1990). Any other is made an integer of any length:
    D * 5^E, or, for a negative E, D * 2^s / 5^-E with s such that the quotient has more than 64
    bits; dividing by small factors one after the other gives the same quotient, and any remainder
-   shows that the number is not exact. The upper 64 bits, and whether anything lies below them,
+   shows that the number is not exact. The upper 64 bits, and whether any bit below them is set,
    are then rounded once, to the format's 53 or 24 bits or, below its normal range, to fewer. */
 #include <ctype.h>
 #include <errno.h>
@@ -24,10 +24,10 @@ struct big {
     unsigned int words[WORDS]; /* least significant first, the last one not 0 */
 };
 
-/* What was read: the digits as an integer, and the power of ten they are multiplied by. */
+/* A parsed number: the digits as an integer, and the power of ten that multiplies them. */
 struct decimal {
     int digits, exponent;
-    unsigned long long small;  /* the digits when there are at most 19 */
+    unsigned long long small;  /* the digits if there are at most 19 */
     struct big big;
 };
 
@@ -209,7 +209,7 @@ static void add_digit(struct decimal *decimal, int digit)
         decimal->big.inexact = 1;
 }
 
-/* Reads a decimal number; returns its end, or null when there is none. */
+/* Reads a decimal number; returns its end, or null if there is none. */
 static const char *read_decimal(const char *at, const struct format *format, double *value)
 {
     struct decimal decimal;
@@ -241,7 +241,7 @@ static int hexadecimal_digit(int c)
     return isdigit(c) ? c - '0' : (c | 32) - 'a' + 10;
 }
 
-/* Reads a hexadecimal number after its 0x; returns its end, or null when there is none. */
+/* Reads a hexadecimal number after its 0x; returns its end, or null if there is none. */
 static const char *read_hexadecimal(const char *at, const struct format *format, double *value)
 {
     unsigned long long m = 0;

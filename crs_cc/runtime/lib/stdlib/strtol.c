@@ -13,7 +13,7 @@ static int digit_of(int c)
 }
 
 /* Reads an integer whose absolute value is at most `most`, or `most` + 1 when it is negative and
-   `is_signed`. Beyond that it gives the limit, with errno ERANGE. */
+   `is_signed`. Beyond that it returns the limit, with errno ERANGE. */
 static unsigned long long read_integer(const char *text, char **end, int base,
                                        unsigned long long most, int is_signed)
 {

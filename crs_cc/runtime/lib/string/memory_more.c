@@ -1,4 +1,4 @@
-/* Bytes, what GNU adds (string.h). */
+/* GNU extensions for byte arrays (string.h). */
 #include <string.h>
 
 void *mempcpy(void *to, const void *from, size_t size)

@@ -1,4 +1,4 @@
-/* Strings, what BSD and GNU add (string.h). */
+/* BSD and GNU extensions for strings (string.h). */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ char *strcasestr(const char *text, const char *part)
     }
 }
 
-/* Both give the length that the text would have had with room enough (OpenBSD). */
+/* Both return the length of the untruncated text (OpenBSD). */
 size_t strlcpy(char *to, const char *from, size_t size)
 {
     size_t length = strlen(from), copied = length < size ? length : size - 1;

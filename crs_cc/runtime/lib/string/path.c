@@ -8,7 +8,7 @@ char *basename(const char *path)
     return (char *)(slash == NULL ? path : slash + 1);
 }
 
-/* Cuts off slashes at the end; returns the length of what is left, 0 for nothing but slashes. */
+/* Removes trailing slashes; returns the remaining length, 0 for nothing but slashes. */
 static size_t trim(char *path)
 {
     size_t length = strlen(path);

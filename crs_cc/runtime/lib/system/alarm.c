@@ -1,5 +1,5 @@
-/* Alarms (POSIX alarm, setitimer, pause): SIGALRM comes when the library waits, reads the clock, or
-   has talked to the robot, and its time has come. */
+/* Alarms (POSIX alarm, setitimer, pause): a due SIGALRM is delivered when the library waits,
+   reads the clock, or has called the robot. */
 #include <errno.h>
 #include <signal.h>
 #include <sys/time.h>
@@ -9,7 +9,7 @@
 #include <crs/signals.h>
 
 static double interval_s;
-static int delivered;     /* how many alarms came */
+static int delivered;     /* number of alarms delivered */
 
 static void deliver(void)
 {
@@ -24,7 +24,7 @@ static void deliver(void)
     __crs_signal(SIGALRM);
 }
 
-/* Sets the alarm and gives the seconds that were left of the one before, 0 for none. */
+/* Sets the alarm and returns the remaining seconds of the previous one, 0 for none. */
 static double set(double first_s, double next_s)
 {
     double now_s = __crs_now(NULL), left_s = 0;
@@ -97,7 +97,7 @@ int getitimer(int which, struct itimerval *now)
     return 0;
 }
 
-/* Nothing else can come, so that without an alarm the wait has no end. */
+/* There are no other signals, so without an alarm the wait does not end. */
 void __crs_await_signal(unsigned long mask)
 {
     int before = delivered;

@@ -1,4 +1,4 @@
-/* What a failed assertion does (C17 7.2.1.1). */
+/* Failed assertions (C17 7.2.1.1). */
 #include <assert.h>
 #include <crs_request.h>
 #include <stdio.h>

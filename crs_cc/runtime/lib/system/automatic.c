@@ -1,4 +1,4 @@
-/* Memory of arrays whose length is not constant, and of alloca: blocks of the heap on a stack. */
+/* Memory of variable-length arrays, and of alloca: a stack of blocks on the heap. */
 #include <crs/automatic.h>
 #include <stdlib.h>
 
@@ -6,7 +6,7 @@ int __crs_automatic_count;
 
 static struct automatic {
     void *block;
-    const char *name;           /* of the variable, for whoever looks at the memory */
+    const char *name;           /* of the variable, for memory inspection */
 } *pieces;
 static int capacity;
 

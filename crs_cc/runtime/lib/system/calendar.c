@@ -65,7 +65,7 @@ static struct tm *take_apart(long long time, struct tm *date)
     return date;
 }
 
-/* Puts every member into its range; what none can hold returns -1 (C17 7.27.2.3). */
+/* Normalises the members; returns -1 if the time cannot be represented (C17 7.27.2.3). */
 static time_t put_together(struct tm *date)
 {
     long long months = date->tm_year * 12LL + date->tm_mon;

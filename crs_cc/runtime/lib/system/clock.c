@@ -1,4 +1,4 @@
-/* Simulated time: what the clock says, and letting it pass. */
+/* Simulated time: reading the clock, and waiting. */
 #include <crs_request.h>
 
 #include <crs/clock.h>

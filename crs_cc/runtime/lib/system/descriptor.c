@@ -1,5 +1,5 @@
-/* Descriptors: the standard streams and open files by small numbers. The host keeps what is in the
-   files; where to read or write next is ours. */
+/* Descriptors: the standard streams and open files by small numbers. The host stores the contents
+   of files; the file positions are kept here. */
 #include <crs_request.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -53,7 +53,7 @@ int __crs_by_name(int code, const char *name, int argument)
     return ask(code, &message);
 }
 
-/* Finds a free descriptor from `wanted` on; returns -1 when there is none. */
+/* Finds a free descriptor from `wanted` on; returns -1 if there is none. */
 static int free_descriptor(int wanted)
 {
     for (; wanted < CRS_DESCRIPTORS; wanted++)

@@ -76,7 +76,7 @@ _Noreturn void errx(int status, const char *format, ...)
     exit(status);
 }
 
-/* Here an error number of 0 has no text, and a status of 0 lets the program go on. */
+/* Here an error number of 0 has no text, and with a status of 0 the program continues. */
 void error(int status, int number, const char *format, ...)
 {
     fflush(stdout);

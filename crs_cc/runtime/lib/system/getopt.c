@@ -1,5 +1,5 @@
-/* Options of the command line (POSIX getopt, GNU getopt_long). As GNU's do, these move what is no
-   option after the options, unless the letters begin with '+'. */
+/* Options of the command line (POSIX getopt, GNU getopt_long). As in GNU's, operands are moved
+   after the options, unless the option letters begin with '+'. */
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,10 +7,10 @@
 char *optarg;
 int optind = 1, opterr = 1, optopt = '?';
 
-static char *rest;       /* letters of an argument such as -abc that were not yet given */
+static char *rest;       /* remaining letters of an argument such as -abc */
 static int skipped;      /* arguments without dash between optind and the next one to look at */
 
-/* One call: what is the same for all that it does. */
+/* The constants of one call. */
 struct call {
     int count;
     char **arguments;
@@ -18,10 +18,10 @@ struct call {
     const struct option *options;    /* null for getopt */
     int *index;
     int says;                        /* 1 to complain on the standard error stream */
-    int silent;                      /* what a missing argument gives: ':' or '?' */
+    int silent;                      /* result for a missing argument: ':' or '?' */
 };
 
-/* Brings the argument after the skipped ones to the front, and gives it. */
+/* Moves the argument after the skipped ones to the front, and returns it. */
 static char *take(struct call *call)
 {
     char **front = call->arguments + optind, *taken = front[skipped];
@@ -103,7 +103,7 @@ static int find_long(const struct option *options, const char *name, size_t size
     return found;
 }
 
-/* Does --name, --name=value; `argument` is all of it, `name` what follows the dashes. */
+/* Parses --name, --name=value; `argument` is the whole, `name` its part after the dashes. */
 static int long_option(struct call *call, const char *argument, char *name)
 {
     size_t size = strcspn(name, "=");

@@ -28,7 +28,7 @@ int pclose(FILE *stream)
     return -1;
 }
 
-/* There are no children to wait for. */
+/* There are no child processes. */
 pid_t wait(int *status)
 {
     (void)status;

@@ -18,7 +18,7 @@ int getrusage(int who, struct rusage *used)
     return 0;
 }
 
-/* There are limits, but they are those of the simulator. */
+/* The limits are those of the simulator. */
 int getrlimit(int which, struct rlimit *limit)
 {
     limit->rlim_cur = limit->rlim_max = which == RLIMIT_NOFILE ? 64 : RLIM_INFINITY;

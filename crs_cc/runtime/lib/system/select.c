@@ -16,7 +16,7 @@ static int is_input(int descriptor)
     return file != 0 && file->number < 0 && (file->flags & O_ACCMODE) == O_RDONLY;
 }
 
-/* Leaves only what is ready in a set; returns how many those are, -1 when one is not open. */
+/* Removes descriptors that are not ready from a set; returns the rest, -1 if one is not open. */
 static int keep_ready(int count, fd_set *set, int input_too)
 {
     int descriptor, ready = 0;

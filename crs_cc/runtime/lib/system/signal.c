@@ -25,7 +25,7 @@ static int is_signal(int signal)
     return 0;
 }
 
-/* What happens to a signal for which the program has made no arrangement. */
+/* The default action of a signal. */
 static void end_program(int signal)
 {
     char text[64];
@@ -79,7 +79,7 @@ void __crs_signal(int signal)
     deliver_pending();
 }
 
-/* Number 0 only asks whether a signal could be sent. */
+/* Number 0 only checks whether a signal could be sent. */
 static int send(int signal)
 {
     if (signal == 0)
@@ -95,7 +95,7 @@ int raise(int signal)
     return send(signal);
 }
 
-/* There is no process but the program, which is number 1. */
+/* The program is the only process, number 1. */
 int kill(pid_t process, int signal)
 {
     if (process > 1) {
@@ -183,7 +183,7 @@ int sigprocmask(int how, const sigset_t *set, sigset_t *before)
     return 0;
 }
 
-/* What sigsetjmp keeps: never 0, for SIGKILL cannot be blocked. */
+/* The signal mask saved by sigsetjmp: never 0, as SIGKILL cannot be blocked. */
 unsigned long __crs_unblocked(void)
 {
     return ~blocked;
@@ -213,7 +213,7 @@ int sigsetmask(int mask)
     return before;
 }
 
-/* Calls that wait always end when an alarm comes, whatever is asked for. */
+/* An alarm always interrupts blocking calls, whatever is requested. */
 int siginterrupt(int signal, int flag)
 {
     (void)signal;

@@ -8,11 +8,11 @@ int main();
 /* The program's constructors, a null pointer at the end; made by the linker. */
 extern void (*__crs_starts[])(void);
 
-/* The program's name, for messages: argv[0], and what stands after its last slash. */
+/* The program's name, for messages: argv[0], and its part after the last slash. */
 char *__progname_full = "";
 const char *__progname = "";
 
-/* Makes a copy of an argument, or gives a null pointer when there is none of that number. */
+/* Returns a copy of an argument, or a null pointer if there is none with that number. */
 static char *read_argument(int number)
 {
     struct __crs_message message;

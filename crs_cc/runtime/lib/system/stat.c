@@ -1,5 +1,5 @@
-/* What is known of files without opening them (POSIX sys/stat.h, access). Every file can be read
-   and written; a folder is there as soon as a file is in it. */
+/* File status without opening files (POSIX sys/stat.h, access). Every file can be read
+   and written; a directory exists as soon as a file is in it. */
 #include <crs_request.h>
 #include <errno.h>
 #include <fcntl.h>

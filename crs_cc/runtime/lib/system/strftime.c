@@ -11,7 +11,7 @@ static const char *const months[] = {
     "October", "November", "December",
 };
 
-/* Where the text goes; `room` counts down to the final null character. */
+/* The destination of the text; `room` counts down to the final null character. */
 struct output {
     char *at;
     size_t room;

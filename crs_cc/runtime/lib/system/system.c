@@ -1,10 +1,10 @@
-/* Other programs (C17 7.22.4.8): there are none. */
+/* Running other programs (C17 7.22.4.8), which do not exist. */
 #include <errno.h>
 #include <stdlib.h>
 
 #include <crs/refuse.h>
 
-/* A null pointer asks whether there is a command processor. */
+/* A null pointer queries whether there is a command processor. */
 int system(const char *command)
 {
     static int said;

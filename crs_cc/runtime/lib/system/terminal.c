@@ -43,8 +43,8 @@ int tcsendbreak(int descriptor, int duration)
     return no_terminal(descriptor);
 }
 
-/* Returns how many bytes can be read at once: of a file what is left, of the input none, as nobody
-   types at a simulated robot while its program asks. */
+/* Returns the number of bytes that can be read: the rest of a file, none of the input, as nobody
+   types at a simulated robot meanwhile. */
 static int waiting_bytes(struct __crs_open_file *file, int descriptor)
 {
     long left = file->number < 0 ? 0 : __crs_resize(descriptor, -1) - file->offset;

@@ -158,7 +158,7 @@ int usleep(useconds_t microseconds)
     return -1;
 }
 
-/* Returns the seconds that are left when an alarm came before. */
+/* Returns the remaining seconds if an alarm was delivered before. */
 unsigned int sleep(unsigned int seconds)
 {
     return (unsigned int)(__crs_pass(seconds) + 0.5);

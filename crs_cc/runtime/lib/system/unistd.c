@@ -24,7 +24,7 @@ int close(int descriptor)
     return __crs_close(descriptor);
 }
 
-/* A file gives all that was asked for, a stream what is there. */
+/* A file returns all requested bytes, a stream those available. */
 static ssize_t take(int descriptor, void *bytes, size_t size)
 {
     struct __crs_open_file *file = __crs_find(descriptor);
@@ -149,7 +149,7 @@ int fcntl(int descriptor, int command, ...)
     return -1;
 }
 
-/* What is written is with the host at once. */
+/* Writes reach the host immediately. */
 int fsync(int descriptor)
 {
     return __crs_find(descriptor) == NULL ? -1 : 0;

@@ -15,7 +15,7 @@ static size_t wrong(mbstate_t *state)
 
 static const unsigned int least[] = {0, 0, 0x80, 0x800, 0x10000};
 
-/* Takes a character's first byte into an empty state. */
+/* Starts a character with its first byte, from an empty state. */
 static int begin(mbstate_t *state, unsigned char byte)
 {
     int length = byte < 0x80 ? 1 : byte < 0xc2 ? 0 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 :
@@ -61,7 +61,7 @@ int mbsinit(const mbstate_t *state)
     return state == NULL || state->length == 0;
 }
 
-/* Reads one character as `mbrtowc` does. Without a text the state begins anew. */
+/* Reads one character as `mbrtowc` does. Without a text the state is reset. */
 static size_t read_character(unsigned int *wide, const char *text, size_t size, mbstate_t *state)
 {
     unsigned int c = 0;
@@ -166,8 +166,8 @@ size_t c32rtomb(char *text, char32_t c, mbstate_t *state)
     return encode(text, c);
 }
 
-/* A character beyond 16 bits is given in two halves, the second one without reading more: -3. The
-   half that waits is kept in the state, marked by a negative length. */
+/* A character beyond 16 bits is returned in two halves, the second one without reading more: -3.
+   The pending half is stored in the state, marked by a negative length. */
 size_t mbrtoc16(char16_t *c, const char *text, size_t size, mbstate_t *state)
 {
     static mbstate_t own;

@@ -5,7 +5,7 @@
 #include <crs/stream.h>
 #include <crs/utf8.h>
 
-/* Streams take both kinds of characters; what was asked for first is only remembered. */
+/* Streams accept both kinds of characters; the first orientation is only recorded. */
 int fwide(FILE *stream, int mode)
 {
     if (stream->orientation == 0)

@@ -7,13 +7,13 @@
 /* Returns seconds since the start of the run, and the processor time used. */
 double __crs_now(double *processor_s);
 
-/* Waits. An alarm ends it early; returns the seconds that are left then. */
+/* Waits. An alarm interrupts it; returns the remaining seconds. */
 double __crs_pass(double seconds);
 
-/* When the next alarm is due, in seconds since the start of the run; infinite for none. */
+/* Time of the next alarm, in seconds since the start of the run; infinite for none. */
 extern double __crs_alarm_s;
 
-/* Called after requests, to deliver an alarm that has become due; null when none was ever set. */
+/* Called after requests to deliver due alarms; null if none was ever set. */
 extern void (*__crs_after_request)(void);
 
 #endif

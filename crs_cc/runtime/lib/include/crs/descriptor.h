@@ -1,5 +1,5 @@
 /* Descriptors: the standard streams and open files by small numbers, for the library itself. Each
-   function gives what its POSIX namesake gives, -1 with errno on error. */
+   function returns what its POSIX namesake does, -1 with errno on error. */
 #ifndef CRS_DESCRIPTOR_H
 #define CRS_DESCRIPTOR_H
 
@@ -7,13 +7,13 @@
 
 /* An open file, which several descriptors may share. */
 struct __crs_open_file {
-    int uses;       /* how many descriptors stand for it */
-    int flags;      /* as given to open */
+    int uses;       /* number of descriptors that refer to it */
+    int flags;      /* as passed to open */
     int number;     /* the host's number of the file; -1 for a standard stream */
     long offset;    /* where to read or write next; of a standard stream: its number */
 };
 
-/* Returns what a descriptor stands for; null with errno EBADF when it is not open. */
+/* Returns the open file of a descriptor; null with errno EBADF if it is not open. */
 struct __crs_open_file *__crs_find(int descriptor);
 
 int __crs_open(const char *name, int flags);
@@ -22,7 +22,7 @@ int __crs_duplicate(int descriptor, int wanted);   /* the lowest free one from `
 long __crs_seek(int descriptor, long offset, int whence);
 long __crs_resize(int descriptor, long size);      /* -1 changes nothing; returns the size */
 
-/* Reads what is there, at most what a message holds; returns 0 at the end. */
+/* Reads the available bytes, at most one message; returns 0 at end of file. */
 int __crs_read(int descriptor, void *bytes, int size);
 
 /* Writes all bytes; returns 0. */

@@ -1,4 +1,4 @@
-/* The order in which sensors take their turns, for the library itself. */
+/* The firing order of sensors, for the library itself. */
 #ifndef CRS_ORDER_H
 #define CRS_ORDER_H
 

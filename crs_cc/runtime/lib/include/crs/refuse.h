@@ -1,5 +1,5 @@
 /* Functions that a sandbox cannot offer: they link, report it once on standard error, and
-   give their error value with errno. */
+   return their error value with errno. */
 #ifndef CRS_REFUSE_H
 #define CRS_REFUSE_H
 

@@ -1,11 +1,11 @@
-/* The report's dialect: what a control program in the form of the CRS report finds declared,
+/* The report's dialect: what is declared in a control program in the form of the CRS report,
    without including anything ("copied without the C headers", report, 6.1).
 
    The names are the report's, and mean its functions and not the vendor's, which the linker knows
    by other names. Lengths are in 0.1 inch, angles in 0.1 degree. Where the report contradicts
-   itself or says nothing, docs/robot-api.md tells what was chosen.
+   itself or is silent, docs/robot-api.md describes the choice.
 
-   Whoever includes the vendor's header all the same, with --dialect report, gets this one. */
+   With --dialect report, including the vendor's header includes this one. */
 #ifndef _CRS_REPORT_H
 #define _CRS_REPORT_H
 #define _HOST_CLIENT_NCLIENT_H_
@@ -37,7 +37,7 @@ typedef _Bool boolean;
 #define MV_AC 4
 #define MV_SP 5
 
-/* Where things stand in State: where they stand in the vendor's, the heat behind it. */
+/* Indices into State: those of the vendor's State, followed by the heat. */
 #define NUM_STATE 46
 #define STATE_SONAR_0 17          /* front; the others counterclockwise, 22.5 degrees apart */
 #define STATE_SONAR_1 18
@@ -67,7 +67,7 @@ typedef _Bool boolean;
 #define STATE_VEL_TURRET 40
 #define STATE_MOTOR_STATUS 41     /* bit 0: right motor active, bit 1: left motor */
 #define STATE_ERROR 44
-#define STATE_HEAT 45             /* the heat of all things in the sensor's range */
+#define STATE_HEAT 45             /* the heat of all objects in the sensor's range */
 
 extern long State[NUM_STATE] __asm__("__report_State");
 
@@ -89,7 +89,7 @@ int ws(int x, int y, int z, int dummy) __asm__("__report_ws");
 int scout_pr(int trans, int steer) __asm__("__report_scout_pr");
 int scout_vm(int trans, int steer) __asm__("__report_scout_vm");
 
-/* What motion begins with. */
+/* Initial speeds and accelerations. */
 int dp(int x, int y) __asm__("__report_dp");
 int ac(int r_wheel, int l_wheel, int dummy) __asm__("__report_ac");
 int sp(int r_wheel, int l_wheel, int dummy) __asm__("__report_sp");

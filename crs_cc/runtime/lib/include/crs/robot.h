@@ -8,13 +8,13 @@
 #define CRS_IPC_ERROR 111   /* State[STATE_ERROR] when nobody answers (vendor source Nclient.c) */
 #define CRS_REFUSED 1       /* the same when a request was refused; chosen by us */
 
-/* What a client remembers. */
+/* The state of a client. */
 struct __crs_client {
     int connected;
     int left;                      /* quit_server has ended the server: nobody answers */
     int model;                     /* MODEL_N200, MODEL_N150 or MODEL_SCOUT */
     int mask[NUM_MASK];            /* the mask in use: Smask as ct sent it last */
-    unsigned long board_ms;        /* time of the sensor board, of the last reply that told it */
+    unsigned long board_ms;        /* time of the sensor board in the last reply that had it */
     unsigned char cpu_battery, motor_battery;   /* readings of 0 to 255 */
 };
 
@@ -30,18 +30,18 @@ int __crs_is_direct(void);
 /* The same, and the robot is no Nomad 200, so that Ndirect knows less commands. */
 int __crs_is_direct_without_sensors(void);
 
-/* Posts a request that is answered with its result alone, and gives the result. Without a
-   connection or a server it says so in its way and gives 0. */
+/* Posts a request whose reply is its result only; returns the result. Without a
+   connection or a server it prints the client's message and returns 0. */
 int __crs_post(int code, struct __crs_message *message);
 
-/* What a command gives whose request was not done: TRUE under Ndirect if the robot has answered. */
+/* Result of a command whose request failed: TRUE under Ndirect if the robot has answered. */
 int __crs_was_refused(void);
 
-/* Keeps the sensor board's time that a reply tells. */
+/* Stores the time of the sensor board in a reply. */
 void __crs_take_board_time(const struct __crs_message *message);
 
-/* Posts a request that is answered with the whole state, and refreshes what the mask in use lets
-   through; returns TRUE when it was done. */
+/* Posts a request whose reply is the whole state, and refreshes the elements that the mask
+   selects; returns TRUE on success. */
 int __crs_post_state(int code, struct __crs_message *message);
 
 /* The same with up to four numbers as its arguments. */
@@ -50,7 +50,7 @@ int __crs_command(int code, int a, int b, int c, int d);
 /* Posts a request for one group of State, State[first] to State[last], whatever the mask. */
 int __crs_read_group(int code, int first, int last);
 
-/* The same of a group whose reply tells the sensor board's time. */
+/* The same for a group whose reply has the time of the sensor board. */
 int __crs_read_sensors(int code, int first, int last);
 
 /* Reads `count` points or segments of the laser that lie ready, of a prediction or of the last
@@ -60,7 +60,7 @@ void __crs_read_laser(int *laser, int count, int predicted);
 /* Sends Smask, which is in use from now on; FALSE where Ndirect does not know how. */
 int __crs_use_mask(void);
 
-/* The same with everything but PosData let through. */
+/* The same with a mask that selects all but PosData. */
 int __crs_use_initial_mask(void);
 
 /* A number as it comes out of the serial line: sixteen bits, of which one is the sign. */

@@ -1,4 +1,4 @@
-/* What the allocator tells the shadow memory, see crs_cc/ir/instruction.py. For the library itself:
+/* Shadow memory operations of the allocator, see crs_cc/ir/instruction.py. For the library itself:
    all are intrinsics of the compiler, and do nothing in unchecked builds. */
 #ifndef CRS_SHADOW_H
 #define CRS_SHADOW_H

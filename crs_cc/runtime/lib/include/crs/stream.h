@@ -1,4 +1,4 @@
-/* A stream, and what the parts of stdio share. */
+/* Streams: the declarations shared by the parts of stdio. */
 #ifndef CRS_STREAM_H
 #define CRS_STREAM_H
 
@@ -15,7 +15,7 @@ struct __crs_file {
     unsigned char *buffer;
     int capacity;
     int begin, end;            /* input not yet read, or output not yet written, in the buffer */
-    int line_end;              /* after the last newline in the output, 0 when there is none */
+    int line_end;              /* after the last newline in the output, 0 if there is none */
     struct __crs_file *next;   /* in the list of all streams */
     int orientation;           /* of wide characters; 0 when not yet known */
 };
@@ -32,19 +32,19 @@ int __crs_settle(FILE *stream);
 int __crs_flush(FILE *stream);
 void __crs_flush_all(void);
 
-/* Empties the buffer: writes output, or forgets input and goes back to where reading stands. */
+/* Flushes the buffer: writes output, or discards input and seeks back to the read position. */
 int __crs_synchronise(FILE *stream);
 
 /* Returns the next byte of input, or EOF. */
 int __crs_next(FILE *stream);
 
-/* Reads bytes; returns how many, fewer than `size` at the end. */
+/* Reads bytes; returns their number, less than `size` at end of file. */
 size_t __crs_take(FILE *stream, void *bytes, size_t size);
 
 /* Puts a stream around an open descriptor; returns null with errno on error. */
 FILE *__crs_make_stream(int descriptor, int flags);
 
-/* Prints to a string of `room` characters and a final null; returns how many there would be. */
+/* Prints to a string of `room` characters and a final null; returns the untruncated length. */
 int __crs_print_to_string(char *text, unsigned int room, const char *format, va_list arguments);
 
 /* Formatted input, from a stream and from a string. */

@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 /* Writes a character to `text`, which has room for 4 bytes; returns its length, -1 and EILSEQ
-   when there is no such character. */
+   if it is not a character. */
 int __crs_encode(char *text, unsigned int c);
 
 /* Reads a character of `text`, which has at most `size` bytes; returns its length, 0 for the null
