@@ -12,23 +12,23 @@ from crs_cc.requests.request import Field, Link, Request, fields
 _LENGTH: Final = "0.1 in"
 _WEIGHT: Final = "g"
 _ANGLE: Final = "0.1 deg"
-_DONE: Final = fields(("done", "result", "1", "1 when done, else 0"))
+_DONE: Final = fields(("done", "result", "1", "1 if done, else 0"))
 _NAMED: Final = fields(
     ("size", "size", "byte", "length of the name, 0 to look up by number"),
     ("name", "data", "1", "the name"),
 )
 _FOUND: Final = fields(
-    ("number", "i[0]", "1", "the number"), ("count", "i[1]", "1", "how many there are"),
+    ("number", "i[0]", "1", "the number"), ("count", "i[1]", "1", "their number"),
     ("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name"),
 )  # fmt: skip
-_THINGS: Final = fields(("things", "i[0]", "1", "how many things lost heat"))
+_OBJECTS: Final = fields(("things", "i[0]", "1", "number of objects that lost heat"))
 
 
 def device_request(
     name: str, code: int, prototype: str, meaning: str, arguments: tuple[Field, ...] = (),
     *, results: tuple[Field, ...] = (), link: Link = "network", waits: bool = False,
 ) -> Request:  # fmt: skip
-    """Return the request of a device; by default its reply begins with whether it was done."""
+    """Return the request of a device; by default the result of its reply is whether it was done."""
     if not any(result.place == "result" for result in results):
         results = (*_DONE, *results)
     return Request(
@@ -41,7 +41,7 @@ DEVICE_REQUESTS: Final = (
         "CAMERA", 201, "int crs_camera(struct crs_pixel *row, int most)",
         "takes a picture and keeps it for READINGS",
         fields(("blobs", "i[0]", "1", "0 for pixels, 1 for blobs")),
-        results=fields(("count", "i[0]", "1", "how many READINGS has ready")),
+        results=fields(("count", "i[0]", "1", "number of readings available from READINGS")),
     ),
     device_request(
         "READINGS", 202, "int crs_camera(struct crs_pixel *row, int most)",
@@ -51,8 +51,8 @@ DEVICE_REQUESTS: Final = (
             ("first", "i[1]", "1", "the first reading"),
         ),
         results=fields(
-            ("count", "result", "1", "how many are in the page"),
-            ("width", "i[0]", "1", "numbers of each"),
+            ("count", "result", "1", "number of readings in the page"),
+            ("width", "i[0]", "1", "numbers per reading"),
             ("readings", "data", "0.1 in, 0.1 deg, 0xRRGGBB", "the numbers", "int32"),
         ),
         link="none",  # they came with the reply
@@ -64,20 +64,20 @@ DEVICE_REQUESTS: Final = (
     device_request(
         "LASER", 204, "int crs_laser(int *ranges, int most)",
         "scans with the laser and keeps the ranges for READINGS",
-        results=fields(("count", "i[0]", "1", "how many ranges READINGS has ready")),
+        results=fields(("count", "i[0]", "1", "number of ranges available from READINGS")),
     ),
     device_request(
         "PERIOD", 205, "int crs_period(int sensor, int ms)",
-        "sets how often a sensor measures by itself",
+        "sets the period of a sensor's timer",
         fields(
             ("sensor", "i[0]", "1", "the sensor's number"),
             ("period_ms", "i[1]", "ms", "the period, 0 for on request"),
         ),
     ),
     device_request(
-        "AGE", 206, "int crs_age(int sensor)", "returns how long ago a sensor measured",
+        "AGE", 206, "int crs_age(int sensor)", "returns the age of a sensor's last measurement",
         fields(("sensor", "i[0]", "1", "the sensor's number")),
-        results=fields(("age_ms", "i[0]", "ms", "the time since then, -1 for never")),
+        results=fields(("age_ms", "i[0]", "ms", "the age, -1 for none")),
     ),
     device_request(
         "GRIPPER", 220, "int crs_gripper(int what)", "opens or closes the gripper",
@@ -85,28 +85,28 @@ DEVICE_REQUESTS: Final = (
     ),
     device_request(
         "GET_GRIPPER", 221, "int crs_get_gripper(int *opening, int *beam, int *weight)",
-        "reads the position of the gripper's fingers and what they hold",
+        "reads the position of the gripper's fingers and the held object",
         results=fields(
             ("opening", "i[0]", _LENGTH, "distance between the fingers"),
-            ("beam", "i[1]", "1", "whether anything is between them"),
-            ("weight", "i[2]", _WEIGHT, "weight of what they hold, 0 for nothing"),
+            ("beam", "i[1]", "1", "whether an object is between them"),
+            ("weight", "i[2]", _WEIGHT, "weight of the held object, 0 for none"),
         ),
     ),
     device_request(
         "ARM", 222, "int crs_arm_move(int shoulder, int elbow)", "turns the joints of the arm",
         fields(
-            ("relative", "i[0]", "1", "0 to angles, else on by angles"),
+            ("relative", "i[0]", "1", "0 for absolute angles, else relative ones"),
             ("shoulder", "i[1]", _ANGLE, "shoulder"), ("elbow", "i[2]", _ANGLE, "elbow"),
         ),
     ),
     device_request(
         "GET_ARM", 223, "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
-        "reads the position of the arm and what is in its hand",
+        "reads the position of the arm and the held object",
         results=fields(
             ("shoulder", "i[0]", _ANGLE, "shoulder"), ("elbow", "i[1]", _ANGLE, "elbow"),
-            ("x", "i[2]", _LENGTH, "tip, ahead of the robot's middle"),
+            ("x", "i[2]", _LENGTH, "tip, forward of the robot's centre"),
             ("y", "i[3]", _LENGTH, "tip, to the left of it"),
-            ("weight", "i[4]", _WEIGHT, "weight of what is in the hand, 0 for nothing"),
+            ("weight", "i[4]", _WEIGHT, "weight of the held object, 0 for none"),
         ),
     ),
     device_request(
@@ -114,8 +114,8 @@ DEVICE_REQUESTS: Final = (
         fields(("close", "i[0]", "1", "0 to open, 1 to close")),
     ),
     device_request(
-        "TAKE_HEAT", 229, "int crs_tag(void)", "takes the heat from all things near",
-        results=_THINGS,
+        "TAKE_HEAT", 229, "int crs_tag(void)", "removes the heat of all objects in range",
+        results=_OBJECTS,
     ),
     device_request(
         "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",
@@ -129,14 +129,14 @@ DEVICE_REQUESTS: Final = (
     ),
     device_request(
         "RECEIVE", 241, "int crs_receive(struct crs_message *message, int milliseconds)",
-        "takes the first message out of the inbox, waiting for it if it must",
-        fields(("timeout_ms", "i[0]", "ms", "longest wait, below 0 for no limit")),
+        "removes the first message from the inbox, waiting for one if it is empty",
+        fields(("timeout_ms", "i[0]", "ms", "maximum waiting time, below 0 for no limit")),
         results=fields(
             ("sender", "i[0]", "1", "the sender's number"),
-            ("to", "i[1]", "1", "whom it was sent to, -1 for all"),
-            ("group", "i[2]", "1", "which group, -1 for none"), ("type", "i[3]", "1", "the type"),
-            ("channel", "i[4]", "1", "the channel"), ("sent_s", "f[0]", "s", "when it was sent"),
-            ("arrived_s", "f[1]", "s", "when it arrived"), ("size", "size", "byte", "bytes"),
+            ("to", "i[1]", "1", "the receiver's number, -1 for all"),
+            ("group", "i[2]", "1", "the group, -1 for none"), ("type", "i[3]", "1", "the type"),
+            ("channel", "i[4]", "1", "the channel"), ("sent_s", "f[0]", "s", "time of sending"),
+            ("arrived_s", "f[1]", "s", "time of arrival"), ("size", "size", "byte", "bytes"),
             ("content", "data", "1", "the content"),
         ),
         waits=True,
@@ -144,7 +144,7 @@ DEVICE_REQUESTS: Final = (
     device_request(
         "MESSAGE_COUNT", 242, "int crs_message_count(void)",
         "returns the number of messages in the inbox",
-        results=fields(("messages", "i[0]", "1", "how many")),
+        results=fields(("messages", "i[0]", "1", "their number")),
     ),
     device_request(
         "GROUP", 243, "int crs_join_group(int group)", "joins or leaves a group",

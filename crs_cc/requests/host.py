@@ -24,7 +24,7 @@ HOST_REQUESTS: Final = (
     Request(
         "READ", 3, "host", "int read(int fd, void *bytes, unsigned count)",
         "reads from the standard input stream (0)",
-        fields(("stream", "i[0]", "1", "stream"), ("count", "i[1]", "byte", "bytes wanted")),
+        fields(("stream", "i[0]", "1", "stream"), ("count", "i[1]", "byte", "requested bytes")),
         fields(
             ("count", "result", "byte", "bytes read, 0 at the end, -1 on error"),
             ("size", "size", "byte", "bytes"), ("bytes", "data", "1", "the bytes"),
@@ -38,24 +38,24 @@ HOST_REQUESTS: Final = (
     ),
     Request(
         "SLEEP", 5, "host", "int usleep(unsigned microseconds)",
-        "lets simulated time pass",
-        fields(("duration_s", "f[0]", "s", "how long")), fields(("zero", "result", "1", "0")),
+        "waits for some simulated time",
+        fields(("duration_s", "f[0]", "s", "duration")), fields(("zero", "result", "1", "0")),
     ),
     Request(
         "ARGUMENT", 6, "host", "int main(int argc, char **argv)",
         "reads a piece of one of the program's arguments",
         fields(
             ("number", "i[0]", "1", "number of the argument"),
-            ("first", "i[1]", "byte", "first byte wanted"),
+            ("first", "i[1]", "byte", "first requested byte"),
         ),
         fields(
-            ("length", "result", "byte", "length of the argument, -1 when there is none"),
+            ("length", "result", "byte", "length of the argument, -1 if there is none"),
             ("size", "size", "byte", "bytes"), ("piece", "data", "1", "the piece"),
         ),
     ),
     Request(
         "FILE_OPEN", 7, "host", "FILE *fopen(const char *name, const char *mode)",
-        "opens a file on the robot's own disk, or makes it",
+        "opens a file on the robot's own disk, or creates it",
         fields(
             ("flags", "i[0]", "1", "flags: O_CREAT, O_EXCL, O_TRUNC, O_TMPFILE of fcntl.h"),
             ("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name"),
@@ -63,7 +63,7 @@ HOST_REQUESTS: Final = (
         fields(("number", "result", "1", "the file's number, or -errno")),
     ),
     Request(
-        "FILE_CLOSE", 8, "host", "int close(int fd)", "says that an open file is no longer needed",
+        "FILE_CLOSE", 8, "host", "int close(int fd)", "closes an open file",
         fields(("number", "i[0]", "1", "the file's number")),
         fields(("zero", "result", "1", "0, or -errno")),
     ),
@@ -73,8 +73,8 @@ HOST_REQUESTS: Final = (
         "reads from a file",
         fields(
             ("number", "i[0]", "1", "the file's number"),
-            ("first", "i[1]", "byte", "first byte wanted"),
-            ("count", "i[2]", "byte", "bytes wanted"),
+            ("first", "i[1]", "byte", "first requested byte"),
+            ("count", "i[2]", "byte", "requested bytes"),
         ),
         fields(
             ("count", "result", "byte", "bytes read, 0 at the end, or -errno"),
@@ -87,14 +87,14 @@ HOST_REQUESTS: Final = (
         "writes to a file",
         fields(
             ("number", "i[0]", "1", "the file's number"),
-            ("position", "i[1]", "byte", "where, -1 for the end"),
+            ("position", "i[1]", "byte", "position, -1 for the end"),
             ("size", "size", "byte", "bytes"), ("bytes", "data", "1", "the bytes"),
         ),
-        fields(("end", "result", "byte", "place behind what was written, or -errno")),
+        fields(("end", "result", "byte", "position after the written bytes, or -errno")),
     ),
     Request(
         "FILE_RESIZE", 11, "host", "int ftruncate(int fd, off_t size)",
-        "cuts a file off or fills it up with zeros",
+        "truncates a file, or extends it with zeros",
         fields(
             ("number", "i[0]", "1", "the file's number"),
             ("length", "i[1]", "byte", "size, -1 for no change"),
@@ -102,13 +102,13 @@ HOST_REQUESTS: Final = (
         fields(("length", "result", "byte", "size, or -errno")),
     ),
     Request(
-        "FILE_REMOVE", 12, "host", "int remove(const char *name)", "takes a file's name away",
+        "FILE_REMOVE", 12, "host", "int remove(const char *name)", "removes a file",
         fields(("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name")),
         fields(("zero", "result", "1", "0, or -errno")),
     ),
     Request(
         "FILE_RENAME", 13, "host", "int rename(const char *from, const char *to)",
-        "gives a file another name",
+        "renames a file",
         fields(
             ("old_size", "i[0]", "byte", "length of the old name"),
             ("size", "size", "byte", "length of both"),
@@ -118,12 +118,12 @@ HOST_REQUESTS: Final = (
     ),
     Request(
         "CLIENT", 14, "host", "int server_is_running(void)",
-        "tells which of the vendor's two client libraries ours is to behave like",
+        "returns which of the vendor's two client libraries is emulated",
         (), fields(("client", "result", "1", "0 Nclient, 1 Ndirect")),
     ),
     Request(
         "UNCONNECTED", 15, "host", "int connect_robot(long id, ...)",
-        "tells, once, that the program calls its robot without a connection",
+        "reports, once, that the program calls its robot without a connection",
         (), fields(("zero", "result", "1", "0")),
     ),
 )  # fmt: skip

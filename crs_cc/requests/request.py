@@ -1,4 +1,4 @@
-"""What the table of requests is made of: one row for each request, with typed fields and flags."""
+"""Rows of the table of requests: one for each request, with typed fields and flags."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ class Field:
     """One argument or result of a request.
 
     Attributes:
-        name: what it is called: an identifier.
-        place: where in the message it lies, as written in Python: `i[0]`, `f[1]`, `size`, `data`,
+        name: its name, an identifier.
+        place: its position in the message, as written in Python: `i[0]`, `f[1]`, `size`, `data`,
             `result`.
         unit: its unit; "1" for a number without unit.
-        meaning: what it is.
-        data_type: what `data` consists of.
+        meaning: its description.
+        data_type: the type of the elements of `data`.
     """
 
     name: str
@@ -53,22 +53,21 @@ class Request:
     Attributes:
         name: its name, `CRS_<name>` in C.
         code: its number.
-        server: who answers it: the session as the program's host; the simulated robot, or
-            the simulator that it lives in; or a device of `crs.h`.
+        server: the part that answers it: the session as the program's host; the simulated robot, or
+            its simulator; or a device of `crs.h`.
         prototype: the C function that posts it.
-        meaning: what it does.
-        arguments: what the message holds when it is posted.
-        results: what the message holds when the program goes on.
-        link: what its bytes go over: the robot's serial line, the network, or nothing that takes
-            time.
-        sends_data: whether its data goes over the link, too.
+        meaning: its effect.
+        arguments: the contents of the message when it is posted.
+        results: the contents of the message when the program continues.
+        link: the link that transmits it: the robot's serial line, the network, or none, which takes
+            no time.
+        sends_data: whether its data is transmitted, too.
         needs_connection: whether it is refused while the robot is not connected.
         moves: whether it can make the robot move.
-        changes_world: whether things may be elsewhere after it; the program goes on at the end of
-            the cycle.
+        changes_world: whether it can move objects; the program continues at the end of the cycle.
         waits: whether it can make the program wait.
         replies_state: whether the reply is all of `State`.
-        sensors: the kinds of sensors whose readings that reply carries, a bit for each.
+        sensors: the kinds of sensors whose readings that reply contains, a bit for each.
     """
 
     name: str
@@ -96,17 +95,17 @@ class Request:
 
     @cached_property
     def argument_positions(self) -> dict[str, tuple[str, int]]:
-        """Where each argument lies in the message, by name."""
+        """Position of each argument in the message, by name."""
         return {argument.name: argument.position for argument in self.arguments}
 
     @cached_property
     def result_positions(self) -> dict[str, tuple[str, int]]:
-        """Where each result lies in the message, by name."""
+        """Position of each result in the message, by name."""
         return {result.name: result.position for result in self.results}
 
 
 def fields(
     *rows: tuple[str, str, str, str] | tuple[str, str, str, str, DataType],
 ) -> tuple[Field, ...]:
-    """Return fields from rows of name, place, unit, meaning and, for data, what it consists of."""
+    """Return fields from rows of name, place, unit, meaning and, for data, its type."""
     return tuple(Field(*row) for row in rows)

@@ -1,4 +1,4 @@
-"""The requests that go through the link to the robot, or to the simulator that it lives in.
+"""The requests that are sent to the robot, or to its simulator.
 
 Most have the reply of the vendor's robot: a packet with all of `State`, the time of the sensor
 board, the batteries' voltages, and the number of laser readings that are ready.
@@ -22,7 +22,7 @@ from crs_cc.requests.request import (
 )
 
 _SPEED, _ACCELERATION, _LENGTH, _ANGLE = "0.1 in/s", "0.1 in/s^2", "0.1 in", "0.1 deg"
-_DONE: Final = fields(("done", "result", "1", "1 when done, else 0"))
+_DONE: Final = fields(("done", "result", "1", "1 if done, else 0"))
 _ROBOT: Final = fields(("robot", "i[0]", "1", "robot number"))
 _CONNECTED: Final = (
     *_DONE,
@@ -31,12 +31,12 @@ _CONNECTED: Final = (
 _STATE: Final = (
     *_DONE,
     *fields(
-        ("state", "data", "see NUM_STATE", "State[45], each in its own unit", "int32"),
-        ("laser_count", "i[0]", "1", "laser readings (points or segments) LASER_PAGE has ready"),
+        ("state", "data", "see NUM_STATE", "State[45], each element in its own unit", "int32"),
+        ("laser_count", "i[0]", "1", "laser points or segments available from LASER_PAGE"),
         ("computer_battery", "i[1]", "1",
-         "byte n of the computers' battery, which has (2 + n 3/255) 12/5 V"),
+         "byte n for the computer battery, (2 + n 3/255) 12/5 V"),
         ("motor_battery", "i[2]", "1",
-         "byte n of the motors' battery, which has (2 + n 3/255) 12.85/5 V"),
+         "byte n for the motor battery, (2 + n 3/255) 12.85/5 V"),
         ("board_ms", "f[0]", "ms", "time of the sensor board, 0 to 2^32 - 1"),
     ),
 )  # fmt: skip
@@ -52,11 +52,11 @@ _ORDER: Final = fields(
     ("count", "size", "1", "sensors in the order"),
     ("order", "data", "sensor number", "the order, one byte each"),
 )
-_THINGS: Final = fields(("things", "i[0]", "1", "how many things lost heat"))
+_OBJECTS: Final = fields(("things", "i[0]", "1", "number of objects that lost heat"))
 
 
 def _axes(unit: str) -> tuple[Field, ...]:
-    """Return the three axes of a motion command; units are those of a Nomad 200's."""
+    """Return the three axes of a motion command; units are those of a Nomad 200."""
     turning = unit.replace("in", "deg")
     return fields(
         ("axis1", "i[0]", unit, "translation; a Scout's right wheel"),
@@ -70,7 +70,7 @@ def _command(
     *, sensors: int = ALL_SENSORS, link: Link = "serial", sends_data: bool = False,
     moves: bool = False, waits: bool = False,
 ) -> Request:  # fmt: skip
-    """Return a request of the robot's that is answered with all of `State`."""
+    """Return a request of the robot whose reply is all of `State`."""
     return Request(
         name, code, "robot", prototype, meaning, arguments, _STATE, link=link,
         sends_data=sends_data, needs_connection=True, moves=moves, waits=waits,
@@ -83,7 +83,7 @@ def _request(
     *, results: tuple[Field, ...] = _DONE, link: Link, sends_data: bool = False,
     needs_connection: bool = True, changes_world: bool = False,
 ) -> Request:  # fmt: skip
-    """Return a request that is answered with results of its own."""
+    """Return a request whose reply has results of its own."""
     return Request(
         name, code, "robot", prototype, meaning, arguments, results, link=link,
         sends_data=sends_data, needs_connection=needs_connection, changes_world=changes_world,
@@ -117,16 +117,16 @@ ROBOT_REQUESTS: Final = (
         moves=True,
     ),
     _command("ST", 107, "int st(void)", "stops the wheels and holds them"),
-    _command("LP", 108, "int lp(void)", "makes the wheels go limp"),
+    _command("LP", 108, "int lp(void)", "makes the wheels limp"),
     _command(
         "WS", 109,
         "int ws(unsigned char t, unsigned char s, unsigned char r, unsigned char timeout)",
-        "waits until the chosen axes stand still",
+        "waits until the selected axes are at rest",
         fields(
             ("axis1", "i[0]", "1", "1 to wait for axis 1"),
             ("axis2", "i[1]", "1", "1 to wait for axis 2"),
             ("axis3", "i[2]", "1", "1 to wait for axis 3"),
-            ("timeout_s", "i[3]", "s", "longest wait"),
+            ("timeout_s", "i[3]", "s", "maximum waiting time"),
         ),
         waits=True,
     ),
@@ -143,7 +143,7 @@ ROBOT_REQUESTS: Final = (
     ),
     _command(
         "CONF_TM", 114, "int conf_tm(unsigned char timeout)",
-        "stops the wheels after so long without a command, 0 for never",
+        "stops the wheels if no command arrives within a timeout, 0 for never",
         fields(("timeout_s", "i[0]", "s", "timeout")),
     ),
     _command("GS", 115, "int gs(void)", "reads the whole state"),
@@ -151,18 +151,18 @@ ROBOT_REQUESTS: Final = (
     _command("GET_BP", 117, "int get_bp(void)", "reads the bumpers", sensors=BUMPER),
     _command("GET_RC", 118, "int get_rc(void)", "reads the odometry's pose", sensors=0),
     _command("GET_RV", 119, "int get_rv(void)", "reads the wheel speeds", sensors=0),
-    _command("CT", 121, "int ct(void)", "sets which parts of State the replies refresh",
+    _command("CT", 121, "int ct(void)", "sets which elements of State replies update",
              fields(("count", "size", "1", "44"), ("mask", "data", "1", "Smask, one byte each"))),
     _command("GET_IR", 122, "int get_ir(void)", "reads the infrared sensors", sensors=INFRARED),
-    _command("GET_RA", 123, "int get_ra(void)", "asks for the accelerations; refreshes nothing",
+    _command("GET_RA", 123, "int get_ra(void)", "requests the accelerations; updates nothing",
              sensors=0),
     _command("GET_CP", 124, "int get_cp(void)", "reads the compass", sensors=COMPASS),
     _command("GET_LS", 125, "int get_ls(void)", "reads the laser's points", sensors=LASER),
     _command("GET_SG", 126, "int get_sg(void)", "reads the laser's line segments", sensors=LASER),
     _command("CONF_IR", 127, "int conf_ir(int history, int order[16])",
-             "sets which infrared sensors measure, and how much of a reading stays in the next",
-             (*fields(("share", "i[0]", "0.1", "share that stays, 0 to 10")), *_ORDER)),
-    _command("CONF_CP", 128, "int conf_cp(int mode)", "switches the compass",
+             "sets which infrared sensors measure, and the weight of the previous reading",
+             (*fields(("share", "i[0]", "0.1", "weight, 0 to 10")), *_ORDER)),
+    _command("CONF_CP", 128, "int conf_cp(int mode)", "sets the mode of the compass",
              fields(("mode", "i[0]", "1", "0 off, 1 on, 2 calibrate"))),
     _command(
         "CONF_LS", 129,
@@ -171,20 +171,20 @@ ROBOT_REQUESTS: Final = (
         "configures the laser",
         fields(
             ("mode", "i[0]", "1", "mode: 0 or 50 off; 19, 51 points; 1, 33 segments"),
-            ("threshold", "i[1]", "1", "threshold of brightness"),
+            ("threshold", "i[1]", "1", "brightness threshold"),
             ("width", "i[2]", "pixel", "width of the line"),
-            ("points", "i[3]", "1", "points wanted, 1 to 482; 0 for all"),
-            ("averaged", "i[4]", "1", "neighbouring pixels that make an average"),
+            ("points", "i[3]", "1", "number of points, 1 to 482; 0 for all"),
+            ("averaged", "i[4]", "1", "number of adjacent pixels that are averaged"),
         ),
     ),
     _command(
         "CONF_SG", 130,
         "int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap)",
-        "configures how the laser's points become segments",
+        "configures the conversion of laser points to segments",
         fields(
             ("threshold", "i[0]", "(0.1 in)^2",
              "largest mean square of the points' distances from a segment"),
-            ("min_points", "i[1]", "1", "fewest points of a segment"),
+            ("min_points", "i[1]", "1", "minimum number of points of a segment"),
             ("gap", "i[2]", _LENGTH, "largest gap between two points of a segment"),
         ),
     ),
@@ -192,27 +192,27 @@ ROBOT_REQUESTS: Final = (
         "LASER_PAGE", 131, "int get_ls(void)",
         "returns a page of the laser readings that the last reply announced",
         fields(
-            ("first", "i[0]", "1", "first reading wanted"),
-            ("predicted", "i[1]", "1", "1 for those that PREDICT made"),
+            ("first", "i[0]", "1", "first requested reading"),
+            ("predicted", "i[1]", "1", "1 for those of PREDICT"),
         ),
         results=fields(
-            ("count", "result", "1", "readings in this page: at most 31 points or 15 segments"),
-            ("width", "i[0]", "1", "numbers of each: 2 for a point, 4 for a segment's two ends"),
+            ("count", "result", "1", "readings in this page, at most 31 points or 15 segments"),
+            ("width", "i[0]", "1", "numbers per reading: 2 for a point, 4 for a segment"),
             ("readings", "data", _LENGTH,
-             "x and y, ahead and left of the middle of robot and turret", "int32"),
+             "x and y, forward and to the left of the centre of robot and turret", "int32"),
         ),
         link="none",
     ),
     _request(
         "POS_DATA", 132, "int posSonarRingGet(PosData posData[SONARS])",
-        "returns where and when the sensors of the last reply were read",
+        "returns the position and time of the sensor readings in the last reply",
         fields(
             ("kind", "i[0]", "1",
              "one of POS_INFRARED, POS_SONAR, POS_BUMPER, POS_LASER, POS_COMPASS"),
-            ("first", "i[1]", "1", "number of the first sensor wanted"),
+            ("first", "i[1]", "1", "number of the first requested sensor"),
         ),
         results=fields(
-            ("count", "result", "1", "PosData in this page, at most 6; 0 behind the last sensor"),
+            ("count", "result", "1", "PosData in this page, at most 6; 0 after the last sensor"),
             ("records", "data", "as in State; ms",
              "9 each: x, y, heading, turret, three speeds, two times", "int32"),
         ),
@@ -243,7 +243,7 @@ ROBOT_REQUESTS: Final = (
              link="network", changes_world=True),
     _request(
         "GET_RPX", 145, "int get_rpx(long *robot_pos)", "returns the true poses of all robots",
-        fields(("first", "i[0]", "1", "first robot wanted")),
+        fields(("first", "i[0]", "1", "first requested robot")),
         results=fields(
             ("robots", "result", "1", "number of robots"), ("size", "size", "byte", "bytes"),
             ("poses", "data", "0.1 in, 0.1 in, 0.1 deg", "x, y, heading of each; at most 20",
@@ -258,9 +258,9 @@ ROBOT_REQUESTS: Final = (
         results=(
             *_DONE,
             *fields(
-                ("state", "data", "see NUM_STATE", "State[45], of which the sensors count",
+                ("state", "data", "see NUM_STATE", "State[45], of which only the sensors are used",
                  "int32"),
-                ("laser_count", "i[0]", "1", "laser readings that LASER_PAGE has ready"),
+                ("laser_count", "i[0]", "1", "laser readings available from LASER_PAGE"),
             ),
         ),
         link="network",
@@ -275,17 +275,17 @@ ROBOT_REQUESTS: Final = (
             ("numbers", "data", "see docs/robot-api.md", "a1 to a7", "float64"),
         ),
         results=fields(
-            ("collides", "result", "1", "1 when there is a collision"),
+            ("collides", "result", "1", "1 if there is a collision"),
             ("x", "f[0]", _LENGTH, "x"), ("y", "f[1]", _LENGTH, "y"),
             ("normal_rad", "f[2]", "rad", "direction of the normal into the obstacle"),
         ),
         link="network",
     ),
     _request("GET_CONF", 148, "int get_robot_conf(long *conf)",
-             "asks the user to point at a place in the simulator's window",
+             "asks the user to select a position in the simulator's window",
              results=(*_DONE, *_POSE), link="network"),
-    _request("REAL_ROBOT", 149, "int real_robot(void)", "asks for a real robot", link="network"),
-    _request("SIMULATED_ROBOT", 150, "int simulated_robot(void)", "asks for a simulated robot",
+    _request("REAL_ROBOT", 149, "int real_robot(void)", "requests a real robot", link="network"),
+    _request("SIMULATED_ROBOT", 150, "int simulated_robot(void)", "requests a simulated robot",
              link="network"),
     _request(
         "DRAW", 151, "int draw_line(long x_1, long y_1, long x_2, long y_2, int mode)",
@@ -306,12 +306,12 @@ ROBOT_REQUESTS: Final = (
              link="network"),
     _request("QUIT_SERVER", 153, "int quit_server(void)", "ends the simulator, for this program",
              link="network"),
-    _request("CREATE", 154, "int create_robot(long robot_id)", "makes a robot and connects to it",
+    _request("CREATE", 154, "int create_robot(long robot_id)", "creates a robot and connects to it",
              _ROBOT, results=_CONNECTED, link="none", needs_connection=False),
     _request(
         "SPECIAL", 155,
         "int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer)",
-        "sends a packet of the user's own",
+        "sends a user-defined packet",
         fields(("length", "i[0]", "byte", "length of the packet"),
                ("size", "size", "byte", "bytes, at most 248"),
                ("packet", "data", "1", "its first bytes")),
@@ -331,7 +331,7 @@ ROBOT_REQUESTS: Final = (
     ),
     _request("HEAT", 161, "int heatSensorCheck(void)", "reads the heat sensor",
              results=(*_DONE, *fields(("heat", "i[0]", "1", "the heat"))), link="serial"),
-    _request("TAG", 162, "int tagTarget(void)", "takes the heat from all things near",
-             results=(*_DONE, *_THINGS), link="serial"),
+    _request("TAG", 162, "int tagTarget(void)", "removes the heat of all objects in range",
+             results=(*_DONE, *_OBJECTS), link="serial"),
 )  # fmt: skip
-"""Every request that a robot, or the simulator it lives in, answers."""
+"""Every request that a robot, or its simulator, answers."""

@@ -1,6 +1,6 @@
-"""The vendor's API in one table: what `Nclient.h` declares, and what of it is known from where.
+"""The vendor's API in one table: the declarations of `Nclient.h`, with their sources.
 
-`docs/robot-api.md` is made of it, and a test holds it, the header and the library together.
+`docs/robot-api.md` is generated from it; a test compares it with the header and the library.
 
 >>> [function.name for group in GROUPS for function in group.functions if not function.declared]
 ['pa', 'conf_ser']
@@ -32,4 +32,4 @@ __all__ = [
 ]
 
 GROUPS: Final = (CONNECTION, MOTION, CONFIGURATION, READING, WORLD, GRAPHICS, POSDATA, PACKETS)
-"""All functions, by what they are about."""
+"""All functions, by group."""

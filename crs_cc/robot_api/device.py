@@ -1,6 +1,6 @@
-"""The functions of `crs.h`: what robots have here beyond the vendor's.
+"""The functions of `crs.h`: devices that the vendor's robots did not have, and messages.
 
-`docs/crs-h.md` is made of it, and a test holds it, the header and the library together.
+`docs/crs-h.md` is generated from it; a test compares it with the header and the library.
 
 >>> [function.name for group in DEVICE_GROUPS for function in group.functions][0]
 'crs_camera'
@@ -57,8 +57,8 @@ HANDLING: Final = Group("Grippers, arms and tagging", (
     ),
     Function(
         "int crs_get_gripper(int *opening, int *beam, int *weight)",
-        "returns the distance between the fingers, which is the width of what they hold; whether"
-        " the beam between them is interrupted; and the weight of what they hold, 0 for nothing."
+        "returns the distance between the fingers, which is the width of a held object; whether"
+        " the beam between them is interrupted; and the weight of the held object, 0 for none."
         " Pointers may be NULL", units="0.1 in, g",
         posts=("GET_GRIPPER",), source=(OURS,),
     ),
@@ -84,7 +84,7 @@ HANDLING: Final = Group("Grippers, arms and tagging", (
         " there is room below; returns immediately", posts=("HAND",), source=(OURS,),
     ),
     Function(
-        "int crs_get_hand(int *weight)", "returns the weight of what is in the hand, 0 for nothing",
+        "int crs_get_hand(int *weight)", "returns the weight of the held object, 0 for none",
         units="g", posts=("GET_ARM",), source=(OURS,),
     ),
     Function(
@@ -160,4 +160,4 @@ MESSAGES: Final = Group("Messages", (
 ))  # fmt: skip
 
 DEVICE_GROUPS: Final = (SENSORS, HANDLING, MESSAGES)
-"""All functions, by what they are about."""
+"""All functions, by group."""

@@ -1,4 +1,4 @@
-"""The constants, the places in State and Smask, the variables and types of the vendor's header."""
+"""The constants, indices into State and Smask, variables and types of the vendor's header."""
 
 from __future__ import annotations
 

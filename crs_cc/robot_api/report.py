@@ -1,4 +1,4 @@
-"""The commands of the CRS report: what they mean, and what is otherwise with the vendor's.
+"""The commands of the CRS report: their meaning, and differences from the vendor's.
 
 >>> next(each for each in COMMANDS if each.name == "get_bp").vendors
 'one bit for each bumper'
@@ -12,15 +12,15 @@ from typing import Final
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """A command of the report's.
+    """A command of the report.
 
     Attributes:
-        prototype: how `crs/report.h` declares it, its name for the linker left out.
-        units: of its arguments, in their order; empty when it has none that count.
-        meaning: what it does.
-        vendors: what is otherwise with the vendor's function of that name; empty when nothing is,
-            "-" when the vendor has none.
-        source: where in the report it stands.
+        prototype: its declaration in `crs/report.h`, without its name for the linker.
+        units: the units of its arguments, in order; empty if none has a unit.
+        meaning: its effect.
+        vendors: difference of the vendor's function of that name; empty for none, "-" if the vendor
+            has no such function.
+        source: its place in the report.
     """
 
     prototype: str
@@ -109,7 +109,7 @@ COMMANDS: Final = (
         "in whole inches, 255 for no echo", "2.2.5",
     ),
     Command(
-        "int get_bp(void)", "", "reads the bumpers: 1 while anything is touched, else 0",
+        "int get_bp(void)", "", "reads the bumpers: 1 while any of them is pressed, else 0",
         "one bit for each bumper", "2.2.5, 4.3.2",
     ),
     Command(
@@ -141,7 +141,7 @@ REPORT_STATE: Final = (
     ("STATE_HEAT", "-", "the heat in range, an integer"),
     ("NUM_STATE", "45", "46"),
 )
-"""What stands in State: its index, in the vendor's dialect, in the report's."""
+"""The elements of State: index, contents in the vendor's dialect, in the report's."""
 
 CHOICES: Final = """\
 - `scout_pr` and `scout_vm` turn right, as section 2.2.3 states explicitly, although the vendor's
@@ -151,7 +151,7 @@ CHOICES: Final = """\
   `pr` uses only its first argument (appendix A), although 2.2.2 specifies a distance per wheel.
 - Every command updates State, but the readings of a sensor change only with the commands of that
   sensor.
-- A robot that was never connected is connected by its first command; in the report, whoever starts
+- A robot that was never connected is connected by its first command; in the report, starting
   the robot connects it. After `disconnect_robot`, commands do nothing and return 0.
 - Every command returns 1, or 0 on failure; in the report most are `void`, but the return value of
   `connect_robot` is used.
@@ -160,4 +160,4 @@ CHOICES: Final = """\
   sensor, unless the robot definition sets another.
 - `STATE_HEAT` is the element after the vendor's `State`.
 """
-"""Where the report is silent, or says two things."""
+"""Choices where the report is silent or contradicts itself."""

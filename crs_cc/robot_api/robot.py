@@ -1,4 +1,4 @@
-"""The functions that reach the robot: connection, motion, configuration, reading."""
+"""The functions of the robot: connection, motion, configuration, reading."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ MOTION: Final = Group("Motion", (
         "drives at these speeds until the next command, or the timeout of `conf_tm`",
         units=_per("s"), refreshes=ALL, posts=("VM",), source=_BOTH,
         chosen="If the robot is blocked, motors weaker than the wheels' grip stall, and odometry"
-               " counts what the wheels roll; stronger motors make the wheels slip, and odometry"
+               " counts their rolling; stronger motors make the wheels slip, and odometry"
                " counts as if nothing blocked them (`force`, `grip`). Motors give up after the"
                " time `give-up`, if set. Contacts never turn a robot.",
     ),

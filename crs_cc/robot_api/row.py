@@ -1,4 +1,4 @@
-"""What the tables of the vendor's API are made of."""
+"""Rows of the tables of the vendor's API."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SOURCES: Final = {
 """Sources of what is known about a function."""
 
 ALL: Final = "State"
-"""Refreshes what the mask in use lets through."""
+"""The active mask selects what is refreshed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,14 +30,14 @@ class Function:
 
     Attributes:
         prototype: as the header declares it.
-        does: what it does and gives, where that is more than TRUE, or FALSE when it failed.
-        units: of its arguments, in their order, those that have one.
-        refreshes: what of the globals is new behind it.
-        posts: the requests it posts, by name; their bytes are its time on the line.
-        waits: what it waits for, besides the line.
-        under_ndirect: what is otherwise under Ndirect; empty when nothing is.
-        source: where that is known from, keys of `SOURCES`.
-        chosen: what nobody tells and we chose.
+        does: its effect, and its result unless that is TRUE, or FALSE on failure.
+        units: the units of its arguments, in order.
+        refreshes: the global variables that it updates.
+        posts: the requests that it posts, by name; their bytes determine its time on the line.
+        waits: the event that it waits for, besides the line.
+        under_ndirect: differences under Ndirect; empty for none.
+        source: the sources, keys of `SOURCES`.
+        chosen: undocumented behaviour that was chosen by us.
         declared: whether the vendor's header declares it.
     """
 
@@ -60,10 +60,10 @@ class Function:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Functions that belong together.
+    """A group of related functions.
 
     Attributes:
-        title: what they are about.
+        title: its title.
         functions: the functions.
     """
 
@@ -73,12 +73,12 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A constant, a place in State, or a global variable.
+    """A constant, an index into State, or a global variable.
 
     Attributes:
-        name: its name; several that count up as `STATE_IR_0 .. STATE_IR_15`.
-        value: its value, that of the first; of a variable its type.
-        meaning: what it is, with its unit.
+        name: its name; a range of consecutive values as `STATE_IR_0 .. STATE_IR_15`.
+        value: its value, or the first one; of a variable its type.
+        meaning: its description, with its unit.
     """
 
     name: str

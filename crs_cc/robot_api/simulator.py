@@ -1,4 +1,4 @@
-"""The functions that reach the simulator, those about times and places of readings, and packets."""
+"""The functions of the simulator, of position data, and of user-defined packets."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ WORLD: Final = Group("World", (
     ),
     Function(
         "int place_robot(int x, int y, int th, int tu)",
-        "moves the robot, and the pose of its odometry, to another place",
+        "moves the robot, and the pose of its odometry, to another pose",
         units="0.1 in, 0.1 in, 0.1 deg, 0.1 deg", posts=("PLACE_ROBOT",),
         under_ndirect="`dp` and `da`", source=_BOTH,
-        chosen="x and y are in the frame of the world file. A place outside the world, or"
+        chosen="x and y are in the frame of the world file. A pose outside the world, or"
                " occupied, is rejected. A motion continues from there; the base of a Nomad keeps"
                " its direction.",
     ),
