@@ -1,13 +1,13 @@
-"""A run: programs and environment take turns, one timestep after the other.
+"""A run: programs and environment alternate, timestep by timestep.
 
-Time is cut into cycles `[t, t + dt)`. In each cycle
+Time is divided into cycles `[t, t + dt)`. In each cycle
 
 1. every program that is not waiting runs until its own clock has passed the end of the cycle.
    Its clock advances by the processor time it uses (fuel) and by the transmission time of its
    commands on the link. When it posts a request it is suspended: requests to the host are answered
    at once, those to the robot when they arrive over the link, in this cycle or a later one;
-2. the environment executes the cycle, for which the hardware simulator has cut one slice of each
-   running command. Programs whose waits ended in it resume in the next cycle.
+2. the environment executes the cycle, with one slice of each running command from the hardware
+   simulator. Programs whose waits ended in it resume in the next cycle.
 
 All runnable programs are resumed in one call, and all requests with the same code are served in one
 call, in the order of the codes; so a run is a function of programs, world and seed alone.
@@ -91,8 +91,8 @@ class Session:
             executables: one program for each robot.
             seed: the random seed.
             arguments: for each robot `argv`; by default just the program's name.
-            output: receives what the programs write.
-            read: returns what they read.
+            output: receives the programs' output.
+            read: returns their input.
             files: the initial contents of every program's disk, by file name.
             client: which of the vendor's client libraries to emulate.
             trace: is notified of every timestep.

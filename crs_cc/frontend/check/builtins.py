@@ -1,9 +1,9 @@
-"""Built-in functions: calls that become instructions, for what cannot be written in C.
+"""Built-in functions: calls that become instructions, for operations that C cannot express.
 
 __crs_request(code, message)       posts a request and waits, see `crs_cc.requests`
 __crs_stop("null pointer", at)     ends the program with an error, see `requests.ERROR_KINDS`; the
                                    address is optional
-__crs_mark, callers, state         the allocator's, see `ir.instruction.Mark` and the following
+__crs_mark, callers, state         for the allocator, see `ir.instruction.Mark` and the following
 __crs_setjmp(buffer)               returns again after a jump, see `ir.instruction.SetJump`
 __crs_sigsetjmp(buffer, unblocked) the same, with signals for `siglongjmp`
 __crs_longjmp(activation, place, value)

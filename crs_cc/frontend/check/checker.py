@@ -69,7 +69,7 @@ class SwitchState:
         lows: the lowest value of each `case`, sorted.
         cases: the highest value and the location of each of them.
         default: the location of `default`.
-        automatics: how many `Automatic`s were in scope at its start.
+        automatics: the number of `Automatic`s in scope at its start.
     """
 
     type: CType
@@ -86,9 +86,9 @@ class FunctionState:
 
     Attributes:
         returns_implicit_int: whether the result type is left out, so that `return` needs no value.
-        loops: how many `automatics` were in scope at the start of each open loop.
+        loops: the number of `automatics` in scope at the start of each open loop.
         switches: the open switches.
-        breakable: how many `automatics` were in scope at the start of each open loop and switch.
+        breakable: the number of `automatics` in scope at the start of each open loop and switch.
         addresses: the number, which serves as its address, of each label whose address is taken,
             and the location of the first use.
         label_names: for each open block with local labels, their names in `labels`.
@@ -130,10 +130,10 @@ class Unit:
         specified: the type of each specifier node; declarators share them.
         function: the function that is being checked.
         place: the last known location, for nodes without one.
-        link_names: how many static names there are of each spelling.
-        prototypes: how many parameter lists are open, in which array lengths are not evaluated.
+        link_names: the number of static names of each spelling.
+        prototypes: the number of open parameter lists, in which array lengths are not evaluated.
         unknown: the unknown names that were reported, with the function that used them.
-        suggestions: how many more unknown names get a hint.
+        suggestions: the number of further unknown names that get a hint.
         trusted: whether its functions may change the state of shadow memory.
         dialect: the dialect, which determines the robot functions.
         headers: the directories of the headers that come with crs.

@@ -189,7 +189,7 @@ def _increment(low: Lowering, expression: tree.Increment, into: Register | None)
 
 
 def _step(low: Lowering, expression: tree.Increment, target: _Target, old: Operand) -> Operand:
-    """Store `old` plus one step; return what the target then holds."""
+    """Store `old` plus one step; return the new value of the target."""
     ctype, location, step = expression.type, expression.location, expression.step
     if isinstance(ctype, PointerType):
         step *= ctype.target.size

@@ -73,7 +73,7 @@ LowerStatement: TypeAlias = "Callable[[Lowering, Any], None]"
 
 @dataclass(frozen=True, slots=True)
 class Rules:
-    """Which function lowers which class of nodes, for each thing an expression can be needed for.
+    """The functions that lower nodes, by class of node, for each use of an expression.
 
     Attributes:
         value: return its value as an operand, in the given register if there is one.
@@ -105,9 +105,9 @@ class Lowering:
     """A function under construction.
 
     Attributes:
-        unit: what the functions of the file share.
+        unit: the state shared by the functions of the file.
         function: the function.
-        rules: which function lowers which class of nodes.
+        rules: the functions that lower nodes.
         block: the block that takes the next instruction; unreachable after a jump.
         places: the register or slot of each local variable.
         result_pointer: the address for a struct result.
@@ -185,7 +185,7 @@ class Lowering:
         return made
 
     def used_registers(self) -> dict[ValueType, int]:
-        """Return how many temporary registers the current statement uses."""
+        """Return the number of temporary registers of the current statement."""
         return dict(self._used)
 
     @contextmanager
@@ -277,7 +277,7 @@ class Lowering:
 
         Args:
             place: the place.
-            size: how many bytes are accessed.
+            size: the number of accessed bytes.
             location: the location for messages.
         """
         base, offset = place
