@@ -1,8 +1,8 @@
-"""Measures how long `crs run` takes before and after a program that does nothing.
+"""Measures how long `crs run` takes for a program that prints hello, in an empty world.
 
 Three states of the cache: empty (what it uses of the C library is compiled too), with the library
-but not the program, and with both; against a bare start of Python. Wall time, medians, taken in
-turns.
+but not the program, and with both; and `crs --help`; against a bare start of Python. Wall time,
+medians, taken in turns, with Python's own cache of compiled modules.
 
     python bench/start.py [--repeat N]
 """
@@ -20,8 +20,10 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-TINY = "int main(void) { return 0; }\n"
-OTHER = "int main(void) { return 1 - 1; }\n"
+HELLO = '#include <stdio.h>\nint main(void) { printf("hello\\n"); return 0; }\n'
+OTHER = HELLO.replace("hello", "other")
+LIMITS = {"crs run, warm": 15.0}
+"""What we allow, in bare starts of Python."""
 
 
 def timed(command: list[str], environment: dict[str, str]) -> float:
@@ -37,10 +39,12 @@ class Starts:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.environment = {**os.environ, "CRS_CACHE": str(folder / "cache")}
-        (folder / "tiny.c").write_text(TINY)
+        self.environment.pop("PYTHONDONTWRITEBYTECODE", None)
+        (folder / "hello.c").write_text(HELLO)
         (folder / "other.c").write_text(OTHER)
         self.kinds: dict[str, Callable[[], float]] = {
             "python -c pass": self.python,
+            "crs --help": self.help,
             "crs run, warm": self.warm,
             "crs run, new program": self.new_program,
             "crs run, empty cache": self.empty,
@@ -56,18 +60,21 @@ class Starts:
     def python(self) -> float:
         return timed([sys.executable, "-c", "pass"], self.environment)
 
+    def help(self) -> float:
+        return timed([sys.executable, "-m", "crs_cc", "--help"], self.environment)
+
     def warm(self) -> float:
-        self.run("tiny.c")
-        return self.run("tiny.c")
+        self.run("hello.c")
+        return self.run("hello.c")
 
     def new_program(self) -> float:
         self.clear()
         self.run("other.c")
-        return self.run("tiny.c")
+        return self.run("hello.c")
 
     def empty(self) -> float:
         self.clear()
-        return self.run("tiny.c")
+        return self.run("hello.c")
 
 
 def main() -> None:
@@ -84,7 +91,8 @@ def main() -> None:
     medians = {kind: statistics.median(rows) for kind, rows in times.items()}
     base = medians["python -c pass"]
     for kind, seconds in medians.items():
-        print(f"{kind:24}{seconds * 1000:8.0f} ms{seconds / base:8.1f} x python")
+        limit = f"   (limit {LIMITS[kind]:.0f})" if kind in LIMITS else ""
+        print(f"{kind:24}{seconds * 1000:8.0f} ms{seconds / base:8.1f} x python{limit}")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
 """`python -m crs_cc` is `crs`."""
 
-import sys
-
-from crs_cc.cli.main import main
+from crs_cc.cli.process import start
 
 if __name__ == "__main__":
-    sys.exit(main())
+    start()

@@ -28,7 +28,7 @@ MEASURED = {
     "environment.py": ["\n       1 ", "1 times a scout: ", "1 times a noisy scout: "],
     "fleet.py": ["    bare request ", "      small loop "],
     "messages.py": ["4 robots, silent: ", "radio: ", "infrared: ", "local: "],
-    "start.py": ["python -c pass ", "crs run, warm ", "crs run, empty cache "],
+    "start.py": ["python -c pass ", "crs --help ", "crs run, warm ", "crs run, empty cache "],
 }
 """Of each script, words of what it prints."""
 

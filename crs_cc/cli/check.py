@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -64,6 +63,8 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
         sources.messages += messages
         messages, status = (_linked if _has_entry(programs) else _sized)(programs, sources)
     if as_json:
+        import json
+
         click.echo(json.dumps([as_data(message) for message in messages], indent=2))
         return status
     show(messages)

@@ -6,7 +6,6 @@ Inputs(sources=(PosixPath('wander.c'), PosixPath('turn.c')), world=PosixPath('ro
 
 from __future__ import annotations
 
-import difflib
 import os
 import stat
 from collections.abc import Sequence
@@ -161,5 +160,7 @@ def _similar(path: Path) -> str:
         names = sorted(each.name for each in path.parent.iterdir() if each.suffix == path.suffix)
     except OSError:
         return ""
+    import difflib  # rarely needed
+
     close = difflib.get_close_matches(path.name, names, n=1)
     return f"did you mean '{path.with_name(close[0])}'?" if close else ""

@@ -12,7 +12,8 @@ from crs_cc.cli.compiler_options import gathered, merged
 from crs_cc.cli.inputs import check_readable
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.session.build import build_executable
-from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
+from crs_cc.session.empty_world import empty_world
+from crs_cc.sim.files.known_robots import known_robots
 
 if TYPE_CHECKING:
     from crs_cc.cli.program_options import ProgramOptions
@@ -91,6 +92,8 @@ def _world(options: ProgramOptions) -> WorldModel:
         world = empty_world(options.setup, robot)
     else:
         check_readable(path)
+        from crs_cc.sim.files.world_xml import load_world
+
         world = load_world(path, options.setup, robot)
     return world.with_ideal_link() if options.link == "ideal" else world
 

@@ -15,7 +15,6 @@ import click
 
 from crs_cc.cli.messages import is_coloured, printable, render, say
 from crs_cc.core.source import Diagnostic
-from crs_cc.frontend.check.scope import ENTRIES
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
@@ -53,6 +52,8 @@ def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = Fals
         rows.append(", ".join(f"{name} = {value}" for name, value in report.values))
     rows += report.notes
     rows = [printable(row) for row in rows]
+    from crs_cc.frontend.check.scope import ENTRIES  # rarely needed
+
     is_obvious = len(report.stack) == 1 and report.stack[0].function in ENTRIES
     innermost = next((call for call in report.stack if call.location is not None), None)
     for number, call in enumerate(() if is_obvious else report.stack):

@@ -2,46 +2,33 @@
 
 from __future__ import annotations
 
-import json
-import math
 import sys
 import time
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import click
-import numpy as np
 
 from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
-from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.report import show_reports
 from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
-from crs_cc.cli.tracks import Tracks
-from crs_cc.core.arrays import FloatArray
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.session.session import Session
-from crs_cc.sim.engine.drawings import drawings_in
-from crs_cc.sim.engine.sensor_overlay import sights
-from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model.world import Pose, Thing
 
 if TYPE_CHECKING:
     from crs_cc.cli.run_options import RunOptions
+    from crs_cc.cli.run_plot import RunPlot
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.session import Listener
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import WorldModel
-
-
-_MOVED_M: Final = 0.005
 
 
 def simulate(options: RunOptions) -> int:
@@ -58,6 +45,8 @@ def simulate(options: RunOptions) -> int:
         if options.as_json:
             messages = [as_data(message) for message in error.diagnostics]
             data = {"exit_status": error.exit_status, "diagnostics": messages}
+            import json
+
             click.echo(json.dumps(data, indent=2))
         raise
 
@@ -73,8 +62,7 @@ def _simulate(options: RunOptions) -> int:
     if not options.quiet:
         show(list(runner.unconnected()))
     is_kept = _save_files(runner.session, run, options)
-    if options.plot is not None:
-        _write(options.plot, runner.picture(run).render())
+    runner.draw(run)
     return exit_status(run) if is_kept else SYSTEM
 
 
@@ -83,7 +71,6 @@ class Runner:
 
     Attributes:
         session: the session.
-        tracks: the robots' paths.
     """
 
     def __init__(self, loaded: Loaded, options: RunOptions) -> None:
@@ -102,7 +89,7 @@ class Runner:
         )
         self._interrupt = Interrupt()
         self._started_s = time.monotonic()
-        self.tracks = Tracks()
+        self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
         self.session = Session(
             world,
@@ -157,25 +144,25 @@ class Runner:
         if self._trace is not None:
             self._output.flush()
             self._trace.step(step)
-        if self._options.plot is not None:
-            contacts = step.contacts
-            for robot, x_m, y_m in zip(contacts.robot, contacts.x_m, contacts.y_m, strict=True):
-                self.tracks.add_contact(int(robot), float(x_m), float(y_m))
-            # A contact of two robots is listed for each of them.
-            robots = len(self.session.environment.state.heading_rad)
-            once = (contacts.other >= robots) | (contacts.robot < contacts.other)
-            self.tracks.collisions += int(once.sum())
+        if self._plot is not None:
+            self._plot.add_contacts(step, len(self.session.fleet))
 
     def _sample(self) -> None:
         """Add the current positions to the plot."""
-        if self._options.plot is not None:
-            self.tracks.add(*self._positions_m())
+        if self._plot is not None:
+            self._plot.sample(self.session)
 
-    def _positions_m(self) -> tuple[FloatArray, FloatArray]:
-        """Return x and y of all robots [m], NaN for those that are not in the world."""
-        state = self.session.environment.state
-        present = state.presence.present
-        return np.where(present, state.x_m, np.nan), np.where(present, state.y_m, np.nan)
+    def draw(self, run: Run) -> None:
+        """Write the plot of the finished run, if it is wanted.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        if self._plot is not None and self._options.plot is not None:
+            programs = [f"{Path(row[0]).name}.c" for row in self._loaded.arguments]
+            sensors = self._options.plot_sensors
+            picture = self._plot.picture(self.session, run, programs, sensors=sensors)
+            _write(self._options.plot, picture)
 
     def _read(self, _robot: int, size: int) -> bytes:
         self._progress.clear()
@@ -204,50 +191,20 @@ class Runner:
             hint = "call connect_robot first"
             yield Diagnostic("warning", call.location, text, line, hint)
 
-    def picture(self, run: Run) -> Picture:
-        """Return the plot of the finished run."""
-        state = self.session.environment.state
-        world = self.session.environment.world_now
-        self.tracks.end(*self._positions_m())
-        gone = np.isfinite(state.presence.left_s)
-        trips = [
-            Trip(robot, self.tracks.path(n), float(state.heading_rad[n]), left=bool(gone[n]))
-            for n, robot in enumerate(world.robots)
-        ]
-        programs = dict.fromkeys(f"{Path(row[0]).name}.c" for row in self._loaded.arguments)
-        where = Path(run.world).name if run.world else "an empty world"
-        title = f"{', '.join(programs)} in {where}"
-        collisions = self.tracks.collisions
-        subtitle = f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, "
-        subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
-        return Picture(
-            title,
-            subtitle,
-            world,
-            trips,
-            self.tracks.contacts,
-            self._pushed(world),
-            drawings_in(state.drawings),
-            sights(state, world, self.session.time_s) if self._options.plot_sensors else [],
-        )
-
-    def _pushed(self, world: WorldModel) -> list[Thing]:
-        """Return the objects that were pushed, at their current poses."""
-        bodies = self.session.environment.state.bodies
-        scene = Scene(world)
-        pushed = []
-        for body, thing in enumerate(scene.pushables, scene.robots):
-            (x_m, y_m), angle_rad = bodies.position_m[body], bodies.angle_rad[body]
-            if math.hypot(x_m - thing.pose.x_m, y_m - thing.pose.y_m) > _MOVED_M:
-                pushed.append(replace(thing, pose=Pose(float(x_m), float(y_m), float(angle_rad))))
-        return pushed
-
 
 def shows_summary(options: RunOptions) -> bool:
     """Return whether to show the summary: by default on a terminal."""
     if options.summary is None:
         return is_terminal(sys.stderr) and not options.quiet
     return options.summary
+
+
+def _plot(options: RunOptions) -> RunPlot | None:
+    if options.plot is None:
+        return None
+    from crs_cc.cli.run_plot import RunPlot
+
+    return RunPlot()
 
 
 def _trace(what: str, world: WorldModel) -> Listener:

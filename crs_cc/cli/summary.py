@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -73,6 +72,8 @@ def as_json(run: Run) -> str:
         ],
         "timing": {"wall_s": run.wall_s, "real_time_factor": run.real_time_factor},
     }
+    import json
+
     return json.dumps(data, indent=2)
 
 

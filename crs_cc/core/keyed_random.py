@@ -13,6 +13,7 @@ happens in a world changes it.
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -37,8 +38,12 @@ class KeyedUniform:
             seed: the random seed, not negative.
             stream: the key of their purpose, a constant of `random_streams`.
         """
-        sequence = np.random.SeedSequence(seed, spawn_key=(stream,))
-        self._start = sequence.generate_state(1, np.uint64)
+        self._seed, self._stream = seed, stream
+
+    @cached_property
+    def _start(self) -> npt.NDArray[np.uint64]:
+        sequence = np.random.SeedSequence(self._seed, spawn_key=(self._stream,))
+        return sequence.generate_state(1, np.uint64)
 
     def draw(self, *keys: npt.NDArray[np.integer] | int) -> FloatArray:
         """Return the deviate of each row of keys, shape (k,).

@@ -13,9 +13,9 @@ from typing import Final
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.body import items_of
 from crs_cc.frontend.parse.lexer import lex
-from crs_cc.frontend.preprocess.includes import Refusal, read_regular_file
 from crs_cc.frontend.preprocess.options import Dialect, Options
 from crs_cc.frontend.preprocess.preprocessor import preprocess
+from crs_cc.frontend.preprocess.regular_file import Refusal, read_regular_file
 
 _RUNCODE: Final = "runcode"
 _VENDORS_HEADER: Final = "nclient.h"

@@ -13,21 +13,26 @@ from typing import Final
 import numpy as np
 
 from crs_cc.requests import SLOT, slot_offset
-from crs_cc.runtime.wasm import Code, Module
 
 HEADER: Final = np.dtype([("current", "<u4"), ("count", "<u4")])
 CURRENT, COUNT = (int(HEADER.fields[name][1]) for name in HEADER.names)  # type: ignore[index,union-attr]
 SLOTS: Final = SLOT.itemsize  # address of the first slot, after the header
 
 
-def driver(robots: int) -> Module:
-    """Return the driver of a fleet of a number of robots."""
-    return Module(
+def driver() -> bytes:
+    """Return the driver of any fleet, in the binary format.
+
+    The table is empty: the fleet grows it.
+    """
+    from crs_cc.runtime.wasm import Code, Module  # not needed if the driver is in the cache
+
+    module = Module(
         functions=[Code("round", ((), ()), ["i32", "i32"], _round())],
         memory_imports=[("crs", "mailbox")],
-        tables=[robots],
+        tables=[0],
         exports=[("round", "func", 0), ("robots", "table", 0)],
     )
+    return module.to_binary()
 
 
 def _round() -> list[tuple[object, ...]]:

@@ -10,14 +10,19 @@ import functools
 import resource
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import wasmtime
 from wasmtime import _bindings
 
+from crs_cc.runtime.driver import driver
+
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
     from crs_cc.runtime.compiled import Compiled
+
+Driver: TypeAlias = wasmtime.Module
+"""The module that runs a round of a fleet."""
 
 MAX_WASM_STACK = 6 * 2**20
 """Host stack for the deepest recursion [bytes], three times the program's stack.
@@ -44,6 +49,24 @@ def engine() -> wasmtime.Engine:
     config.cranelift_opt_level = "speed"
     _bindings.wasmtime_config_wasm_branch_hinting_set(config.ptr(), True)
     return wasmtime.Engine(config)
+
+
+@functools.cache
+def compile_driver() -> Driver:
+    """Return the module that runs a round of any fleet."""
+    return wasmtime.Module(engine(), driver())
+
+
+def load_module(machine_code: bytes) -> wasmtime.Module | None:
+    """Return a serialised module; None if this computer cannot run it.
+
+    Machine code is specific to the processor that it was compiled on; the cache may have been moved
+    to another, which wasmtime detects.
+    """
+    try:
+        return wasmtime.Module.deserialize(engine(), machine_code)
+    except wasmtime.WasmtimeError:
+        return None
 
 
 @dataclass(slots=True)
@@ -103,17 +126,9 @@ class Detail:
 def load_executable(
     name: str, machine_code: bytes, detail: Callable[[], Detail]
 ) -> Executable | None:
-    """Load a cached program; return None if this computer cannot run it.
-
-    Machine code is specific to the processor that it was compiled on; the cache may have been moved
-    to another, which wasmtime detects.
-    """
-    executable = Executable(name, machine_code, detail)
-    try:
-        executable.module()
-    except wasmtime.WasmtimeError:
-        return None
-    return executable
+    """Load a cached program; return None if this computer cannot run it, see `load_module`."""
+    module = load_module(machine_code)
+    return None if module is None else Executable(name, machine_code, detail, module)
 
 
 def make_executable(

@@ -29,11 +29,10 @@ from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
 from crs_cc.runtime import resident_pages
-from crs_cc.runtime.driver import HEADER, SLOTS, driver
-from crs_cc.runtime.executable import Executable, engine
-from crs_cc.runtime.layout import MEMORY_BYTES, STACK_TOP
+from crs_cc.runtime.driver import HEADER, SLOTS
+from crs_cc.runtime.executable import Driver, Executable, compile_driver, engine
+from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
 from crs_cc.runtime.resident_pages import CHUNK
-from crs_cc.runtime.wasm import PAGE
 from crs_cc.runtime.watch_ranges import WATCHED
 
 if TYPE_CHECKING:
@@ -94,16 +93,20 @@ class Fleet:
             only watching builds use them.
     """
 
-    def __init__(self, executables: Sequence[Executable]) -> None:
+    def __init__(self, executables: Sequence[Executable], driver: Driver | None = None) -> None:
         """Create a sandbox for each program.
+
+        Args:
+            executables: the programs.
+            driver: the module that `compile_driver` returns, if it is known.
 
         Raises:
             OSError: there is not enough memory or address space.
         """
         with _memory_demanded(len(executables)):
-            self._create(executables)
+            self._create(executables, driver or compile_driver())
 
-    def _create(self, executables: Sequence[Executable]) -> None:
+    def _create(self, executables: Sequence[Executable], driver: Driver) -> None:
         self._store = wasmtime.Store(engine())
         limits = wasmtime.Limits(_pages(len(executables)), _MOST_PAGES)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
@@ -113,7 +116,7 @@ class Fleet:
         self._builds: list[list[_Sandbox]] = []  # of each program, all builds used
         self._fresh: list[Snapshot | None] = []  # of added programs
         self._made = 0
-        self._start_driver(len(executables))
+        self._start_driver(driver)
         for executable in executables:
             self._instantiate(executable)
         self._resize_slots(0, len(executables))
@@ -137,8 +140,6 @@ class Fleet:
         for spare in (self._sandboxes, self._builds, self.marks, self.watched, self._fresh):
             del spare[number:]
         with _memory_demanded(1):
-            if number >= self._table.size(self._store):
-                self._start_driver(2 * number + 1)
             self._instantiate(executable)
             self._resize_slots(number, number + 1)
         self._fresh[number] = self.snapshot(number)
@@ -159,17 +160,13 @@ class Fleet:
         self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
         self.slots[first:] = np.zeros((), SLOT)
 
-    def _start_driver(self, robots: int) -> None:
-        """Create a driver with room for a number of programs, and register the existing ones."""
+    def _start_driver(self, driver: Driver) -> None:
         self._raise_instance_limit()
-        module = wasmtime.Module(engine(), driver(robots).to_binary())
-        exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
+        exports = wasmtime.Instance(self._store, driver, [self._mailbox]).exports(self._store)
         round_, table = exports["round"], exports["robots"]
         assert isinstance(round_, wasmtime.Func)
         assert isinstance(table, wasmtime.Table)
         self._round, self._table = round_, table
-        for number, sandbox in enumerate(self._sandboxes):
-            table.set(self._store, number, sandbox.resume)
 
     def _instantiate(self, executable: Executable) -> None:
         """Append a new program."""
@@ -183,6 +180,9 @@ class Fleet:
 
     def _assign(self, robot: int, sandbox: _Sandbox) -> None:
         """Assign a sandbox to a robot."""
+        size = self._table.size(self._store)
+        if robot >= size:
+            self._table.grow(self._store, max(robot + 1 - size, size), None)
         self._table.set(self._store, robot, sandbox.resume)
         self._sandboxes[robot] = sandbox
         if len(sandbox.marks):

@@ -21,15 +21,19 @@ In checked builds every slot and every object is surrounded by inaccessible red 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.errors import CompileError
-from crs_cc.ir.program import Data, Function, Parameter, Program, Register, SetJump, Slot
+
+if TYPE_CHECKING:
+    from crs_cc.ir.program import Data, Function, Parameter, Program, Register, Slot
 
 NULL_SIZE: Final = 4096
 STACK_SIZE: Final = 2 * 2**20
 STACK_TOP: Final = NULL_SIZE + STACK_SIZE
 MEMORY_BYTES: Final = 16 * 2**20
+PAGE: Final = 65536
+"""WebAssembly's page [bytes]."""
 
 HEADER_SIZE: Final = 16
 RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
@@ -132,6 +136,8 @@ def lay_out(
     Raises:
         CompileError: a local variable needs a stricter alignment than frames have.
     """
+    from crs_cc.ir.program import SetJump  # not needed to run a program
+
     frame = Frame()
     offset = HEADER_SIZE + arguments_size if arguments_size >= 0 else 0
     for register in saved:
@@ -169,6 +175,8 @@ def _check_alignment(slot: Slot, function: Function) -> None:
 
 
 def _place_parameters(frame: Frame, parameters: list[Parameter]) -> None:
+    from crs_cc.ir.program import Slot
+
     first = frame.size + HEADER_SIZE
     offsets = [first + each for each in argument_offsets([p.size for p in parameters])]
     frame.parameters, frame.varargs = offsets[:-1], offsets[-1]

@@ -21,6 +21,7 @@ from typing import Any, Final, Literal, TypeAlias
 from crs_cc.core.file_names import displayed
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import ValueType
+from crs_cc.runtime import layout
 
 Instr: TypeAlias = tuple[Any, ...]
 FuncType: TypeAlias = tuple[tuple[ValueType, ...], tuple[ValueType, ...]]
@@ -28,7 +29,7 @@ FuncType: TypeAlias = tuple[tuple[ValueType, ...], tuple[ValueType, ...]]
 TYPE_I32_I32: Final[FuncType] = (("i32",), ("i32",))
 TYPE_CALL: Final[FuncType] = (("i32", "i64"), ("i32", "i64"))
 """The type of a C function: (frame pointer, fuel) -> (status, remaining fuel)."""
-PAGE: Final = 65536
+PAGE: Final = layout.PAGE
 
 UNLIKELY: Final[Instr] = ("if", "unlikely")
 
@@ -167,7 +168,7 @@ class Module:
     Attributes:
         memory_imports: (module, name) of each imported memory, of one page or more.
         memories: sizes of the module's own memories, in pages.
-        tables: sizes of its tables of functions.
+        tables: sizes of its tables of functions; 0 for one that the host grows.
         globals: (type, initial value) of its mutable globals.
         elements: (table, first index, functions) written into tables at instantiation.
         data: (memory, address, bytes) written into memory at instantiation; segments with a memory
@@ -203,7 +204,7 @@ class Module:
             (1, [_func_type(each) for each in types]),
             (2, [_name(m) + _name(n) + b"\x02\x00\x01" for m, n in self.memory_imports]),
             (3, [unsigned(types.index(code.type)) for code in self.functions]),
-            (4, [b"\x70" + _limits(size) for size in self.tables]),
+            (4, [b"\x70" + (_limits(size) if size else b"\0\0") for size in self.tables]),
             (5, [_limits(size) for size in self.memories]),
             (6, [_global(kind, value) for kind, value in self.globals]),
             (7, [_name(n) + bytes((kinds[k],)) + unsigned(i) for n, k, i in self.exports]),

@@ -8,15 +8,25 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.gc_pause import without_collector
 from crs_cc.core.source import Diagnostic, Diagnostics
-from crs_cc.frontend.preprocess.includes import digest
-from crs_cc.frontend.preprocess.options import Dialect, Options
-from crs_cc.runtime.executable import Detail, Executable, load_executable
+from crs_cc.frontend.preprocess.regular_file import digest
+from crs_cc.runtime.executable import (
+    Detail,
+    Driver,
+    Executable,
+    compile_driver,
+    load_executable,
+    load_module,
+)
 from crs_cc.session import cache
 from crs_cc.session.device_library import device_sources
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.preprocess.options import Dialect, Options
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +175,18 @@ def build_watching(executable: Executable) -> Executable:
         )
     cache.store(name, made.machine_code)
     return replace(made, detail=executable.detail)
+
+
+def build_driver() -> Driver:
+    """Return the module that runs a round of any fleet, from the cache if possible."""
+    name = cache.key("driver")
+    entry = cache.load(name, bytes)
+    known = entry and load_module(entry)
+    if known:
+        return known
+    made = compile_driver()
+    cache.store(name, bytes(made.serialize()))
+    return made
 
 
 def _unchanged(entry: _Entry) -> bool:

@@ -11,21 +11,15 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
-import importlib.metadata
 import os
 import pickle
 import stat
-import sys
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeVar
 
 from crs_cc.session.cache_size import TEMPORARY, StoreQuota
-
-PACKAGE = Path(__file__).parent.parent
-COMPILER = ("core", "requests", "robot_api", "ir", "frontend", "runtime", "session")
-SUFFIXES = {".py", ".c", ".h", ".txt"}
+from crs_cc.session.fingerprint import COMPILER, fingerprint, stamp
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")
@@ -43,29 +37,20 @@ def folder() -> Path | None:
         return None
 
 
-def sources() -> list[Path]:
-    """Return the files that determine the compiler's output, including the C library's."""
-    found = list(PACKAGE.glob("*.py"))
-    for part in COMPILER:
-        found += [path for path in (PACKAGE / part).rglob("*") if path.suffix in SUFFIXES]
-    return sorted(found)
-
-
 @functools.cache
-def fingerprint() -> str:
-    """Return a hash of everything that determines the compiler's output."""
-    digest = hashlib.sha256()
-    digest.update(f"{sys.version_info[:2]} {sys.platform} {os.uname().machine}".encode())
-    for package in ("pycparser", "wasmtime"):
-        digest.update(importlib.metadata.version(package).encode())
-    for file in sources():
-        digest.update(f"{file.relative_to(PACKAGE)}\0".encode() + file.read_bytes())
-    return digest.hexdigest()
+def version(folders: tuple[str, ...] = COMPILER) -> str:
+    """Return the fingerprint of our sources in some folders, without reading them if possible."""
+    name = hashlib.sha256(f"version {stamp(folders)}".encode()).hexdigest()[:32]
+    found = load(name, str)
+    if found is None:
+        found = fingerprint(folders)
+        store(name, found)
+    return found
 
 
 def key(*parts: str | bytes | Iterable[str]) -> str:
     """Return the name of the entry for these inputs of the compiler."""
-    digest = hashlib.sha256(fingerprint().encode())
+    digest = hashlib.sha256(version().encode())
     for part in parts:
         rows = [part] if isinstance(part, str | bytes) else list(part)
         digest.update(f"{len(rows)}:".encode())
@@ -129,6 +114,8 @@ def _write(path: Path, content: bytes) -> None:
     Raises:
         OSError: it cannot be written; nothing is left behind.
     """
+    import tempfile  # not needed if everything is in the cache
+
     begin, end = TEMPORARY
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=begin, suffix=end)
     temporary = Path(name)

@@ -20,6 +20,7 @@ from crs_cc.core.arrays import IndexArray
 from crs_cc.core.suggest import unknown
 from crs_cc.requests import FAILED
 from crs_cc.runtime.fleet import Fleet
+from crs_cc.session.build import build_driver
 from crs_cc.session.result import (
     Added,
     Outcome,
@@ -89,7 +90,7 @@ class SessionState:
             host: the robots' host computers.
         """
         self.environment = Environment(world, seed)
-        self.fleet = Fleet(executables)
+        self.fleet = Fleet(executables, build_driver())
         self.host = host
         count = len(executables)
         self._added: list[Added] = []

@@ -21,6 +21,7 @@ from crs_cc.session import build as build_module
 from crs_cc.session import cache
 from crs_cc.session import library as library_module
 from crs_cc.session.build import build_executable
+from crs_cc.session.fingerprint import PACKAGE, sources
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
 
@@ -281,11 +282,11 @@ def test_the_fingerprint_covers_all_modules_used_to_compile(tmp_path: Path) -> N
         "ir",
         "session",
     }
-    covered = set(cache.sources())
+    covered = set(sources())
     # What the simulation contributes, the C side of devices, is part of each entry's name.
-    used -= {path for path in used if path.is_relative_to(cache.PACKAGE / "sim")}
+    used -= {path for path in used if path.is_relative_to(PACKAGE / "sim")}
     assert used <= covered
-    lib = cache.PACKAGE / "runtime" / "lib"
+    lib = PACKAGE / "runtime" / "lib"
     assert covered >= {lib / "index.txt", lib / "include" / "Nclient.h"}
 
 

@@ -15,8 +15,8 @@ from typing import Final
 from crs_cc.frontend.preprocess import conditionals
 from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_operators
 from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
-from crs_cc.frontend.preprocess.includes import Refusal
 from crs_cc.frontend.preprocess.macros import RESERVED, read_definition
+from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.source_text import Place
 from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import NAME, STRING, Token, shown, spell, tokenise

@@ -26,10 +26,11 @@ from crs_cc.frontend.preprocess.budget import ExhaustedError
 from crs_cc.frontend.preprocess.directives import execute_pragma, run_directive
 from crs_cc.frontend.preprocess.dynamic import dynamic_macros
 from crs_cc.frontend.preprocess.gnu import GnuSyntax
-from crs_cc.frontend.preprocess.includes import Headers, Refusal, read_regular_file
+from crs_cc.frontend.preprocess.includes import Headers
 from crs_cc.frontend.preprocess.options import DIALECT_HEADERS, Options
 from crs_cc.frontend.preprocess.output import Preprocessed, Writer
 from crs_cc.frontend.preprocess.predefined import ORIGIN, predefined_macros
+from crs_cc.frontend.preprocess.regular_file import Refusal, read_regular_file
 from crs_cc.frontend.preprocess.report import Report, StopError
 from crs_cc.frontend.preprocess.source_text import Place, Places, decode, is_binary
 from crs_cc.frontend.preprocess.spelling import is_plain, respell

@@ -22,9 +22,10 @@ from typing import Final
 from crs_cc.frontend.preprocess import gnu
 from crs_cc.frontend.preprocess.budget import Budget
 from crs_cc.frontend.preprocess.expand import MacroUses, MoreTokens, expand
-from crs_cc.frontend.preprocess.includes import Header, Headers, Refusal
+from crs_cc.frontend.preprocess.includes import Header, Headers
 from crs_cc.frontend.preprocess.macros import DEFINED, Macro
 from crs_cc.frontend.preprocess.reader import Reader
+from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.report import Report
 from crs_cc.frontend.preprocess.source_text import (
     Place,

@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.sim.physics.shapes import overlap
-
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.bodies import Bodies
@@ -21,6 +19,8 @@ def is_space_free(constants: RobotConstants, bodies: Bodies, thing: int) -> bool
         bodies: their poses.
         thing: the object's number among the pushable ones.
     """
+    from crs_cc.sim.physics.shapes import overlap  # loads pymunk
+
     things, scene = constants.shapes, constants.scene
     poses, own = things.poses(bodies), scene.robots + thing
     lifted = bodies.holds.in_hands()[1] + scene.robots

@@ -29,6 +29,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.include import Included
+from crs_cc.sim.files.known_robots import ROBOTS, SCOUT, known_robots
 from crs_cc.sim.files.material_elements import Materials
 from crs_cc.sim.files.nearby import read_below
 from crs_cc.sim.files.robot_elements import robot_model
@@ -45,11 +46,6 @@ from crs_cc.sim.files.xml_document import (
 from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-SCOUT: Final = "scout"
-"""The default kind of robot."""
-
-_HERE: Final = Path(__file__).parent
-_ROBOTS: Final = _HERE / "robots"
 _STAND_IN: Final = RobotModel("unknown", 0.001, Drive(1.0))
 _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
   <area length="1000m" width="1000m" origin="centre" edge="0"/>
@@ -147,11 +143,6 @@ def load_any(path: Path) -> WorldModel | RobotModel | Definitions:
     return load_world(path)
 
 
-def known_robots() -> list[str]:
-    """Return the names of the built-in robot definitions."""
-    return sorted(path.stem for path in _ROBOTS.glob("*.xml"))
-
-
 @dataclass(slots=True)
 class _World:
     """Reader of a world file and the robot definitions that it uses, each read once.
@@ -225,7 +216,7 @@ class _World:
     def _path(self, name: str) -> Path | None:
         """Return a definition's file: a built-in one, or one in the world's folder or below."""
         if name in known_robots():
-            return _ROBOTS / f"{name}.xml"
+            return ROBOTS / f"{name}.xml"
         path = PurePosixPath(name)
         outside = path.is_absolute() or ".." in path.parts or path.suffix != ".xml"
         return None if outside or self.folder is None else self.folder / path

@@ -6,7 +6,6 @@ Rows are found by name, so nothing here imports a device, and adding one changes
 from __future__ import annotations
 
 import importlib
-import importlib.metadata
 import itertools
 import zlib
 from collections.abc import Iterator
@@ -19,6 +18,7 @@ from crs_cc.core.errors import DeviceError
 from crs_cc.core.source import Location
 from crs_cc.requests import CODES, REGISTERED, register
 from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.entry_points import may_have_entries
 
 GROUP: Final = "crs_cc.devices"
 """The entry point group of devices in other packages; each entry is a `Device`."""
@@ -89,6 +89,10 @@ def _ours() -> Iterator[tuple[str, object]]:
 
 
 def _of_other_packages() -> Iterator[tuple[str, object]]:
+    if not may_have_entries(GROUP):
+        return
+    import importlib.metadata  # slow to import
+
     points = importlib.metadata.entry_points(group=GROUP)
     for point in sorted(points, key=lambda each: (each.name, each.value)):
         try:

@@ -10,8 +10,10 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.physics.carrying import Load
-from crs_cc.sim.physics.space import SLOP_M
 from crs_cc.sim.state.bodies import NO_CONTACTS, Bodies, Contacts
+
+SLOP_M: Final = 0.0005
+"""Overlap that is not corrected, so that resting objects stay in contact."""
 
 TORN_M: Final = 0.02
 """Penetration depth at which a load is torn from the fingers; our choice."""

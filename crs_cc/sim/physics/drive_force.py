@@ -10,17 +10,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import pymunk
 
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.inclines import Incline
-from crs_cc.sim.physics.space import Space
 from crs_cc.sim.state.bodies import Bodies, Pull
+
+if TYPE_CHECKING:
+    import pymunk
+
+    from crs_cc.sim.physics.space import Space
 
 _SAME_N: Final = 1e-9  # smaller forces need no limit
 
@@ -146,6 +149,8 @@ class DriveForce:
 
     def _joint(self, space: Space, bodies: Bodies, pull: Pull, robot: int) -> pymunk.Constraint:
         """Return the joint that holds a robot by traction; a limp one only sideways."""
+        import pymunk  # only when something may touch
+
         joint: pymunk.Constraint
         body = space.bodies[robot]
         if not pull.limp[robot]:

@@ -25,7 +25,8 @@ from __future__ import annotations
 import math
 import weakref
 from dataclasses import replace
-from typing import Final
+from functools import cached_property
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -35,13 +36,17 @@ from crs_cc.sim.geometry.clearance import clearance_m
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.physics.batches import Batches
 from crs_cc.sim.physics.carrying import Load
-from crs_cc.sim.physics.contacts import first_contacts, is_settled, told_apart, with_slipped
+from crs_cc.sim.physics.contacts import (
+    SLOP_M,
+    first_contacts,
+    is_settled,
+    told_apart,
+    with_slipped,
+)
 from crs_cc.sim.physics.drive_force import DriveForce
 from crs_cc.sim.physics.inclines import Incline, Inclines
 from crs_cc.sim.physics.rigid import Rigid
-from crs_cc.sim.physics.space import SLOP_M, Space, SpaceBuilder
 from crs_cc.sim.state.bodies import (
     NO_CONTACTS,
     Bodies,
@@ -50,6 +55,10 @@ from crs_cc.sim.state.bodies import (
     Pull,
     Ran,
 )
+
+if TYPE_CHECKING:
+    from crs_cc.sim.physics.batches import Batches
+    from crs_cc.sim.physics.space import Space
 
 REBUILD: Final = 100
 """Number of cycles after which the space is rebuilt."""
@@ -78,12 +87,17 @@ class Physics:
             self._inclines = Inclines(world, scene)
             self._ledges = Ledges(self._inclines.terrain, scene)
         self._absent = np.flatnonzero(~scene.present)  # slopes move bodies without contacts, too
-        self._batches, self._drive_force = Batches(len(scene.names)), DriveForce(world)
-        self._builder = SpaceBuilder(world, scene, self._rigid, self._ledges)
+        self._drive_force = DriveForce(world)
         # pymunk cannot free a space during the shutdown of Python: it must be freed before.
         self._spaces: list[Space] = []
         weakref.finalize(self, self._spaces.clear)
         self.start_from(bodies)
+
+    @cached_property
+    def _batches(self) -> Batches:
+        from crs_cc.sim.physics.batches import Batches  # loads pymunk
+
+        return Batches(len(self._scene.names))
 
     @property
     def _space(self) -> Space:
@@ -203,8 +217,11 @@ class Physics:
 
     @without_collector()
     def _make_space(self) -> None:
+        from crs_cc.sim.physics.space import SpaceBuilder  # loads pymunk
+
         mass_kg, position_m = self._drive_force.mass_kg, self._start.position_m
-        self._spaces[:] = [self._builder.build(position_m, mass_kg, self._load)]
+        builder = SpaceBuilder(self._world, self._scene, self._rigid, self._ledges)
+        self._spaces[:] = [builder.build(position_m, mass_kg, self._load)]
         self._batches.learn(self._spaces[0])
 
     def _run_space(

@@ -20,6 +20,7 @@ from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import Thing, WorldModel
 from crs_cc.sim.physics.carrying import Load
+from crs_cc.sim.physics.contacts import SLOP_M
 from crs_cc.sim.physics.rigid import Rigid
 from crs_cc.sim.physics.shapes import (
     add,
@@ -29,9 +30,6 @@ from crs_cc.sim.physics.shapes import (
     shapes_of,
     thing_shapes,
 )
-
-SLOP_M: Final = 0.0005
-"""Overlap that is not corrected, so that resting objects stay in contact."""
 
 _BIAS: Final = 1e-6  # fraction of a deeper overlap that is left after a second
 

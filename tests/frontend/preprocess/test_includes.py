@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.includes import MAX_FILE_SIZE
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
+from crs_cc.frontend.preprocess.regular_file import MAX_FILE_SIZE
 from tests.frontend.preprocess.preprocessing import tokens
 
 SECRET = "the_content_of_a_file_that_a_program_must_not_read"

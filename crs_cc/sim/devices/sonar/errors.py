@@ -20,7 +20,6 @@ distribution.
 
 from __future__ import annotations
 
-from statistics import NormalDist
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -116,4 +115,6 @@ def _quantile(probability: float) -> float:
     """Return the quantile of the normal distribution."""
     if probability <= 0.0:
         return -np.inf
+    from statistics import NormalDist  # slow to import
+
     return np.inf if probability >= 1.0 else NormalDist().inv_cdf(probability)

@@ -1,0 +1,98 @@
+"""Collects what the plot of a run shows: paths, contacts, objects that were pushed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.cli.plot import Picture, Trip
+from crs_cc.cli.tracks import Tracks
+from crs_cc.sim.engine.drawings import drawings_in
+from crs_cc.sim.engine.sensor_overlay import sights
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.model.world import Pose, Thing
+
+if TYPE_CHECKING:
+    from crs_cc.cli.summary import Run
+    from crs_cc.core.arrays import FloatArray
+    from crs_cc.session.session import Session
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.world import WorldModel
+
+_MOVED_M: Final = 0.005
+
+
+class RunPlot:
+    """The plot of a run, timestep by timestep."""
+
+    def __init__(self) -> None:
+        self._tracks = Tracks()
+
+    def add_contacts(self, step: Step, robots: int) -> None:
+        """Add the contacts that began in a timestep of a world with a number of robots."""
+        contacts = step.contacts
+        for robot, x_m, y_m in zip(contacts.robot, contacts.x_m, contacts.y_m, strict=True):
+            self._tracks.add_contact(int(robot), float(x_m), float(y_m))
+        # A contact of two robots is listed for each of them.
+        once = (contacts.other >= robots) | (contacts.robot < contacts.other)
+        self._tracks.collisions += int(once.sum())
+
+    def sample(self, session: Session) -> None:
+        """Add the current positions."""
+        self._tracks.add(*_positions_m(session))
+
+    def picture(
+        self, session: Session, run: Run, programs: Sequence[str], *, sensors: bool
+    ) -> bytes:
+        """Return the plot of the finished run as SVG.
+
+        Args:
+            session: the session.
+            run: its results.
+            programs: the names of the programs.
+            sensors: whether to draw the last readings.
+        """
+        state, world = session.environment.state, session.environment.world_now
+        self._tracks.end(*_positions_m(session))
+        gone = np.isfinite(state.presence.left_s)
+        trips = [
+            Trip(robot, self._tracks.path(n), float(state.heading_rad[n]), left=bool(gone[n]))
+            for n, robot in enumerate(world.robots)
+        ]
+        where = Path(run.world).name if run.world else "an empty world"
+        title = f"{', '.join(dict.fromkeys(programs))} in {where}"
+        collisions = self._tracks.collisions
+        subtitle = f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, "
+        subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
+        return Picture(
+            title,
+            subtitle,
+            world,
+            trips,
+            self._tracks.contacts,
+            _pushed(session, world),
+            drawings_in(state.drawings),
+            sights(state, world, session.time_s) if sensors else [],
+        ).render()
+
+
+def _positions_m(session: Session) -> tuple[FloatArray, FloatArray]:
+    """Return x and y of all robots [m], NaN for those that are not in the world."""
+    state = session.environment.state
+    present = state.presence.present
+    return np.where(present, state.x_m, np.nan), np.where(present, state.y_m, np.nan)
+
+
+def _pushed(session: Session, world: WorldModel) -> list[Thing]:
+    """Return the objects that were pushed, at their current poses."""
+    bodies, scene, pushed = session.environment.state.bodies, Scene(world), []
+    for body, thing in enumerate(scene.pushables, scene.robots):
+        (x_m, y_m), angle_rad = bodies.position_m[body], bodies.angle_rad[body]
+        if math.hypot(x_m - thing.pose.x_m, y_m - thing.pose.y_m) > _MOVED_M:
+            pushed.append(replace(thing, pose=Pose(float(x_m), float(y_m), float(angle_rad))))
+    return pushed
