@@ -48,6 +48,8 @@ def engine() -> wasmtime.Engine:
     config.max_wasm_stack = _host_stack()
     config.cranelift_opt_level = "speed"
     _bindings.wasmtime_config_wasm_branch_hinting_set(config.ptr(), True)
+    # Its pool of threads does not exist in a forked child, which would wait for it forever.
+    _bindings.wasmtime_config_parallel_compilation_set(config.ptr(), False)
     return wasmtime.Engine(config)
 
 

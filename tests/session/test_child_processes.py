@@ -1,0 +1,56 @@
+"""Sessions in child processes, however they are started: for sweeps over many runs."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAM = """
+#include "Nclient.h"
+int main(void)
+{
+    int i;
+    connect_robot(1);
+    for (i = 0; i < 5; i++) { vm(100, 100, 0); gs(); }
+    return State[1] & 127;
+}
+"""
+
+RUNS = """
+import multiprocessing, os, sys
+from pathlib import Path
+import crs_cc
+
+WORLD = b'''<world version="1"><area length="3m" width="3m"/>
+<robot setup="noisy" x="1m" y="1m"/></world>'''
+
+def run(cache):
+    from crs_cc.sim.files.world_xml import parse_world
+    os.environ["CRS_CACHE"] = cache  # empty: everything is compiled
+    session = crs_cc.Session(parse_world(WORLD, "room"), [crs_cc.compile_c("drive.c")], seed=3)
+    while session.step():
+        pass
+    return session.state_hash()
+
+if __name__ == "__main__":
+    ours = run("cache of parent")
+    with multiprocessing.get_context(sys.argv[1]).Pool(1) as pool:
+        assert pool.apply_async(run, ("cache of child",)).get(timeout=100) == ours
+"""
+
+
+@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+def test_a_child_compiles_and_runs_after_its_parent_did(method: str, tmp_path: Path) -> None:
+    """A forked child waited forever for threads of the compiler that it did not have."""
+    (tmp_path / "drive.c").write_text(PROGRAM)
+    (tmp_path / "runs.py").write_text(RUNS)
+    done = subprocess.run(
+        [sys.executable, "runs.py", method],
+        check=False, capture_output=True, text=True, timeout=200, cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
