@@ -34,7 +34,7 @@ class Loaded:
         executables: each robot's program.
         sources: each robot's C files.
         dialects: the API that each robot's program calls; None to detect it.
-        arguments: each robot's `argv`; it starts with the first C file, without extension.
+        arguments: each robot's `argv`.
         files: the initial contents of every program's disk, by file name.
     """
 
@@ -76,8 +76,8 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
         tuple(programs),
         tuple(dialects),
         tuple(
-            (str(sources[0].with_suffix("")), *_arguments(robot, options))
-            for robot, sources in zip(world.robots, programs, strict=True)
+            (built[each].command, *_arguments(robot, options))
+            for robot, each in zip(world.robots, wanted, strict=True)
         ),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
     )

@@ -43,7 +43,7 @@ class KeyedUniform:
     @cached_property
     def _start(self) -> npt.NDArray[np.uint64]:
         sequence = np.random.SeedSequence(self._seed, spawn_key=(self._stream,))
-        return sequence.generate_state(1, np.uint64)
+        return np.asarray(sequence.generate_state(1, np.uint64), np.uint64)
 
     def draw(self, *keys: npt.NDArray[np.integer] | int) -> FloatArray:
         """Return the deviate of each row of keys, shape (k,).

@@ -10,6 +10,7 @@ import functools
 import resource
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import wasmtime
@@ -76,19 +77,22 @@ class Executable:
     """A compiled program.
 
     Attributes:
-        name: the program as the user named it.
+        name: the program as the user named it, for messages.
+        command: its `argv[0]`, which is a part of its state: no path of this computer, see
+            `command_name`.
         machine_code: wasmtime's serialised module.
         detail: returns what only messages and debuggers need, see `Detail`.
     """
 
     name: str
+    command: str
     machine_code: bytes
     detail: Callable[[], Detail]
     _module: wasmtime.Module | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle with the detail, which cannot be loaded lazily elsewhere."""
-        return _executable, (self.name, self.machine_code, self.detail())
+        return _executable, (self.name, self.command, self.machine_code, self.detail())
 
     def module(self) -> wasmtime.Module:
         """Return the module, loaded on first use."""
@@ -106,8 +110,17 @@ class Executable:
         return self.detail().compiled.module.to_text()
 
 
-def _executable(name: str, machine_code: bytes, detail: Detail) -> Executable:
-    return Executable(name, machine_code, lambda: detail)
+def _executable(name: str, command: str, machine_code: bytes, detail: Detail) -> Executable:
+    return Executable(name, command, machine_code, lambda: detail)
+
+
+def command_name(source: str | PurePath) -> str:
+    """Return the name by which a program is called, from that of its first C file.
+
+    >>> command_name("samples/scout_c/wander.c")
+    'wander'
+    """
+    return PurePath(source).stem
 
 
 @dataclass(slots=True)
@@ -126,17 +139,18 @@ class Detail:
 
 
 def load_executable(
-    name: str, machine_code: bytes, detail: Callable[[], Detail]
+    name: str, command: str, machine_code: bytes, detail: Callable[[], Detail]
 ) -> Executable | None:
     """Load a cached program; return None if this computer cannot run it, see `load_module`."""
     module = load_module(machine_code)
-    return None if module is None else Executable(name, machine_code, detail, module)
+    return None if module is None else Executable(name, command, machine_code, detail, module)
 
 
 def make_executable(
     program: Program,
     name: str,
     *,
+    command: str = "",
     lines: Mapping[str, Sequence[str]] | None = None,
     checked: bool = True,
     debug: bool = False,
@@ -148,6 +162,7 @@ def make_executable(
     Args:
         program: the program.
         name: the program as the user named it.
+        command: its `argv[0]`; by default derived from the name, which is that of one file then.
         lines: the lines of the user's files, by name, for messages.
         checked: check every access through a pointer.
         debug: allow breakpoints on every statement.
@@ -161,4 +176,5 @@ def make_executable(
     )
     module = wasmtime.Module(engine(), compiled.module.to_binary())
     detail = Detail(program, compiled, lines or {})
-    return Executable(name, bytes(module.serialize()), lambda: detail, module)
+    command = command or command_name(name)
+    return Executable(name, command, bytes(module.serialize()), lambda: detail, module)

@@ -18,6 +18,7 @@ from crs_cc.runtime.executable import (
     Detail,
     Driver,
     Executable,
+    command_name,
     compile_driver,
     load_executable,
     load_module,
@@ -92,7 +93,7 @@ def build_executable(
     entry = cache.load(key, _Entry)
     if entry is not None and _unchanged(entry):
         detail = _reload(entry, flags)
-        known = load_executable(name, entry.machine_code, detail)
+        known = load_executable(name, command_name(paths[0]), entry.machine_code, detail)
         if known is not None:
             diagnostics.messages.extend(entry.warnings)
             return known
@@ -143,7 +144,7 @@ def _compile(
     program = link(units, library(), diagnostics)
     files = {function.location.file for function in program.functions.values()}
     lines = {file: diagnostics.lines[file] for file in sorted(files & diagnostics.lines.keys())}
-    return make_executable(program, name, lines=lines, **flags)
+    return make_executable(program, name, command=command_name(paths[0]), lines=lines, **flags)
 
 
 def build_watching(executable: Executable) -> Executable:
@@ -157,7 +158,8 @@ def build_watching(executable: Executable) -> Executable:
     """
     name = cache.key("watching", executable.machine_code)
     entry = cache.load(name, bytes)
-    known = entry and load_executable(executable.name, entry, executable.detail)
+    names = executable.name, executable.command
+    known = entry and load_executable(*names, entry, executable.detail)
     if known:
         return known
 
@@ -168,6 +170,7 @@ def build_watching(executable: Executable) -> Executable:
         made = make_executable(
             old.program,
             executable.name,
+            command=executable.command,
             checked=old.compiled.checked,
             debug=True,
             watching=True,

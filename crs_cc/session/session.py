@@ -75,7 +75,7 @@ class Session:
         self,
         world: WorldModel,
         executables: Sequence[Executable],
-        seed: int = 0,
+        seed: int | None = None,
         *,
         arguments: Sequence[Sequence[str]] = (),
         output: Output = discard,
@@ -89,8 +89,9 @@ class Session:
         Args:
             world: the world.
             executables: one program for each robot.
-            seed: the random seed.
-            arguments: for each robot `argv`; by default just the program's name.
+            seed: the random seed; by default the world's, or 0 if it has none.
+            arguments: for each robot `argv`; by default the program's name and the arguments that
+                the world gives the robot.
             output: receives the programs' output.
             read: returns their input.
             files: the initial contents of every program's disk, by file name.
@@ -104,7 +105,11 @@ class Session:
             raise ValueError(
                 f"{len(executables)} programs for {len(world.robots)} robots (expected one each)"
             )
-        rows = arguments or [[executable.name] for executable in executables]
+        rows = arguments or [
+            [executable.command, *robot.arguments]
+            for executable, robot in zip(executables, world.robots, strict=True)
+        ]
+        seed = world.seed or 0 if seed is None else seed
         self._host = Host(rows, output, read, files, client)
         self.state = SessionState(world, executables, seed, self._host)
         self.environment = self.state.environment

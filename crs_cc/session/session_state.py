@@ -125,7 +125,7 @@ class SessionState:
         Args:
             robot: the robot; it joins now, or at its join time if that is later.
             executable: its program.
-            arguments: its `argv`; by default just the program's name.
+            arguments: its `argv`; by default the program's name and the robot's arguments.
 
         Raises:
             ValueError: the robot is invalid there, or its place is occupied.
@@ -137,7 +137,7 @@ class SessionState:
         except ValueError:
             self.fleet.truncate(number)
             raise
-        self._add_row(executable, arguments or [executable.name])
+        self._add_row(executable, arguments or [executable.command, *robot.arguments])
         self.update_presence()
         return number
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cache
 from unittest.mock import MagicMock
 
-from crs_cc.sim.files.world_xml import empty_world, known_robots
+from crs_cc.sim.files.known_robots import known_robots
+from crs_cc.sim.files.world_xml import empty_world
 from crs_cc.sim.model.degradable import Degradable
 from crs_cc.sim.model.degradation import degradables, shown
 from crs_cc.sim.model.robot import RobotModel

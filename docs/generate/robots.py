@@ -6,7 +6,8 @@ import math
 
 from crs_cc.sim.devices.bumper.element import switches_of
 from crs_cc.sim.devices.sonar.model import sonars_of
-from crs_cc.sim.files.world_xml import known_robots, load_robot
+from crs_cc.sim.files.known_robots import known_robots
+from crs_cc.sim.files.world_xml import load_robot
 from crs_cc.sim.model.robot import RobotModel
 from docs.generate import Fillers, table
 from docs.generate.schema import SIM

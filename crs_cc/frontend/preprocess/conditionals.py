@@ -2,7 +2,7 @@
 
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> from pathlib import Path
->>> reader = Reader(Places().add("a.c", ""), Path("."))
+>>> reader = Reader(Places().add("a.c", ""), "a.c", Path("."))
 >>> open_group(reader, "#if", 0, holds=False)
 >>> reader.skipping
 True

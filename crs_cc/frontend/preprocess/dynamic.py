@@ -35,7 +35,7 @@ def dynamic_macros(state: State) -> list[Macro]:
     }
     names: dict[str, Callable[[Token], str]] = {
         "__FILE__": lambda _: state.reader.presumed_name,
-        "__BASE_FILE__": lambda _: state.readers[0].text.name,
+        "__BASE_FILE__": lambda _: state.readers[0].name,
     }
     return [
         *(dynamic_macro(name, _maker(NUMBER, value)) for name, value in values.items()),

@@ -35,12 +35,16 @@ class Header:
         path: its path, relative to the user's directories.
         file: its path with all links followed.
         root: the directory of the search path in which it was found.
+        name: its name in the `#include`.
+        is_beside: whether it was found in the including file's own directory.
         content: its content, if it is not a file but generated.
     """
 
     path: Path
     file: Path
     root: Path
+    name: str
+    is_beside: bool = False
     content: bytes | None = None
 
     def read(self) -> bytes | Refusal:
@@ -86,12 +90,13 @@ class Headers:
                 f"'{shown(name)}' cannot be included", "include the header without its path"
             )
         folders = [*self.include_paths, *self.system_paths]
+        starts_beside = quoted and after not in folders
         if after in folders:
             folders = folders[folders.index(after) + 1 :]
-        elif quoted:
+        elif starts_beside:
             folders.insert(0, folder)
         outside = False
-        for each in folders:
+        for place, each in enumerate(folders):
             path = each / from_text(name)
             file = _resolved(path)
             if file and not any(file.is_relative_to(root) for root in self._roots):
@@ -101,10 +106,11 @@ class Headers:
             if str(path) not in self._digests:
                 self._digests[str(path)] = digest(path)
             if file and _exists(file):
-                return Header(path, file, each)
+                return Header(path, file, each, name, starts_beside and place == 0)
         if name in self._generated:
             path = Path(GENERATED, name)
-            return Header(path, path, Path(GENERATED), self._generated[name].encode())
+            content = self._generated[name].encode()
+            return Header(path, path, Path(GENERATED), name, content=content)
         if outside:
             return Refusal(f"'{shown(name)}' is outside the directories that a program may read")
         return self._missing(name, folders)

@@ -2,7 +2,7 @@ r"""An open source file: the current line, and the open conditional groups.
 
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> text = Places().add("a.c", "int a;\nint b;")
->>> reader = Reader(text, Path("."))
+>>> reader = Reader(text, "a.c", Path("."))
 >>> reader.next_line(), reader.next_line(), reader.next_line()
 (('int a;', 0), ('int b;', 7), None)
 """
@@ -41,15 +41,18 @@ class Reader:
 
     Attributes:
         text: its text.
+        name: its name, whatever the directory in which the program lies: that of the main file, or
+            the way from there to a header, or a header's name in the directories of `-I`.
         folder: the directory that `#include "..."` searches first.
         header: the header that it is; None for the main file.
-        presumed_name: the value of `__FILE__`, which `#line` can change.
+        presumed_name: the value of `__FILE__`: `name`, which `#line` can change.
         line_offset: the difference of `__LINE__` from the line number, which `#line` can change.
         conditionals: the open groups, the innermost last.
         place: the place of the next line.
     """
 
     text: SourceText
+    name: str
     folder: Path
     header: Header | None = None
     presumed_name: str = ""
@@ -59,7 +62,7 @@ class Reader:
     _index: int = 0
 
     def __post_init__(self) -> None:
-        self.presumed_name = self.text.name
+        self.presumed_name = self.name
         self.place = self.text.start
 
     @property

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections import ChainMap
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePath, PurePosixPath
 from typing import Final
 
 from crs_cc.frontend.preprocess import gnu
@@ -155,4 +155,7 @@ class State:
             self.report.fatal(
                 place, f"more than {MAX_CHARACTERS >> 20} million characters of source"
             )
-        self.readers.append(Reader(text, folder, header))
+        name = PurePath(text.name).name if header is None else header.name
+        if header is not None and header.is_beside:
+            name = str(PurePosixPath(self.reader.name).parent / name)
+        self.readers.append(Reader(text, name, folder, header))
