@@ -5,12 +5,14 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
-from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.program_options import WithProgramArguments, program_options
+
+if TYPE_CHECKING:
+    from crs_cc.cli.debug_options import DebugOptions
 
 _EXAMPLES: Final = """
 \b
@@ -87,6 +89,8 @@ def debug(**options: Any) -> int:
     reverse-continue, goto. Programs, worlds and most options are those of crs run. Commands are
     named as in gdb; help lists them. In the full-screen interface, F1 shows the keys.
     """
+    from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
+
     wanted = DebugOptions(**options)
     if wanted.dap is not None:
         from crs_cc.cli.serve_editor import serve_editor
@@ -105,6 +109,8 @@ def read_options(arguments: Sequence[str]) -> DebugOptions:
     Raises:
         click.ClickException: it is invalid.
     """
+    from crs_cc.cli.debug_options import DebugOptions
+
     options = _reader().main(list(arguments), prog_name="crs debug", standalone_mode=False)
     assert isinstance(options, DebugOptions)
     return options
@@ -113,5 +119,7 @@ def read_options(arguments: Sequence[str]) -> DebugOptions:
 @functools.cache
 def _reader() -> click.Command:
     """Return a command that only parses its options."""
+    from crs_cc.cli.debug_options import DebugOptions
+
     command = click.command(cls=WithProgramArguments, add_help_option=False)
     return command(_debug_options(DebugOptions))

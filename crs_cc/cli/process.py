@@ -14,7 +14,7 @@ import sys
 import threading
 from typing import Final
 
-_NEW_OBJECTS: Final = 200_000
+_NEW_OBJECTS: Final = 100_000
 """New objects for one garbage collection; starting makes fewer, and hardly any of it is garbage."""
 
 

@@ -7,7 +7,8 @@ import pytest
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.files.world_xml import empty_world, known_robots, parse_world
+from crs_cc.sim.files.known_robots import known_robots
+from crs_cc.sim.files.world_xml import empty_world, parse_world
 
 NOWHERE = {
     *("CONNECT", "DISCONNECT", "CREATE"),
