@@ -120,7 +120,7 @@ def test_sonars_fire_where_robot_is_when_command_timeout_expires_during_ws(speed
         driver.post("WS" if seen is waiting else "GS", 1, 1, 0, 255, at_s=0.275)
         for _ in range(20):
             driver.run(1)
-            times_s, places = driver.state.sonar.fired_s[0], driver.state.sonar.fired_from[0]
+            times_s, places = driver.sonar.fired_s[0], driver.sonar.fired_from[0]
             seen.update(zip(times_s.tolist(), places.tolist(), strict=True))
     assert waiting == moving
     assert {round(time_s, 2) for time_s in waiting} >= {1.2, 1.24, 1.28}

@@ -9,17 +9,14 @@ pickles.
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
 
->>> from crs_cc.sim.model.robot import Drive, RobotModel, Sonar
->>> ahead = Sonar(0, x_m=0.2, y_m=0.0, direction_rad=0.0, range_m=6.477, radius_m=1.14)
->>> scout = RobotModel("scout", radius_m=0.2, drive=Drive(wheel_base_m=0.345), sonars=(ahead,))
+>>> from crs_cc.sim.model.robot import Drive, RobotModel
+>>> scout = RobotModel("scout", radius_m=0.2, drive=Drive(wheel_base_m=0.345))
 >>> room = WorldModel(
 ...     "room",
 ...     area=Area(0.0, 0.0, 6.0, 5.0),
 ...     walls=(Wall("screen", 3.0, 0.0, 3.0, 2.0, thickness_m=0.1),),
 ...     robots=(Robot("robot0", scout, Pose(1.0, 1.0)),),
 ... )
->>> round(math.degrees(room.robots[0].model.device("sonar").sonars[0].half_angle_rad))
-10
 >>> [wall.id for wall in room.edge_walls()]
 ['edge-south', 'edge-east', 'edge-north', 'edge-west']
 >>> hash(room) == hash(WorldModel("room", room.area, room.walls, robots=room.robots))

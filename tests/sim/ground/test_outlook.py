@@ -36,7 +36,7 @@ def sees(things: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> f
 
 def sonar_m(things: str, number: int = 0) -> float:
     """Return the distance that a sonar of a world's robot measures [m], infinite for no echo."""
-    return float(Driver.of(world_of(things, BIG)).state.devices.sonar.echo_m[0, number])
+    return float(Driver.of(world_of(things, BIG)).sonar.echo_m[0, number])
 
 
 BOX = '<box x="4m" y="5m" length="1m" width="1m" {}/>'
@@ -115,7 +115,7 @@ def test_robot_touching_a_ledge_reads_0():
     driver.run_s(5.0)
     assert driver.state.x_m[0] == pytest.approx(5 - R, abs=0.005)
     driver.run_s(1.0)
-    assert driver.state.devices.sonar.echo_m[0, 0] < 0.01
+    assert driver.sonar.echo_m[0, 0] < 0.01
 
 
 def test_flat_worlds_skip_height_occlusion():
@@ -137,7 +137,7 @@ def test_block_size_changes_no_bit_of_sonars_at_different_heights(ground, monkey
     def echoes_m():
         driver = Driver.of(world)
         driver.run(20)
-        return driver.state.sonar.echo_m
+        return driver.sonar.echo_m
 
     whole = echoes_m()
     assert 0.1 < np.isfinite(whole).mean() < 0.9
