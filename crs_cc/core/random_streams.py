@@ -23,7 +23,6 @@ from crs_cc.core.arrays import FloatArray, Int64Array
 
 SONAR: Final = 0
 INFRARED: Final = 1
-COMPASS: Final = 2
 LASER: Final = 3
 ROLLING: Final = 4
 CAMERA: Final = 6

@@ -49,7 +49,7 @@ def _others(model: RobotModel) -> str:
     devices = {
         f"{len(switches_of(model))} bumpers": bool(switches_of(model)),
         "infrared": model.infrared is not None,
-        "compass": model.compass is not None,
+        "compass": model.device("compass") is not None,
         "laser": model.laser is not None,
         "heat": model.heat.range_m > 0.0,
     }

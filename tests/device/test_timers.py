@@ -25,13 +25,14 @@ def _rate(device: Device) -> str:
     return "rate='100Hz'" if has_rate else ""
 
 
-OTHERS = {"CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4, "COMPASS": 5}
+OTHERS = {"CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4}
+GIVEN = {"compass": "on='yes'"}
 ROWS = [device for device in devices() if device.number is not None]
 SENSORS = {**OTHERS, **{device.name.upper(): device.number for device in ROWS}}
 GPS_10_HZ = '<gps rate="10Hz" period="0.1s"/>'
-REGISTERED = "".join(f"<{device.element} {_rate(device)}/>" for device in ROWS)
+REGISTERED = "".join(f"<{each.element} {_rate(each)} {GIVEN.get(each.name, '')}/>" for each in ROWS)
 ALL = (
-    "<infrared step='1in' order='0' rate='100Hz'/><compass rate='100Hz' on='yes'/>"
+    "<infrared step='1in' order='0' rate='100Hz'/>"
     "<laser field-of-view='90deg' range='5m' rate='100Hz' mode='51'/>"
     f"{REGISTERED}<camera columns='4' rate='100Hz'/>"
 )

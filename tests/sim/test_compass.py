@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.devices.vendor_state import COMPASS, CONF_TURRET
 from tests.sim.driver import Driver, open_world, own_world
 
@@ -95,4 +96,4 @@ def test_noise_has_standard_deviation_of_definition(tmp_path):
         seen.append(int(driver.ask("GET_CP")[COMPASS]) / 10)
     assert np.mean(seen) == pytest.approx(30, abs=0.5)
     assert np.std(seen) == pytest.approx(2, abs=0.4)
-    assert math.isfinite(driver.state.compass.measured.at_s[0])
+    assert math.isfinite(compasses(driver.state).measured.at_s[0])

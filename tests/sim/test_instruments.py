@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE
+from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import parse_world
 from tests.sim.driver import Driver, world_of
@@ -116,14 +117,14 @@ def test_nothing_is_measured_without_request():
     Driver(environment).run(20)
     state = environment.state
     assert not state.infrared.count.any()
-    assert not state.compass.count.any()
+    assert not compasses(state).count.any()
     assert not state.laser.count.any()
     assert len(state.pos_data.told) == 0
 
 
 def test_scouts_have_no_state_for_missing_devices():
     state = Environment(world_of('<robot x="2m" y="2m"/>' * 1), 0).state
-    for array in (state.infrared.level, state.compass.reading, state.laser.seen):
+    for array in (state.infrared.level, compasses(state).reading, state.laser.seen):
         assert array.size == 0
 
 
@@ -151,5 +152,5 @@ def test_no_request_breaks_instruments(code, content, clock_s):
     environment.step()
     state = environment.state
     assert np.isfinite(state.infrared.level).all()
-    assert ((state.compass.reading >= 0) & (state.compass.reading < 3600)).all()
+    assert ((compasses(state).reading >= 0) & (compasses(state).reading < 3600)).all()
     assert ((state.laser.wanted >= 1) & (state.laser.wanted <= 482)).all()

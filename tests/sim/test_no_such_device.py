@@ -9,21 +9,17 @@ from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, COMPASS, HEAT, INFRARED, LASER
+from crs_cc.sim.state.timers import CAMERA, HEAT, INFRARED, LASER
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
-REGISTERED = "".join(
-    f"<{device.element}/>" for device in devices() if device.element not in {"sonars", "bumpers"}
-)
-DEVICES = f"{REGISTERED}<camera/><gripper/><arm/><computer-battery"
+DEVICES = "<camera/><gripper/><arm/><computer-battery"
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
     <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
            acceleration="1m/s2"/></robot-definition>"""
 
 HAS = {
     "infrared": lambda model: model.infrared is not None,
-    "compass": lambda model: model.compass is not None,
     "laser": lambda model: model.laser is not None,
     **{
         device.element: lambda model, name=device.name: model.device(name) is not None
@@ -58,7 +54,7 @@ ASKED = (
       for device, number in (
           *((each.element, each.number) for each in devices() if each.number is not None),
           ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
-          ("infrared", INFRARED), ("compass", COMPASS),
+          ("infrared", INFRARED),
       )),
 )  # fmt: skip
 
@@ -82,7 +78,9 @@ def driver(tmp_path_factory) -> Driver:
     folder = tmp_path_factory.mktemp("robots")
     (folder / "bare.xml").write_text(BARE)
     nomad = next(path for path in ROBOTS if path.stem == "nomad200").read_text()
-    (folder / "full.xml").write_text(nomad.replace("<computer-battery", DEVICES))
+    lacks = [each.element for each in devices() if f"<{each.element} " not in nomad]
+    registered = "".join(f"<{element}/>" for element in lacks)
+    (folder / "full.xml").write_text(nomad.replace("<computer-battery", registered + DEVICES))
     names = [*(path.stem for path in ROBOTS), "bare.xml", "full.xml"]
     robots = "".join(
         f'<robot definition="{name}" x="{2 * place}m" y="0"/>' for place, name in enumerate(names)

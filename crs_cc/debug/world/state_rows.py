@@ -46,5 +46,5 @@ def _devices(model: RobotModel) -> dict[str, object]:
         "STATE_IR_": model.infrared,
         "_TURRET": model.drive.turret,
         "STATE_LASER": model.laser,
-        "STATE_COMPASS": model.compass,
+        "STATE_COMPASS": model.device("compass"),
     }

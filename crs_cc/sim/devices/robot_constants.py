@@ -27,7 +27,6 @@ class RobotConstants:
         drives: the drives.
         vendor_model: the vendor's number of the model.
         infrared: number of each robot among those with an infrared ring, -1 for the others.
-        compass: the same for compasses.
         laser: the same for lasers.
         camera: the same for cameras.
         gripper: the same for grippers.
@@ -35,7 +34,6 @@ class RobotConstants:
         heat: the same for heat sensors.
         numbers: the same for each device of `registry.devices()`, by its name.
         laser_points: maximum number of points of the laser.
-        calibration_s: duration of the turn that calibrates the compass.
         heat_range_m: range of the heat sensor, 0 where there is none.
         tag_range_m: range within which heat can be removed.
         radius_m: the radius of the body.
@@ -50,7 +48,6 @@ class RobotConstants:
     drives: Drives
     vendor_model: Int64Array
     infrared: IndexArray
-    compass: IndexArray
     laser: IndexArray
     camera: IndexArray
     gripper: IndexArray
@@ -58,7 +55,6 @@ class RobotConstants:
     heat: IndexArray
     numbers: Mapping[str, IndexArray]
     laser_points: Int32Array
-    calibration_s: FloatArray
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     radius_m: FloatArray
@@ -78,7 +74,6 @@ class RobotConstants:
             drives=Drives.of(world),
             vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
             infrared=_numbers([model.infrared is not None for model in models]),
-            compass=_numbers([model.compass is not None for model in models]),
             laser=_numbers([model.laser is not None for model in models]),
             camera=_numbers([model.camera is not None for model in models]),
             gripper=_numbers([model.gripper is not None for model in models]),
@@ -89,7 +84,6 @@ class RobotConstants:
                 "heat": _numbers([model.heat.range_m > 0.0 for model in models]),
                 "laser": _numbers([model.laser is not None for model in models]),
                 "infrared": _numbers([model.infrared is not None for model in models]),
-                "compass": _numbers([model.compass is not None for model in models]),
                 **{
                     each.name: _numbers([model.device(each.name) is not None for model in models])
                     for each in devices()
@@ -97,9 +91,6 @@ class RobotConstants:
             },
             laser_points=np.array(
                 [model.laser.points if model.laser else 0 for model in models], np.int32
-            ),
-            calibration_s=np.array(
-                [model.compass.calibration_s if model.compass else 0.0 for model in models]
             ),
             heat_range_m=np.array([model.heat.range_m for model in models]),
             tag_range_m=np.array([model.heat.tag_range_m for model in models]),

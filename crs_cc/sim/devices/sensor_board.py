@@ -12,22 +12,40 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
-from crs_cc.requests import CODES
+from crs_cc.requests import CODES, NUM_STATE
 from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import laser, pos_data
 from crs_cc.sim.devices.battery import Batteries
+from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.clock import BoardClock
-from crs_cc.sim.devices.compass import Compasses
+from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.devices.infrared import InfraredRing
 from crs_cc.sim.devices.installed import Timed
 from crs_cc.sim.devices.laser import Lasers
-from crs_cc.sim.devices.state_vector import state_vector
+from crs_cc.sim.devices.sonar.model import MAX_SONARS
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.devices.vendor_state import MOTOR_STATUS
+from crs_cc.sim.devices.vendor_state import (
+    BUMPER,
+    COMPASS,
+    CONF_X,
+    IR_0,
+    MOTOR_STATUS,
+    SIM_SPEED,
+    SONAR_0,
+    VEL_TURRET,
+    configuration,
+)
+from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
+from crs_cc.sim.model import registry
 from crs_cc.sim.model.sensors import MAX_INFRARED
 from crs_cc.sim.state import mask, timers
+from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from crs_cc.sim.devices.installed import Installed
     from crs_cc.sim.devices.ray_caster import RayCaster
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -39,6 +57,12 @@ if TYPE_CHECKING:
 _LASER_WIDTHS: Final = {CODES["GET_LS"]: laser.POINTS, CODES["GET_SG"]: laser.SEGMENTS}
 """Numbers per reading in the replies with laser readings, in any mode."""
 
+_GROUPS: Final = {"compass": mask.COMPASS}
+"""The bits of masks that select a device of the registry."""
+
+_BITS: Final = np.array([1, 2, 4])
+_REAL_TIME: Final = 10
+
 
 class SensorBoard:
     """The sensor boards of all robots of a world.
@@ -46,20 +70,30 @@ class SensorBoard:
     Attributes:
         batteries: the robots' batteries.
         infrared: their infrared rings.
-        compasses: their compasses.
         lasers: their lasers.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
+    def __init__(self, world: WorldModel, seed: int, installed: Mapping[str, Installed]) -> None:
+        """Make the boards.
+
+        Args:
+            world: the world.
+            seed: decides the noise.
+            installed: the devices of the registry, by their names.
+        """
         self.batteries = Batteries(world)
         self._clock = BoardClock(world)
         self.infrared = InfraredRing(world, seed)
-        self.compasses = Compasses(world, seed)
         self.lasers = Lasers(world, seed)
         models = [robot.model for robot in world.robots]
         self._has_infrared = any(model.infrared is not None for model in models)
         self._has_lasers = any(model.laser is not None for model in models)
-        self._has_compasses = any(model.compass is not None for model in models)
+        self._instruments = [
+            (registry.device(name).number, timed.read, group)
+            for name, group in _GROUPS.items()
+            if (timed := installed[name].timed) is not None
+            and any(model.device(name) is not None for model in models)
+        ]
 
     @property
     def fans(self) -> list[Fan]:
@@ -69,16 +103,13 @@ class SensorBoard:
     @property
     def timed(self) -> dict[int, tuple[str, Timed]]:
         """Return the sensors that can have a timer, by their numbers in `crs.h`."""
-        lasers, infrared, compasses = self.lasers, self.infrared, self.compasses
+        lasers, infrared = self.lasers, self.infrared
         return {
             timers.LASER: ("laser", Timed(
                 lasers.read, lambda state: state.laser.measured.at_s, lasers.interval_s
             )),
             timers.INFRARED: ("infrared", Timed(
                 infrared.read, lambda state: state.infrared.measured.at_s, infrared.interval_s
-            )),
-            timers.COMPASS: ("compass", Timed(
-                compasses.read, lambda state: state.compass.measured.at_s, compasses.interval_s
             )),
         }  # fmt: skip
 
@@ -114,12 +145,14 @@ class SensorBoard:
         """Measure with the instruments that the programs' masks select."""
         for has, read, sensor, group in (
             (self._has_infrared, self.infrared.read, timers.INFRARED, mask.INFRARED),
-            (self._has_compasses, self.compasses.read, timers.COMPASS, mask.COMPASS),
             (self._has_lasers, self.lasers.read, timers.LASER, mask.LASER),
         ):
             if has:
                 requested = good & _is_requested(context, group)
                 read_on_request(context, read, sensor, requested)
+        for number, measure, group in self._instruments:
+            requested = good & _is_requested(context, group)
+            read_on_request(context, measure, number, requested)
 
     def look(
         self,
@@ -156,6 +189,30 @@ class SensorBoard:
             laser.keep(state, kept.predicted, mine, width, (points, seen))
             counts[has] = kept.predicted.count[mine]
         return infrared, counts
+
+
+def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
+    """Return `State` of robots at the time to which their axes were turned, shape (k, 45)."""
+    vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
+    vector[:, SIM_SPEED] = _REAL_TIME
+    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_state(state).reading_in(rows)
+    if len(state.infrared.level):
+        has = constants.infrared[rows] >= 0
+        level = state.infrared.level[constants.infrared[rows[has]]]
+        vector[has, IR_0:SONAR_0] = np.rint(level)
+    if len(state.laser.mode):
+        has = constants.laser[rows] >= 0
+        vector[has, LASER_MODE] = state.laser.mode[constants.laser[rows[has]]]
+    reading = compasses(state).reading
+    if len(reading):
+        numbers = constants.numbers["compass"][rows]
+        has = numbers >= 0
+        vector[has, COMPASS] = reading[numbers[has]]
+    vector[:, BUMPER] = bumper_state(state).pressed[rows]
+    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, constants, rows)
+    works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
+    vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
+    return vector
 
 
 def _keep_laser(context: RequestContext) -> Int32Array:

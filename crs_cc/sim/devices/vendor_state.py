@@ -1,7 +1,13 @@
 """The vendor's `State[45]`: what a robot reports to its host, in the vendor's indices and units.
 
-Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout does not have
-(infrared, turret, laser, compass) is 0.
+Indices and units are those of the vendor header `Nclient.h` 1.29. What a robot does not
+have is 0. `sensor_board` fills it in.
+
+>>> from crs_cc.sim.state.env_state import EnvState
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> world = empty_world()
+>>> configuration(EnvState.at_start(world), RobotConstants.of(world), np.array([0])).tolist()
+[[0, 0, 0, 0, 0, 0, 0]]
 """
 
 from __future__ import annotations

@@ -60,7 +60,6 @@ class DeviceBoard:
             log: receives their events.
         """
         self.log = log
-        self.sensor_board = SensorBoard(world, seed)
         self.cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
         self.messenger = Messenger(world, seed)
@@ -69,6 +68,7 @@ class DeviceBoard:
         }
         self.sonars: SonarRing = self.installed["sonar"].device
         self.bumpers: Bumpers = self.installed["bumper"].device
+        self.sensor_board = SensorBoard(world, seed, self.installed)
         self.timers = Timers(self._timed(world))
 
     def _timed(self, world: WorldModel) -> dict[int, tuple[str, Timed]]:

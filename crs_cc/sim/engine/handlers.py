@@ -24,7 +24,6 @@ from crs_cc.core.arrays import BoolArray
 from crs_cc.requests import CODES
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
-    compass,
     drive,
     heat,
     infrared,
@@ -116,11 +115,9 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "CT": ct,
         "GET_IR": board.infrared.get_ir,
         "GET_RA": acknowledge,
-        "GET_CP": board.compasses.get_cp,
         "GET_LS": board.lasers.get_laser,
         "GET_SG": board.lasers.get_laser,
         "CONF_IR": infrared.conf_ir,
-        "CONF_CP": compass.conf_cp,
         "CONF_LS": laser.conf_ls,
         "CONF_SG": laser.conf_sg,
         "LASER_PAGE": laser.page,

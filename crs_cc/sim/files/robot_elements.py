@@ -58,7 +58,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         mass_kg=reader.positive(body, "mass", MASS),
         heat=_heat(root.first("heat"), reader),
         infrared=sensor_elements.infrared(root, reader),
-        compass=sensor_elements.compass(root, reader),
         laser=sensor_elements.laser(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),

@@ -18,7 +18,6 @@ from crs_cc.sim.model.sensors import (
     USUAL_BOARD,
     Battery,
     Camera,
-    Compass,
     Infrared,
     Laser,
     MotorBattery,
@@ -66,22 +65,6 @@ def _field_of_view(element: Element, reader: Reader) -> float:
     if value_rad > _TURN:
         reader.refuse(element, "field-of-view: must be 360deg or less")
     return value_rad
-
-
-def compass(root: Element, reader: Reader) -> Compass | None:
-    """Return the compass, None for a robot without one."""
-    element = root.maybe("compass")
-    if element is None:
-        return None
-    return Compass(
-        offset_rad=reader.quantity(element, "offset", ANGLE),
-        deviation_rad=reader.not_negative(element, "deviation", ANGLE),
-        calibration_s=reader.positive(element, "calibration", TIME),
-        rate_hz=reader.positive(element, "rate", FREQUENCY),
-        noise_rad=reader.not_negative(element, "noise", ANGLE),
-        is_on=element.attributes["on"] == "yes",
-        period_s=period_s(element, reader),
-    )
 
 
 def laser(root: Element, reader: Reader) -> Laser | None:

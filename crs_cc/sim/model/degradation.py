@@ -137,10 +137,6 @@ _OTHERS: Final = {
             "nothing in range, 15",
         ),
         Degradable(
-            "compass", "direction", ANGLE, _single(lambda model: model.compass), 1,
-            "the reading does not change",
-        ),
-        Degradable(
             "laser", "distance of a point, from right to left", LENGTH,
             lambda model: numbered(model.laser.points if model.laser else 0), NUM_LASER,
             "no point",

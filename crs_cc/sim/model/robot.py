@@ -22,7 +22,6 @@ from crs_cc.sim.model.sensors import (
     USUAL_BOARD,
     Battery,
     Camera,
-    Compass,
     Infrared,
     Laser,
     MotorBattery,
@@ -156,7 +155,6 @@ class RobotModel:
         mass_kg: its mass.
         heat: its heat sensor.
         infrared: its infrared ring, or None.
-        compass: its compass, or None.
         laser: its laser, or None.
         camera: its camera, or None.
         gripper: its gripper, or None.
@@ -179,7 +177,6 @@ class RobotModel:
     mass_kg: float = 20.0
     heat: Heat = Heat()
     infrared: Infrared | None = None
-    compass: Compass | None = None
     laser: Laser | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None

@@ -48,29 +48,6 @@ class Infrared:
 
 
 @dataclass(frozen=True, slots=True)
-class Compass:
-    """A compass.
-
-    Attributes:
-        offset_rad: its reading in the direction of the world's x axis.
-        deviation_rad: the largest error through iron on the robot, before calibration.
-        calibration_s: time for the turn that calibrates it.
-        rate_hz: maximum measuring rate.
-        noise_rad: standard deviation of a reading's error.
-        is_on: whether it is on at the start.
-        period_s: measuring period by timer; 0 for on request only.
-    """
-
-    offset_rad: float
-    deviation_rad: float
-    calibration_s: float
-    rate_hz: float
-    noise_rad: float
-    is_on: bool
-    period_s: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
 class Laser:
     """A laser that measures distances in its plane.
 

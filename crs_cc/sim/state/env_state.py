@@ -30,7 +30,6 @@ from crs_cc.sim.state.arm import ArmState
 from crs_cc.sim.state.battery import BatteryState
 from crs_cc.sim.state.bodies import Bodies
 from crs_cc.sim.state.camera import CameraState
-from crs_cc.sim.state.compass import CompassState
 from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
@@ -71,7 +70,6 @@ class EnvState:
         drive: the motion of the axes.
         odometry: the estimated pose of each robot.
         infrared: the infrared sensors' readings.
-        compass: the compasses' readings.
         laser: the lasers' scans, and the reported ones.
         devices: the state of each device of `registry.devices()`, by its name.
         camera: the cameras' images, and the reported ones.
@@ -106,7 +104,6 @@ class EnvState:
     drive: DriveState
     odometry: OdometryState
     infrared: InfraredState
-    compass: CompassState
     laser: LaserState
     devices: Any
     camera: CameraState
@@ -147,7 +144,6 @@ class EnvState:
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),
             infrared=InfraredState.at_start(world),
-            compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
             devices=device_states(world),
             camera=CameraState.at_start(world),

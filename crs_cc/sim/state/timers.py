@@ -12,7 +12,7 @@ from crs_cc.sim.model.registry import devices, sensor_count
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-CAMERA, HEAT, LASER, INFRARED, COMPASS = 1, 2, 3, 4, 5
+CAMERA, HEAT, LASER, INFRARED = 1, 2, 3, 4
 """Numbers in `crs.h` of sensors that can have a timer; the others are those of the registry."""
 
 
@@ -82,7 +82,6 @@ def _periods_s(model: RobotModel) -> list[float]:
         HEAT: model.heat,
         LASER: model.laser,
         INFRARED: model.infrared,
-        COMPASS: model.compass,
         **{each.number: model.device(each.name) for each in devices() if each.number is not None},
     }
     have = [numbered.get(number) for number in range(sensor_count())]

@@ -19,18 +19,25 @@ a value is dropped, the reading does not change.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.core.random_streams import COMPASS, Noise
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.quantity import ANGLE, TIME
+from crs_cc.core.random_streams import Noise
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
-from crs_cc.sim.state import timers
+from crs_cc.sim.model.attribute import Choice, attribute, period, rate
+from crs_cc.sim.model.degradable import Degradable, elements_of
+from crs_cc.sim.model.device import Device
+from crs_cc.sim.state.last_measurement import LastMeasurement
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -38,6 +45,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
 
 
 OFF: Final = 0
@@ -48,20 +56,97 @@ _TURN: Final = 2 * math.pi
 _FULL_TURN: Final = 3600
 
 
-class Compasses:
-    """The compasses of all robots that have one.
+@dataclass(frozen=True, slots=True)
+class Compass:
+    """A compass.
 
     Attributes:
-        interval_s: minimum time between two measurements of each.
+        offset_rad: its reading in the direction of the world's x axis.
+        deviation_rad: the largest error through iron on the robot, before calibration.
+        calibration_s: time for the turn that calibrates it.
+        rate_hz: maximum measuring rate.
+        noise_rad: standard deviation of a reading's error.
+        is_on: whether it is on at the start.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        found = [model for robot in world.robots if (model := robot.model.compass) is not None]
-        self.interval_s = np.array([1.0 / compass.rate_hz for compass in found])
+    offset_rad: float = attribute(
+        "offset", ANGLE, "0deg", "Reading of a robot that points along the world's x axis.",
+        signed=True,
+    )  # fmt: skip
+    deviation_rad: float = attribute(
+        "deviation", ANGLE, "0deg",
+        "Maximum error caused by iron on the robot, before the program calls conf_cp(2).",
+    )  # fmt: skip
+    calibration_s: float = attribute(
+        "calibration", TIME, "180s", "Duration of the calibration, one turn of the turret.",
+        positive=True,
+    )  # fmt: skip
+    rate_hz: float = rate("10Hz")
+    noise_rad: float = attribute("noise", ANGLE, "0deg", "Standard deviation of a reading.")
+    is_on: bool = attribute(
+        "on", Choice((("yes", True), ("no", False))), "no",
+        "Whether it is switched on before the program calls conf_cp().",
+    )  # fmt: skip
+    period_s: float = period()
+
+
+@dataclass(slots=True)
+class CompassState:
+    """The compasses; arrays have a row for each robot with a compass, n of them.
+
+    Attributes:
+        on: whether they are on, (n,).
+        calibrated: whether they have been calibrated, (n,).
+        reading: last reading [0.1 deg], (n,).
+        count: number of measurements, (n,).
+        measured: time and configuration of the last measurement.
+    """
+
+    on: BoolArray
+    calibrated: BoolArray
+    reading: Int32Array
+    count: Int64Array
+    measured: LastMeasurement
+
+
+def compasses(state: EnvState) -> CompassState:
+    """Return the state of all compasses."""
+    return state.device("compass", CompassState)
+
+
+def _at_start(models: Sequence[Compass]) -> CompassState:
+    """Return compasses that have not measured yet."""
+    count = len(models)
+    return CompassState(
+        np.array([compass.is_on for compass in models], dtype=np.bool_),
+        np.zeros(count, dtype=np.bool_),
+        np.zeros(count, dtype=np.int32),
+        np.zeros(count, dtype=np.int64),
+        LastMeasurement.never(count),
+    )
+
+
+class _Compasses:
+    """The compasses of all robots that have one."""
+
+    def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
+        models = [robot.model.device(row.name) for robot in world.robots]
+        found: list[Compass] = [model for model in models if model is not None]
+        self._row = row
+        self._interval_s = np.array([1.0 / compass.rate_hz for compass in found])
         self._offset_rad = np.array([compass.offset_rad for compass in found])
         self._deviation_rad = np.array([compass.deviation_rad for compass in found])
+        self._calibration_s = np.array([compass.calibration_s for compass in found])
         self._noise_rad = np.array([compass.noise_rad for compass in found])
-        self._noise = Noise(seed, COMPASS, 1, len(world.robots) if self._noise_rad.any() else 0)
+        self._noise = Noise(seed, row.stream, 1, len(models) if self._noise_rad.any() else 0)
+
+    def installed(self) -> Installed:
+        """Return the compasses with the handlers of their requests."""
+        return Installed(
+            handlers={"GET_CP": self.get_cp, "CONF_CP": self.conf_cp},
+            timed=Timed(self.read, lambda state: compasses(state).measured.at_s, self._interval_s),
+        )
 
     def read(
         self,
@@ -79,9 +164,9 @@ class Compasses:
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
-        compass = state.compass
-        mine = constants.compass[rows]
-        due = compass.measured.are_due(mine, at_s, self.interval_s) & compass.on[mine]
+        compass = compasses(state)
+        mine = constants.numbers[self._row.name][rows]
+        due = compass.measured.are_due(mine, at_s, self._interval_s) & compass.on[mine]
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
@@ -92,7 +177,7 @@ class Compasses:
             deviates = self._noise.rows(rows, compass.count[mine])[:, 0]
             angle_rad += deviates * self._noise_rad[mine]
         angle_rad = constants.degradations.alter(
-            state, "compass", rows, angle_rad[:, None], at_s[due]
+            state, self._row.name, rows, angle_rad[:, None], at_s[due]
         )[:, 0]
         reported = np.isfinite(angle_rad)
         tenths = np.rint(rad_to_tenths_deg(angle_rad[reported])).astype(np.int32)
@@ -102,22 +187,55 @@ class Compasses:
 
     def get_cp(self, context: RequestContext) -> BoolArray:
         """Answer GET_CP: measure, for `State`; refuse robots without a compass."""
-        has = np.asarray(context.constants.compass[context.rows] >= 0)
-        read_on_request(context, self.read, timers.COMPASS, has)
+        has = np.asarray(context.constants.numbers[self._row.name][context.rows] >= 0)
+        read_on_request(context, self.read, self._row.number, has)
         return has
 
+    def conf_cp(self, context: RequestContext) -> BoolArray:
+        """Switch compasses on or off; refuse unknown modes."""
+        state, constants = context.state, context.constants
+        mode, mine = context["mode"], constants.numbers[self._row.name][context.rows]
+        good: BoolArray = (mine >= 0) & (mode >= OFF) & (mode <= CALIBRATE)
+        rows, mode, mine = context.rows[good], mode[good], mine[good]
+        compass = compasses(state)
+        compass.on[mine] = mode != OFF
+        calibrates = mode == CALIBRATE
+        compass.calibrated[mine[calibrates]] = True
+        turns = calibrates & constants.drives.turret[rows]
+        if turns.any():
+            rows, speed = rows[turns], _TURN / self._calibration_s[mine[turns]]
+            drive.turn_turret(state, rows, _TURN, speed)
+        return good
 
-def conf_cp(context: RequestContext) -> BoolArray:
-    """Switch the compass on or off; refuse unknown modes."""
-    state, constants = context.state, context.constants
-    mode, mine = context["mode"], constants.compass[context.rows]
-    good: BoolArray = (mine >= 0) & (mode >= OFF) & (mode <= CALIBRATE)
-    rows, mode, mine = context.rows[good], mode[good], mine[good]
-    state.compass.on[mine] = mode != OFF
-    calibrates = mode == CALIBRATE
-    state.compass.calibrated[mine[calibrates]] = True
-    turns = calibrates & constants.drives.turret[rows]
-    if turns.any():
-        rows, speed = rows[turns], _TURN / constants.calibration_s[rows[turns]]
-        drive.turn_turret(state, rows, _TURN, speed)
-    return good
+
+def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
+    """Return the compasses of a world's robots."""
+    return _Compasses(row, world, seed).installed()
+
+
+def inspect(state: EnvState, number: int) -> str:
+    """Return the last reading of a compass, and whether it is off."""
+    compass = compasses(state)
+    off = "" if compass.on[number] else ", off"
+    return f"{compass.reading[number] / 10:.1f} deg{off}"
+
+
+DEVICE = Device(
+    name="compass",
+    title="Compass",
+    element="compass",
+    summary="A compass, which turns with the turret.",
+    model=Compass,
+    state=_at_start,
+    install=install,
+    degradables=(
+        Degradable(
+            "compass", "direction", ANGLE, elements_of("compass", lambda _model: ("0",)), 1,
+            "the reading does not change",
+        ),
+    ),
+    inspect=inspect,
+    number=5,
+    stream=2,
+    source=__file__,
+)  # fmt: skip

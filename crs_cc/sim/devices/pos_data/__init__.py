@@ -22,6 +22,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array
 from crs_cc.requests.request import BUMPER, INFRARED, LASER, SONAR
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.state.mask import POS_DATA
 from crs_cc.sim.state.pos_data import NUMBERS, PLACES
 
@@ -85,7 +86,7 @@ def _read(
         return _last(state.infrared.measured, constants.infrared[robots])
     if kind == LASER:
         return _last(state.laser.measured, constants.laser[robots])
-    return _last(state.compass.measured, constants.compass[robots])
+    return _last(compasses(state).measured, constants.numbers["compass"][robots])
 
 
 def _last(moments: LastMeasurement, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
