@@ -22,7 +22,6 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, Int64Array
 
 SONAR: Final = 0
-INFRARED: Final = 1
 LASER: Final = 3
 ROLLING: Final = 4
 CAMERA: Final = 6

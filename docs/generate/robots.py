@@ -48,7 +48,7 @@ def _sonars(model: RobotModel) -> str:
 def _others(model: RobotModel) -> str:
     devices = {
         f"{len(switches_of(model))} bumpers": bool(switches_of(model)),
-        "infrared": model.infrared is not None,
+        "infrared": model.device("infrared") is not None,
         "compass": model.device("compass") is not None,
         "laser": model.laser is not None,
         "heat": model.heat.range_m > 0.0,

@@ -25,14 +25,13 @@ def _rate(device: Device) -> str:
     return "rate='100Hz'" if has_rate else ""
 
 
-OTHERS = {"CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4}
-GIVEN = {"compass": "on='yes'"}
+OTHERS = {"CAMERA": 1, "HEAT": 2, "LASER": 3}
+GIVEN = {"compass": "on='yes'", "infrared": "step='1in' order='0'"}
 ROWS = [device for device in devices() if device.number is not None]
 SENSORS = {**OTHERS, **{device.name.upper(): device.number for device in ROWS}}
 GPS_10_HZ = '<gps rate="10Hz" period="0.1s"/>'
 REGISTERED = "".join(f"<{each.element} {_rate(each)} {GIVEN.get(each.name, '')}/>" for each in ROWS)
 ALL = (
-    "<infrared step='1in' order='0' rate='100Hz'/>"
     "<laser field-of-view='90deg' range='5m' rate='100Hz' mode='51'/>"
     f"{REGISTERED}<camera columns='4' rate='100Hz'/>"
 )

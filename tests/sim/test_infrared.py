@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.infrared import rings
 from crs_cc.sim.devices.vendor_state import IR_0
 from tests.sim.driver import Driver, open_world, own_world
 
@@ -97,7 +98,7 @@ def test_history_0_has_no_memory_and_10_never_changes():
     for _ in range(5):
         driver.run(1)
         before = ring(driver)[0]
-    assert before == driver.state.infrared.level[0, 0]
+    assert before == rings(driver.state).level[0, 0]
     driver.ask("CONF_IR", 0, data=bytes(range(16)))
     driver.run(1)
     assert ring(driver)[0] == 5
@@ -117,7 +118,7 @@ def test_only_sensors_in_order_measure():
 def test_conf_ir_refuses_invalid_sensors(order):
     driver = Driver.of(open_world(NOMAD))
     assert driver.post("CONF_IR", 0, data=order)[0]["result"] == 0
-    assert driver.state.infrared.on[0].all()
+    assert rings(driver.state).on[0].all()
 
 
 def test_every_state_contains_infrared_unless_masked():
@@ -142,7 +143,7 @@ def test_measurement_uses_pose_at_its_time():
     late = driver.post("GET_IR", at_s=driver.environment.time_s + 0.0999)[0]
     seen = late["data"][:180].view("<i4")[IR_0]
     assert seen == max(0, round(14 - driven_in - 20 * 0.0999))
-    assert driver.state.infrared.measured.configuration[0, 0] == late["data"][:180].view("<i4")[34]
+    assert rings(driver.state).measured.configuration[0, 0] == late["data"][:180].view("<i4")[34]
 
 
 def test_scout_has_no_infrared():
@@ -161,7 +162,7 @@ def test_noise_has_standard_deviation_of_definition(tmp_path):
     for _ in range(300):
         driver.run(1)
         driver.ask("GET_IR")
-        seen.append(driver.state.infrared.level[0, 0] * 4)
+        seen.append(rings(driver.state).level[0, 0] * 4)
     assert np.mean(seen) == pytest.approx(30, abs=0.3)
     assert np.std(seen) == pytest.approx(1, abs=0.2)
 
@@ -171,15 +172,16 @@ def test_noise_has_standard_deviation_of_definition(tmp_path):
     [
         ('step="0in"', "step: '0in' must be greater than 0"),
         ('step="1in" half-angle="90deg"', "less than 90deg"),
+        ('step="1in" half-angle="-1deg"', "half-angle: '-1deg' must not be negative"),
         ('step="1in" reflectance="2"', "reflectance"),
         ('step="1in" order="16"', "order: unknown sensor 16"),
         ('step="1in" history="11"', "history: '11' is not an integer from 0 to 10"),
     ],
 )
-def test_invalid_rings_are_refused(tmp_path, bad, message):
+def test_an_invalid_ring_is_refused_with_one_message(tmp_path, bad, message):
     with pytest.raises(WorldError) as caught:
         own_world(tmp_path, (EXACT, bad), robot="nomad200")
-    assert any(message in each.render() for each in caught.value.diagnostics)
+    assert sum(message in each.render() for each in caught.value.diagnostics) == 1
 
 
 @pytest.mark.parametrize(("share", "reading"), [(1.0, 6), (0.25, 12), (0.16, 15), (0.0, 15)])

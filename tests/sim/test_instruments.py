@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.devices.compass import compasses
+from crs_cc.sim.devices.infrared import rings
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import parse_world
 from tests.sim.driver import Driver, world_of
@@ -116,7 +117,7 @@ def test_nothing_is_measured_without_request():
     environment = Environment(room(), 3)
     Driver(environment).run(20)
     state = environment.state
-    assert not state.infrared.count.any()
+    assert not rings(state).count.any()
     assert not compasses(state).count.any()
     assert not state.laser.count.any()
     assert len(state.pos_data.told) == 0
@@ -124,7 +125,7 @@ def test_nothing_is_measured_without_request():
 
 def test_scouts_have_no_state_for_missing_devices():
     state = Environment(world_of('<robot x="2m" y="2m"/>' * 1), 0).state
-    for array in (state.infrared.level, compasses(state).reading, state.laser.seen):
+    for array in (rings(state).level, compasses(state).reading, state.laser.seen):
         assert array.size == 0
 
 
@@ -151,6 +152,6 @@ def test_no_request_breaks_instruments(code, content, clock_s):
     assert all(map(math.isfinite, goes_on_s))
     environment.step()
     state = environment.state
-    assert np.isfinite(state.infrared.level).all()
+    assert np.isfinite(rings(state).level).all()
     assert ((compasses(state).reading >= 0) & (compasses(state).reading < 3600)).all()
     assert ((state.laser.wanted >= 1) & (state.laser.wanted <= 482)).all()

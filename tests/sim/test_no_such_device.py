@@ -9,7 +9,7 @@ from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, HEAT, INFRARED, LASER
+from crs_cc.sim.state.timers import CAMERA, HEAT, LASER
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
@@ -19,7 +19,6 @@ BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3k
            acceleration="1m/s2"/></robot-definition>"""
 
 HAS = {
-    "infrared": lambda model: model.infrared is not None,
     "laser": lambda model: model.laser is not None,
     **{
         device.element: lambda model, name=device.name: model.device(name) is not None
@@ -54,7 +53,6 @@ ASKED = (
       for device, number in (
           *((each.element, each.number) for each in devices() if each.number is not None),
           ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
-          ("infrared", INFRARED),
       )),
 )  # fmt: skip
 

@@ -43,7 +43,7 @@ def vendor_state_rows(view: View, robot: int) -> list[Row]:
 def _devices(model: RobotModel) -> dict[str, object]:
     """Return optional devices by a part of the names of their fields."""
     return {
-        "STATE_IR_": model.infrared,
+        "STATE_IR_": model.device("infrared"),
         "_TURRET": model.drive.turret,
         "STATE_LASER": model.laser,
         "STATE_COMPASS": model.device("compass"),

@@ -26,8 +26,7 @@ class RobotConstants:
         timestep_s: the world's timestep [s].
         drives: the drives.
         vendor_model: the vendor's number of the model.
-        infrared: number of each robot among those with an infrared ring, -1 for the others.
-        laser: the same for lasers.
+        laser: number of each robot among those with a laser, -1 for the others.
         camera: the same for cameras.
         gripper: the same for grippers.
         arm: the same for arms.
@@ -47,7 +46,6 @@ class RobotConstants:
     timestep_s: float
     drives: Drives
     vendor_model: Int64Array
-    infrared: IndexArray
     laser: IndexArray
     camera: IndexArray
     gripper: IndexArray
@@ -73,7 +71,6 @@ class RobotConstants:
             timestep_s=world.timestep_s,
             drives=Drives.of(world),
             vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
-            infrared=_numbers([model.infrared is not None for model in models]),
             laser=_numbers([model.laser is not None for model in models]),
             camera=_numbers([model.camera is not None for model in models]),
             gripper=_numbers([model.gripper is not None for model in models]),
@@ -83,7 +80,6 @@ class RobotConstants:
                 "camera": _numbers([model.camera is not None for model in models]),
                 "heat": _numbers([model.heat.range_m > 0.0 for model in models]),
                 "laser": _numbers([model.laser is not None for model in models]),
-                "infrared": _numbers([model.infrared is not None for model in models]),
                 **{
                     each.name: _numbers([model.device(each.name) is not None for model in models])
                     for each in devices()

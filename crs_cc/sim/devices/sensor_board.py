@@ -19,7 +19,7 @@ from crs_cc.sim.devices.battery import Batteries
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import compasses
-from crs_cc.sim.devices.infrared import InfraredRing
+from crs_cc.sim.devices.infrared import MAX_INFRARED, InfraredRing, rings
 from crs_cc.sim.devices.installed import Timed
 from crs_cc.sim.devices.laser import Lasers
 from crs_cc.sim.devices.sonar.model import MAX_SONARS
@@ -38,7 +38,6 @@ from crs_cc.sim.devices.vendor_state import (
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.model import registry
-from crs_cc.sim.model.sensors import MAX_INFRARED
 from crs_cc.sim.state import mask, timers
 from crs_cc.sim.state.rows import take
 
@@ -57,7 +56,7 @@ if TYPE_CHECKING:
 _LASER_WIDTHS: Final = {CODES["GET_LS"]: laser.POINTS, CODES["GET_SG"]: laser.SEGMENTS}
 """Numbers per reading in the replies with laser readings, in any mode."""
 
-_GROUPS: Final = {"compass": mask.COMPASS}
+_GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS}
 """The bits of masks that select a device of the registry."""
 
 _BITS: Final = np.array([1, 2, 4])
@@ -69,7 +68,6 @@ class SensorBoard:
 
     Attributes:
         batteries: the robots' batteries.
-        infrared: their infrared rings.
         lasers: their lasers.
     """
 
@@ -83,10 +81,9 @@ class SensorBoard:
         """
         self.batteries = Batteries(world)
         self._clock = BoardClock(world)
-        self.infrared = InfraredRing(world, seed)
+        self._infrared: InfraredRing = installed["infrared"].device
         self.lasers = Lasers(world, seed)
         models = [robot.model for robot in world.robots]
-        self._has_infrared = any(model.infrared is not None for model in models)
         self._has_lasers = any(model.laser is not None for model in models)
         self._instruments = [
             (registry.device(name).number, timed.read, group)
@@ -98,18 +95,15 @@ class SensorBoard:
     @property
     def fans(self) -> list[Fan]:
         """Return the beams of the sensors that measure distances."""
-        return [*self.infrared.fans, *self.lasers.fans]
+        return self.lasers.fans
 
     @property
     def timed(self) -> dict[int, tuple[str, Timed]]:
         """Return the sensors that can have a timer, by their numbers in `crs.h`."""
-        lasers, infrared = self.lasers, self.infrared
+        lasers = self.lasers
         return {
             timers.LASER: ("laser", Timed(
                 lasers.read, lambda state: state.laser.measured.at_s, lasers.interval_s
-            )),
-            timers.INFRARED: ("infrared", Timed(
-                infrared.read, lambda state: state.infrared.measured.at_s, infrared.interval_s
             )),
         }  # fmt: skip
 
@@ -144,7 +138,6 @@ class SensorBoard:
     def _measure(self, context: RequestContext, good: BoolArray) -> None:
         """Measure with the instruments that the programs' masks select."""
         for has, read, sensor, group in (
-            (self._has_infrared, self.infrared.read, timers.INFRARED, mask.INFRARED),
             (self._has_lasers, self.lasers.read, timers.LASER, mask.LASER),
         ):
             if has:
@@ -175,9 +168,9 @@ class SensorBoard:
             the infrared readings, shape (k, 16), and the number of laser readings, (k,).
         """
         infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
-        has = constants.infrared[rows] >= 0
+        has = constants.numbers["infrared"][rows] >= 0
         if has.any():
-            look = self.infrared.look
+            look = self._infrared.look
             infrared[has] = look(state, constants, rays, rows[has], poses[has])
         counts = np.zeros(len(rows), dtype=np.int32)
         has = constants.laser[rows] >= 0
@@ -196,10 +189,11 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_state(state).reading_in(rows)
-    if len(state.infrared.level):
-        has = constants.infrared[rows] >= 0
-        level = state.infrared.level[constants.infrared[rows[has]]]
-        vector[has, IR_0:SONAR_0] = np.rint(level)
+    level = rings(state).level
+    if len(level):
+        numbers = constants.numbers["infrared"][rows]
+        has = numbers >= 0
+        vector[has, IR_0:SONAR_0] = np.rint(level[numbers[has]])
     if len(state.laser.mode):
         has = constants.laser[rows] >= 0
         vector[has, LASER_MODE] = state.laser.mode[constants.laser[rows[has]]]

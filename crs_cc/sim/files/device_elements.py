@@ -9,7 +9,7 @@ from lxml import etree
 
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import period_s
-from crs_cc.sim.model.attribute import Attribute, Choice, Count, Fraction, attributes_of
+from crs_cc.sim.model.attribute import Attribute, Choice, Count, Fraction, Numbers, attributes_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
 
@@ -28,10 +28,19 @@ def models(root: Element, reader: Reader) -> tuple[tuple[str, Any], ...]:
 
 def _model(device: Device, root: Element, reader: Reader) -> Any | None:
     element = root.maybe(device.element)
-    if element is None:
-        return None
+    return None if element is None else read_attributes(device.model, element, reader)
+
+
+def read_attributes(model: type, element: Element, reader: Reader) -> Any:
+    """Return the model that the attributes of a device's element describe.
+
+    Args:
+        model: its dataclass, whose fields are made by `attribute`.
+        element: the element.
+        reader: reads the values; errors go to it.
+    """
     values = {}
-    for field in dataclasses.fields(device.model):
+    for field in dataclasses.fields(model):
         row = field.metadata.get("attribute")
         if row is None:
             continue
@@ -39,17 +48,17 @@ def _model(device: Device, root: Element, reader: Reader) -> Any | None:
             values[field.name] = period_s(element, reader)
         else:
             values[field.name] = _value(row, element, reader)
-    return device.model(**values)
+    return model(**values)
 
 
 def _value(row: Attribute, element: Element, reader: Reader) -> Any:
     values = row.values
-    if isinstance(values, Choice | Fraction):  # the schema checks these
+    if isinstance(values, Choice | Fraction | Numbers):  # the schema checks these
         return values.parse(element.attributes[row.name])
     if isinstance(values, Count):
         least = 0 if row.default is None else int(row.default)
         return reader.whole(element, row.name, values.least, values.most, absent=least)
-    absent = 1.0 if row.default is None else values.parse(row.default)
+    absent = values.parse(row.default) if row.default else 1.0
     if row.positive:
         return reader.positive(element, row.name, values, absent)
     if row.signed:
@@ -85,7 +94,7 @@ def _type(device: Device) -> etree._Element:
         each = etree.SubElement(kind, f"{_XS}attribute", name=row.name)
         if row.default is None:
             each.set("use", "required")
-        else:
+        elif row.default:
             each.set("default", row.default)
         _document(each, row.meaning)
         _restrict(each, row)
@@ -99,10 +108,18 @@ def _restrict(attribute: etree._Element, row: Attribute) -> None:
         words = etree.SubElement(kind, f"{_XS}restriction", base="xs:string")
         for word, _ in row.values.values:
             etree.SubElement(words, f"{_XS}enumeration", value=word)
+    elif isinstance(row.values, Numbers):
+        kind = etree.SubElement(attribute, f"{_XS}simpleType")
+        bounded = etree.SubElement(kind, f"{_XS}restriction")
+        listed = etree.SubElement(bounded, f"{_XS}simpleType")
+        etree.SubElement(listed, f"{_XS}list", itemType="xs:unsignedByte")
+        etree.SubElement(bounded, f"{_XS}maxLength", value=str(row.values.most))
     elif isinstance(row.values, Count):
         attribute.set("type", "xs:string")
+    elif isinstance(row.values, Fraction):
+        attribute.set("type", "share" if row.values.positive else "probability")
     else:
-        attribute.set("type", "probability" if isinstance(row.values, Fraction) else "quantity")
+        attribute.set("type", "quantity")
 
 
 def _document(element: etree._Element, text: str) -> None:

@@ -57,7 +57,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
         heat=_heat(root.first("heat"), reader),
-        infrared=sensor_elements.infrared(root, reader),
         laser=sensor_elements.laser(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),

@@ -13,12 +13,10 @@ from crs_cc.sim.model.sensors import (
     ENDLESS,
     ENDLESS_MOTORS,
     MAX_COLUMNS,
-    MAX_INFRARED,
     NUM_LASER,
     USUAL_BOARD,
     Battery,
     Camera,
-    Infrared,
     Laser,
     MotorBattery,
     SensorBoard,
@@ -29,26 +27,6 @@ _SHORTEST_S: Final = 0.001  # bounds the work that one robot's measurements caus
 _ROUNDING: Final = 1e-9
 
 
-def infrared(root: Element, reader: Reader) -> Infrared | None:
-    """Return the infrared ring, None for a robot without one."""
-    element = root.maybe("infrared")
-    if element is None:
-        return None
-    order = tuple(int(number) for number in element.attributes["order"].split())
-    for number in order:
-        if number >= MAX_INFRARED:
-            reader.error(element, f"order: unknown sensor {number} (maximum: {MAX_INFRARED - 1})")
-    return Infrared(
-        step_m=reader.positive(element, "step", LENGTH),
-        half_angle_rad=half_angle_rad(element, reader),
-        reflectance=float(element.attributes["reflectance"]),
-        rate_hz=reader.positive(element, "rate", FREQUENCY),
-        noise_m=reader.not_negative(element, "noise", LENGTH),
-        share=reader.whole(element, "history", 0, 10) / 10,
-        order=order,
-        z_m=reader.not_negative(element, "height", LENGTH),
-        period_s=period_s(element, reader),
-    )
 
 
 def half_angle_rad(element: Element, reader: Reader) -> float:

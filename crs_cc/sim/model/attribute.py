@@ -18,9 +18,11 @@ from crs_cc.core.quantity import FREQUENCY, LENGTH, RATIO, TIME, Kind
 __all__ = [
     "FRACTION",
     "LENGTH",
+    "SHARE",
     "Attribute",
     "Choice",
     "Count",
+    "Numbers",
     "attribute",
     "attributes_of",
     "period",
@@ -57,7 +59,13 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Fraction:
-    """Numbers from 0 to 1."""
+    """Numbers from 0 to 1.
+
+    Attributes:
+        positive: whether 0 is invalid.
+    """
+
+    positive: bool = False
 
     def parse(self, text: str) -> float:
         """Return the value of a text that the schema allows."""
@@ -65,8 +73,25 @@ class Fraction:
 
 
 FRACTION: Final = Fraction()
+SHARE: Final = Fraction(positive=True)
 
-Values: TypeAlias = Kind | Count | Choice | Fraction
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """Lists of sensor numbers.
+
+    Attributes:
+        most: maximum length.
+    """
+
+    most: int
+
+    def parse(self, text: str) -> tuple[int, ...]:
+        """Return the value of a text that the schema allows."""
+        return tuple(int(number) for number in text.split())
+
+
+Values: TypeAlias = Kind | Count | Choice | Fraction | Numbers
 """Which values an attribute can have."""
 
 
@@ -77,7 +102,8 @@ class Attribute:
     Attributes:
         name: its name there.
         values: its quantity, or its possible values.
-        default: default value, as written in the file; None if it is required.
+        default: default value, as written in the file; None if it is required, empty if the
+            device has a `read` that knows it.
         meaning: description in whole sentences, shown in the schema and its docs.
         positive: whether a quantity must be greater than 0.
         signed: whether a quantity may be less than 0.
@@ -105,13 +131,14 @@ def attribute(
     Args:
         name: the attribute's name.
         values: its quantity, or its possible values.
-        default: default value, as written in the file, such as `"20Hz"`; None if it is required.
+        default: default value, as written in the file, such as `"20Hz"`; None if it is required,
+            empty if the device has a `read` that knows it.
         meaning: description in whole sentences.
         positive: whether a quantity must be greater than 0.
         signed: whether a quantity may be less than 0.
     """
     metadata = {"attribute": Attribute(name, values, default, meaning, positive, signed)}
-    if default is None:
+    if not default:
         return dataclasses.field(metadata=metadata)
     return dataclasses.field(default=values.parse(default), metadata=metadata)
 

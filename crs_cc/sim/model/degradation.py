@@ -35,7 +35,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.model.degradable import Degradable, numbered
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.model.sensors import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
+from crs_cc.sim.model.sensors import MAX_COLUMNS, NUM_LASER
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
@@ -131,11 +131,6 @@ def _axes(model: RobotModel) -> tuple[str, ...]:
 _OTHERS: Final = {
     device.name: device
     for device in (
-        Degradable(
-            "infrared", "distance measured by an infrared sensor", LENGTH,
-            lambda model: numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
-            "nothing in range, 15",
-        ),
         Degradable(
             "laser", "distance of a point, from right to left", LENGTH,
             lambda model: numbered(model.laser.points if model.laser else 0), NUM_LASER,

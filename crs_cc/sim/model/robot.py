@@ -22,7 +22,6 @@ from crs_cc.sim.model.sensors import (
     USUAL_BOARD,
     Battery,
     Camera,
-    Infrared,
     Laser,
     MotorBattery,
     SensorBoard,
@@ -154,7 +153,6 @@ class RobotModel:
         odometry: its encoders and odometry errors.
         mass_kg: its mass.
         heat: its heat sensor.
-        infrared: its infrared ring, or None.
         laser: its laser, or None.
         camera: its camera, or None.
         gripper: its gripper, or None.
@@ -176,7 +174,6 @@ class RobotModel:
     odometry: Odometry = Odometry()
     mass_kg: float = 20.0
     heat: Heat = Heat()
-    infrared: Infrared | None = None
     laser: Laser | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None

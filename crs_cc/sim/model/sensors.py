@@ -10,41 +10,11 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-MAX_INFRARED: Final = 16
-"""Number of readings in the vendor's `State` array (vendor header `Nclient.h` 1.29)."""
-
 NUM_LASER: Final = 482
 """Maximum number of points of a laser (vendor header `Nclient.h` 1.29)."""
 
 MAX_COLUMNS: Final = 320
 """Maximum number of columns of a camera; our choice."""
-
-
-@dataclass(frozen=True, slots=True)
-class Infrared:
-    """Sixteen infrared sensors around the mount, on the robot's shell.
-
-    Attributes:
-        step_m: the distance of a white surface for each unit of a reading.
-        half_angle_rad: the angle between the axis of a beam and its side.
-        reflectance: assumed reflectance of surfaces, up to 1.
-        rate_hz: maximum measuring rate.
-        noise_m: standard deviation of a distance's error.
-        share: default weight of the previous reading in the next one.
-        order: default order of the sensors that measure.
-        z_m: height of its beams above the ground.
-        period_s: measuring period by timer; 0 for on request only.
-    """
-
-    step_m: float
-    half_angle_rad: float
-    reflectance: float
-    rate_hz: float
-    noise_m: float
-    share: float
-    order: tuple[int, ...]
-    z_m: float = 0.2
-    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

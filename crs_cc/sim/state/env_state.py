@@ -37,7 +37,6 @@ from crs_cc.sim.state.drive import DriveState
 from crs_cc.sim.state.gripper import GripperState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.heat_sensor import HeatSensorState
-from crs_cc.sim.state.infrared import InfraredState
 from crs_cc.sim.state.laser import LaserState
 from crs_cc.sim.state.link import LinkState
 from crs_cc.sim.state.mask import first_mask
@@ -69,7 +68,6 @@ class EnvState:
             drive, which never turns.
         drive: the motion of the axes.
         odometry: the estimated pose of each robot.
-        infrared: the infrared sensors' readings.
         laser: the lasers' scans, and the reported ones.
         devices: the state of each device of `registry.devices()`, by its name.
         camera: the cameras' images, and the reported ones.
@@ -103,7 +101,6 @@ class EnvState:
     base_rad: FloatArray
     drive: DriveState
     odometry: OdometryState
-    infrared: InfraredState
     laser: LaserState
     devices: Any
     camera: CameraState
@@ -143,7 +140,6 @@ class EnvState:
             base_rad=heading_rad.copy(),
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),
-            infrared=InfraredState.at_start(world),
             laser=LaserState.at_start(world),
             devices=device_states(world),
             camera=CameraState.at_start(world),

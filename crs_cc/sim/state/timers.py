@@ -12,7 +12,7 @@ from crs_cc.sim.model.registry import devices, sensor_count
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-CAMERA, HEAT, LASER, INFRARED = 1, 2, 3, 4
+CAMERA, HEAT, LASER = 1, 2, 3
 """Numbers in `crs.h` of sensors that can have a timer; the others are those of the registry."""
 
 
@@ -81,7 +81,6 @@ def _periods_s(model: RobotModel) -> list[float]:
         CAMERA: model.camera,
         HEAT: model.heat,
         LASER: model.laser,
-        INFRARED: model.infrared,
         **{each.number: model.device(each.name) for each in devices() if each.number is not None},
     }
     have = [numbered.get(number) for number in range(sensor_count())]

@@ -43,7 +43,6 @@ int crs_laser(int *ranges, int most);
 #define CRS_SENSOR_CAMERA 1
 #define CRS_SENSOR_HEAT 2
 #define CRS_SENSOR_LASER 3
-#define CRS_SENSOR_INFRARED 4
 
 /* Set the period at which a sensor measures, starting now; functions that read it then return the
    last measurement. With a period of 0 it measures on request. The period is limited by the rate

@@ -24,32 +24,138 @@ reads as nothing in range.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
-from crs_cc.core.random_streams import INFRARED, Noise
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.quantity import ANGLE, LENGTH
+from crs_cc.core.random_streams import Noise
+from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.rays import Fan
-from crs_cc.sim.model.sensors import MAX_INFRARED
-from crs_cc.sim.state import timers
-from crs_cc.sim.state.infrared import FARTHEST
+from crs_cc.sim.model.attribute import SHARE, Count, Numbers, attribute, period, rate
+from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
+from crs_cc.sim.model.device import Device
+from crs_cc.sim.state.last_measurement import LastMeasurement
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.model.sensors import Infrared
+    from crs_cc.sim.files.document import Element, Reader
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
 
+
+MAX_INFRARED: Final = 16
+"""Number of readings in the vendor's `State` array (vendor header `Nclient.h` 1.29)."""
+
+FARTHEST: Final = 15
+"""The largest reading, four bits on the link (vendor source `Ndirect.c` 2.7): nothing is near."""
 
 _TURN: Final = 2 * math.pi
 _TENTHS: Final = 10
+_ALL: Final = " ".join(map(str, range(MAX_INFRARED)))
+
+
+@dataclass(frozen=True, slots=True)
+class Infrared:
+    """Sixteen infrared sensors around the mount, on the robot's shell.
+
+    Attributes:
+        step_m: the distance of a white surface for each unit of a reading.
+        half_angle_rad: the angle between the axis of a beam and its side.
+        reflectance: assumed reflectance of surfaces, up to 1.
+        rate_hz: maximum measuring rate.
+        noise_m: standard deviation of a distance's error.
+        history: default weight of the previous reading in the next one, in tenths.
+        order: default order of the sensors that measure.
+        z_m: height of its beams above the ground.
+        period_s: measuring period by timer; 0 for on request only.
+    """
+
+    step_m: float = attribute(
+        "step", LENGTH, None,
+        "Distance of a white surface per unit of a reading; the largest reading is 15.",
+        positive=True,
+    )  # fmt: skip
+    half_angle_rad: float = attribute("half-angle", ANGLE, "0deg", "Half-angle of the beams.")
+    reflectance: float = attribute("reflectance", SHARE, "1", "Default reflectance of surfaces.")
+    rate_hz: float = rate("20Hz")
+    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of a distance.")
+    history: int = attribute(
+        "history", Count(0, _TENTHS), "0",
+        "Tenths of a reading that carry over to the next, 0 to 10, before the program calls"
+        " conf_ir().",
+    )  # fmt: skip
+    order: tuple[int, ...] = attribute(
+        "order", Numbers(MAX_INFRARED), _ALL,
+        "Active sensors before the program calls conf_ir().",
+    )  # fmt: skip
+    z_m: float = attribute(
+        "height", LENGTH, "20cm", "Height above the ground: beams pass over lower objects."
+    )
+    period_s: float = period()
+
+
+def read(root: Element, reader: Reader) -> Infrared | None:
+    """Return the infrared ring of a robot definition, None for a robot without one."""
+    element = root.maybe("infrared")
+    if element is None:
+        return None
+    ring: Infrared = read_attributes(Infrared, element, reader)
+    if ring.half_angle_rad >= math.pi / 2:
+        reader.refuse(element, "half-angle: must be less than 90deg")
+    for number in ring.order:
+        if number >= MAX_INFRARED:
+            reader.error(element, f"order: unknown sensor {number} (maximum: {MAX_INFRARED - 1})")
+    return ring
+
+
+@dataclass(slots=True)
+class InfraredState:
+    """The infrared rings; arrays have a row for each robot with a ring, n of them.
+
+    Attributes:
+        on: the active sensors, (n, 16).
+        share: weight of the previous reading in the next one, 0 to 1, (n,).
+        level: each reading before rounding, 0 to 15, (n, 16).
+        count: number of measurements, (n,).
+        measured: time and configuration of the last measurement.
+    """
+
+    on: BoolArray
+    share: FloatArray
+    level: FloatArray
+    count: Int64Array
+    measured: LastMeasurement
+
+
+def rings(state: EnvState) -> InfraredState:
+    """Return the state of all infrared rings."""
+    return state.device("infrared", InfraredState)
+
+
+def _at_start(models: Sequence[Infrared]) -> InfraredState:
+    """Return sensors that have not measured yet."""
+    on = np.zeros((len(models), MAX_INFRARED), dtype=np.bool_)
+    for row, ring in zip(on, models, strict=True):
+        row[list(ring.order)] = True
+    return InfraredState(
+        on,
+        np.array([ring.history / _TENTHS for ring in models], dtype=np.float64),
+        np.full((len(models), MAX_INFRARED), float(FARTHEST)),
+        np.zeros(len(models), dtype=np.int64),
+        LastMeasurement.never(len(models)),
+    )
 
 
 class InfraredRing:
@@ -57,23 +163,34 @@ class InfraredRing:
 
     Attributes:
         fans: the beams of each kind of ring.
-        interval_s: minimum time between two measurements of each.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        rings = [ring for robot in world.robots if (ring := robot.model.infrared) is not None]
-        radii_m = [robot.model.radius_m for robot in world.robots if robot.model.infrared]
-        kinds = list(dict.fromkeys(zip(rings, radii_m, strict=True)))
-        brightest = _brightest(world)
+    def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
+        pairs: list[tuple[Infrared, float]] = [
+            (ring, robot.model.radius_m)
+            for robot in world.robots
+            if (ring := robot.model.device(row.name)) is not None
+        ]
+        kinds, brightest = list(dict.fromkeys(pairs)), _brightest(world)
+        found = [ring for ring, _ in pairs]
+        self._row = row
         self.fans = [_fan(ring, radius_m, brightest) for ring, radius_m in kinds]
-        pairs = zip(rings, radii_m, strict=True)
         self._kind = np.array([kinds.index(pair) for pair in pairs], dtype=np.intp)
-        self.interval_s = np.array([1.0 / ring.rate_hz for ring in rings])
-        self._step_m = np.array([ring.step_m for ring in rings])[:, None]
-        self._reflectance = np.array([ring.reflectance for ring in rings])[:, None]
-        self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
+        self._interval_s = np.array([1.0 / ring.rate_hz for ring in found])
+        self._step_m = np.array([ring.step_m for ring in found])[:, None]
+        self._reflectance = np.array([ring.reflectance for ring in found])[:, None]
+        self._noise_m = np.array([ring.noise_m for ring in found])[:, None]
         self._noise = Noise(
-            seed, INFRARED, MAX_INFRARED, len(world.robots) if self._noise_m.any() else 0
+            seed, row.stream, MAX_INFRARED, len(world.robots) if self._noise_m.any() else 0
+        )
+
+    def installed(self) -> Installed:
+        """Return the rings with the handlers of their requests."""
+        return Installed(
+            handlers={"GET_IR": self.get_ir, "CONF_IR": self.conf_ir},
+            timed=Timed(self.read, lambda state: rings(state).measured.at_s, self._interval_s),
+            fans=self.fans,
+            device=self,
         )
 
     def read(
@@ -93,9 +210,9 @@ class InfraredRing:
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
-        ring = state.infrared
-        mine = constants.infrared[rows]
-        due = ring.measured.are_due(mine, at_s, self.interval_s)
+        ring = rings(state)
+        mine = constants.numbers[self._row.name][rows]
+        due = ring.measured.are_due(mine, at_s, self._interval_s)
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
@@ -103,7 +220,9 @@ class InfraredRing:
         distance_m, step_m = self._see(state, constants, rays, rows, poses)
         if self._noise_m.any():
             distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
-        distance_m = constants.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
+        distance_m = constants.degradations.alter(
+            state, self._row.name, rows, distance_m, at_s[due]
+        )
         distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
         new = np.clip(_steps(distance_m, step_m), 0.0, FARTHEST)
         share = ring.share[mine, None]
@@ -114,9 +233,24 @@ class InfraredRing:
 
     def get_ir(self, context: RequestContext) -> BoolArray:
         """Answer GET_IR: measure, for `State`; refuse robots without infrared sensors."""
-        has = np.asarray(context.constants.infrared[context.rows] >= 0)
-        read_on_request(context, self.read, timers.INFRARED, has)
+        has = np.asarray(context.constants.numbers[self._row.name][context.rows] >= 0)
+        read_on_request(context, self.read, self._row.number, has)
         return has
+
+    def conf_ir(self, context: RequestContext) -> BoolArray:
+        """Set the share of the previous level and the active sensors; refuse unknown sensors."""
+        rows, ring = context.rows, rings(context.state)
+        order, given, good = orders(context["count"], context["order"], MAX_INFRARED)
+        mine = context.constants.numbers[self._row.name][rows]
+        good &= mine >= 0
+        on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
+        robot, element = np.nonzero(given & good[:, None])
+        on[robot, order[robot, element]] = True
+        mine = mine[good]
+        ring.on[mine] = on[good]
+        ring.level[mine] = np.where(on[good], ring.level[mine], FARTHEST)
+        ring.share[mine] = np.clip(context["share"][good], 0, _TENTHS) / _TENTHS
+        return good
 
     def look(
         self,
@@ -155,7 +289,7 @@ class InfraredRing:
             the distances, and the distance of such a surface that changes the reading by 1, both
             of shape (k, 16).
         """
-        mine = constants.infrared[rows]
+        mine = constants.numbers[self._row.name][rows]
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
         kinds, own = self._kind[mine], rays.surfaces.infrared
@@ -183,22 +317,6 @@ def _brightest(world: WorldModel) -> float:
     return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
 
 
-def conf_ir(context: RequestContext) -> BoolArray:
-    """Set the share of the previous level and the active sensors; refuse unknown sensors."""
-    rows, ring = context.rows, context.state.infrared
-    order, given, good = orders(context["count"], context["order"], MAX_INFRARED)
-    mine = context.constants.infrared[rows]
-    good &= mine >= 0
-    on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
-    robot, element = np.nonzero(given & good[:, None])
-    on[robot, order[robot, element]] = True
-    mine = mine[good]
-    ring.on[mine] = on[good]
-    ring.level[mine] = np.where(on[good], ring.level[mine], FARTHEST)
-    ring.share[mine] = np.clip(context["share"][good], 0, _TENTHS) / _TENTHS
-    return good
-
-
 def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
     """Return beams that start on the shell and reach as far as a reading below the largest."""
     range_m = FARTHEST * ring.step_m * math.sqrt(max(ring.reflectance, brightest))
@@ -214,3 +332,37 @@ def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
         for direction in directions
     )
     return Fan.of(beams, ring.z_m)
+
+
+def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
+    """Return the infrared rings of a world's robots."""
+    return InfraredRing(row, world, seed).installed()
+
+
+def inspect(state: EnvState, number: int) -> str:
+    """Return the readings of a ring."""
+    return " ".join(f"{level:.0f}" for level in rings(state).level[number].tolist())
+
+
+DEVICE = Device(
+    name="infrared",
+    title="Infrared ring",
+    element="infrared",
+    summary="Sixteen infrared sensors on the shell of the turret (or the body), 22.5 degrees apart,"
+    " number 0 at the front, counter-clockwise.",
+    model=Infrared,
+    read=read,
+    state=_at_start,
+    install=install,
+    degradables=(
+        Degradable(
+            "infrared", "distance measured by an infrared sensor", LENGTH,
+            elements_of("infrared", lambda _model: numbered(MAX_INFRARED)), MAX_INFRARED,
+            "nothing in range, 15",
+        ),
+    ),
+    inspect=inspect,
+    number=4,
+    stream=1,
+    source=__file__,
+)  # fmt: skip
