@@ -114,11 +114,10 @@ def _parts(model: RobotModel) -> Iterator[str]:
         yield counted(len(sonars), "sonar")
     if switches := switches_of(model):
         yield counted(len(switches), "bumper switch", "bumper switches")
-    if model.heat.range_m:
-        yield "heat"
     for field in fields(model):  # a device that a robot may lack is None there
         if field.default is None and getattr(model, field.name) is not None:
             yield field.name.replace("_", " ")
     for name, _ in model.devices:
-        if name not in {"sonar", "bumper"}:
-            yield device(name).element.replace("-", " ")
+        element = device(name).element
+        if element and name not in {"sonar", "bumper"}:
+            yield element.replace("-", " ")

@@ -21,7 +21,6 @@ _FOUND: Final = fields(
     ("number", "i[0]", "1", "the number"), ("count", "i[1]", "1", "their number"),
     ("size", "size", "byte", "length of the name"), ("name", "data", "1", "the name"),
 )  # fmt: skip
-_OBJECTS: Final = fields(("things", "i[0]", "1", "number of objects that lost heat"))
 
 
 def device_request(
@@ -56,10 +55,6 @@ DEVICE_REQUESTS: Final = (
             ("readings", "data", "0.1 in, 0.1 deg, 0xRRGGBB", "the numbers", "int32"),
         ),
         link="none",  # they came with the reply
-    ),
-    device_request(
-        "SENSE_HEAT", 203, "int crs_heat(int *heat)", "reads the heat sensor",
-        results=fields(("heat", "i[0]", "1", "the heat")),
     ),
     device_request(
         "LASER", 204, "int crs_laser(int *ranges, int most)",
@@ -112,10 +107,6 @@ DEVICE_REQUESTS: Final = (
     device_request(
         "HAND", 224, "int crs_hand(int what)", "opens or closes the hand",
         fields(("close", "i[0]", "1", "0 to open, 1 to close")),
-    ),
-    device_request(
-        "TAKE_HEAT", 229, "int crs_tag(void)", "removes the heat of all objects in range",
-        results=_OBJECTS,
     ),
     device_request(
         "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",

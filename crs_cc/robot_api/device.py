@@ -26,10 +26,6 @@ SENSORS: Final = Group("Sensors", (
         units="0.1 deg, 0.1 deg, 0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
     ),
     Function(
-        "int crs_heat(int *heat)", "measures the total heat of the objects in range",
-        posts=("SENSE_HEAT",), source=(OURS,),
-    ),
-    Function(
         "int crs_laser(int *ranges, int most)",
         "takes a scan, and copies the range in each direction, from right to left, -1 for nothing"
         " in range; returns the number of ranges copied, at most `most`, 0 also while the laser is"
@@ -86,12 +82,6 @@ HANDLING: Final = Group("Grippers, arms and tagging", (
     Function(
         "int crs_get_hand(int *weight)", "returns the weight of the held object, 0 for none",
         units="g", posts=("GET_ARM",), source=(OURS,),
-    ),
-    Function(
-        "int crs_tag(void)",
-        "removes the heat of all objects in range, like tagTarget() of the CRS report; returns"
-        " the number of objects, -1 if the robot cannot do this",
-        posts=("TAKE_HEAT",), source=(OURS,),
     ),
 ))  # fmt: skip
 

@@ -51,7 +51,7 @@ def _others(model: RobotModel) -> str:
         "infrared": model.device("infrared") is not None,
         "compass": model.device("compass") is not None,
         "laser": model.laser is not None,
-        "heat": model.heat.range_m > 0.0,
+        "heat": model.device("heat") is not None,
     }
     return ", ".join(name for name, has in devices.items() if has) or "none"
 

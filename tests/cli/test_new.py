@@ -10,7 +10,7 @@ import pytest
 
 from crs_cc.cli.main import main
 
-ROVER = "radius 0.2 m, 15 kg, differential drive, 3 sonars, 8 bumper switches, heat, gps"
+ROVER = "radius 0.2 m, 15 kg, differential drive, 3 sonars, 8 bumper switches, gps, heat"
 ROOT = Path(__file__).parents[2]
 
 

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from crs_cc.core.errors import WorldError
-from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.files import world_xml
+from crs_cc.sim.files.world_xml import load_robot, load_world
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
+
+ROBOTS = Path(world_xml.__file__).parent / "robots"
 
 
 def heat(driver: Driver, robot: int = 0) -> int:
@@ -143,3 +148,20 @@ def test_robot_without_heat_sensor_refuses(tmp_path):
 def test_invalid_heat_is_refused(heat_: str):
     with pytest.raises(WorldError, match="heat"):
         of(f'<cylinder x="2m" y="0" radius="20cm" heat="{heat_}"/>')
+
+
+def test_errors_of_the_element_of_two_devices_are_reported_once(tmp_path):
+    scout = (ROBOTS / "scout.xml").read_text()
+    wrong = '<heat range="-3m" tag-range="near"/>'
+    (tmp_path / "wrong.xml").write_text(scout.replace('<heat range="3m"/>', wrong))
+    with pytest.raises(WorldError) as error:
+        load_robot(tmp_path / "wrong.xml")
+    assert str(error.value).count("heat, range: ") == str(error.value).count("tag-range: ") == 1
+
+
+def test_tagging_device_needs_no_sensor(tmp_path):
+    scout = (ROBOTS / "scout.xml").read_text()
+    tags = '<heat range="0m" tag-range="2m"/>'
+    (tmp_path / "tags.xml").write_text(scout.replace('<heat range="3m"/>', tags))
+    model = load_robot(tmp_path / "tags.xml")
+    assert (model.device("heat"), model.device("tag").range_m) == (None, 2.0)

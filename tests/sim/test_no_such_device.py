@@ -9,7 +9,7 @@ from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, HEAT, LASER
+from crs_cc.sim.state.timers import CAMERA, LASER
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
@@ -21,15 +21,16 @@ BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3k
 HAS = {
     "laser": lambda model: model.laser is not None,
     **{
-        device.element: lambda model, name=device.name: model.device(name) is not None
+        device.name: lambda model, name=device.name: model.device(name) is not None
         for device in devices()
     },
     "camera": lambda model: model.camera is not None,
-    "heat": lambda model: model.heat.range_m > 0.0,
-    "tag": lambda model: model.heat.tag_range_m > 0.0,
     "gripper": lambda model: model.gripper is not None,
     "arm": lambda model: model.arm is not None,
 }
+
+REQUIRED = {"heat": 'range="3m"'}
+"""Attributes that have no default."""
 
 WITH = {"LIGHT": (9,), "SOUND": (9,)}
 """Arguments of the requests to devices."""
@@ -42,17 +43,17 @@ ASKED = (
     ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
     ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
     *(
-        (device.element, request.name, *WITH.get(request.name, ()))
+        (device.name, request.name, *WITH.get(request.name, ()))
         for device in devices() for request in device.requests
     ),
-    ("heat", "HEAT"), ("heat", "SENSE_HEAT"), ("tag", "TAG"), ("tag", "TAKE_HEAT"),
+    ("heat", "HEAT"), ("tag", "TAG"),
     ("gripper", "GRIPPER"), ("gripper", "GET_GRIPPER"), ("arm", "ARM"), ("arm", "GET_ARM"),
     ("arm", "HAND"),
     *((device, request, number)
       for request in ("PERIOD", "AGE")
       for device, number in (
-          *((each.element, each.number) for each in devices() if each.number is not None),
-          ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
+          *((each.name, each.number) for each in devices() if each.number is not None),
+          ("camera", CAMERA), ("laser", LASER),
       )),
 )  # fmt: skip
 
@@ -77,7 +78,9 @@ def driver(tmp_path_factory) -> Driver:
     (folder / "bare.xml").write_text(BARE)
     nomad = next(path for path in ROBOTS if path.stem == "nomad200").read_text()
     lacks = [each.element for each in devices() if f"<{each.element} " not in nomad]
-    registered = "".join(f"<{element}/>" for element in lacks)
+    registered = "".join(
+        f"<{element} {REQUIRED.get(element, '')}/>" for element in lacks if element
+    )
     (folder / "full.xml").write_text(nomad.replace("<computer-battery", registered + DEVICES))
     names = [*(path.stem for path in ROBOTS), "bare.xml", "full.xml"]
     robots = "".join(

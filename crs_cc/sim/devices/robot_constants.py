@@ -30,11 +30,8 @@ class RobotConstants:
         camera: the same for cameras.
         gripper: the same for grippers.
         arm: the same for arms.
-        heat: the same for heat sensors.
         numbers: the same for each device of `registry.devices()`, by its name.
         laser_points: maximum number of points of the laser.
-        heat_range_m: range of the heat sensor, 0 where there is none.
-        tag_range_m: range within which heat can be removed.
         radius_m: the radius of the body.
         degradations: the filter of values from and to devices.
         world: the world before the first cycle.
@@ -50,11 +47,8 @@ class RobotConstants:
     camera: IndexArray
     gripper: IndexArray
     arm: IndexArray
-    heat: IndexArray
     numbers: Mapping[str, IndexArray]
     laser_points: Int32Array
-    heat_range_m: FloatArray
-    tag_range_m: FloatArray
     radius_m: FloatArray
     degradations: Degradations
     world: WorldModel
@@ -75,10 +69,8 @@ class RobotConstants:
             camera=_numbers([model.camera is not None for model in models]),
             gripper=_numbers([model.gripper is not None for model in models]),
             arm=_numbers([model.arm is not None for model in models]),
-            heat=_numbers([model.heat.range_m > 0.0 for model in models]),
             numbers={
                 "camera": _numbers([model.camera is not None for model in models]),
-                "heat": _numbers([model.heat.range_m > 0.0 for model in models]),
                 "laser": _numbers([model.laser is not None for model in models]),
                 **{
                     each.name: _numbers([model.device(each.name) is not None for model in models])
@@ -88,8 +80,6 @@ class RobotConstants:
             laser_points=np.array(
                 [model.laser.points if model.laser else 0 for model in models], np.int32
             ),
-            heat_range_m=np.array([model.heat.range_m for model in models]),
-            tag_range_m=np.array([model.heat.tag_range_m for model in models]),
             radius_m=np.array([model.radius_m for model in models]),
             degradations=Degradations(seed),
             world=world,

@@ -12,7 +12,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.comms.messenger import Messenger
-from crs_cc.sim.devices import drive, heat
+from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper import Bumpers
 from crs_cc.sim.devices.camera import Cameras
 from crs_cc.sim.devices.handling import Handling
@@ -21,7 +21,7 @@ from crs_cc.sim.devices.sensor_board import SensorBoard
 from crs_cc.sim.devices.sonar import SonarRing
 from crs_cc.sim.devices.timers import Timers
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, HEAT, LASER
+from crs_cc.sim.state.timers import CAMERA, LASER
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -69,16 +69,14 @@ class DeviceBoard:
         self.sonars: SonarRing = self.installed["sonar"].device
         self.bumpers: Bumpers = self.installed["bumper"].device
         self.sensor_board = SensorBoard(world, seed, self.installed)
-        self.timers = Timers(self._timed(world))
+        self.timers = Timers(self._timed())
 
-    def _timed(self, world: WorldModel) -> dict[int, tuple[str, Timed]]:
+    def _timed(self) -> dict[int, tuple[str, Timed]]:
         """Return the sensors that can have a timer, by their numbers in `crs.h`."""
-        at_request = np.zeros(len(world.robots))
         timed = {
             CAMERA: ("camera", Timed(
                 self.cameras.read, lambda state: state.camera.at_s, self.cameras.interval_s
             )),
-            HEAT: ("heat", Timed(heat.read, lambda state: state.heat_sensor.at_s, at_request)),
             **self.sensor_board.timed,
         }  # fmt: skip
         for row in _REGISTERED:

@@ -25,12 +25,10 @@ from crs_cc.requests import CODES
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
     drive,
-    heat,
     laser,
     odometry,
     pos_data,
     serial_link,
-    tag,
 )
 from crs_cc.sim.devices.waits import Wait
 from crs_cc.sim.engine import device_board
@@ -137,11 +135,8 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "QUIT_SERVER": disconnect,
         "CREATE": create,
         "SPECIAL": refuse,
-        "HEAT": heat.get_heat,
-        "TAG": tag.tag,
         "CAMERA": devices.cameras.take_picture,
         "READINGS": device_board.page,
-        "SENSE_HEAT": heat.get_heat,
         "LASER": board.lasers.get_ranges,
         "PERIOD": devices.timers.set_period,
         "AGE": devices.timers.get_age,
@@ -150,7 +145,6 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "ARM": handling.arms.move,
         "GET_ARM": handling.arms.get_arm,
         "HAND": handling.arms.hand,
-        "TAKE_HEAT": tag.tag,
         "SEND": messages.send,
         "RECEIVE": messenger.wait,
         "MESSAGE_COUNT": messages.count,

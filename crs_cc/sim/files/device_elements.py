@@ -73,6 +73,8 @@ def add_to_schema(schema: etree._Element) -> None:
     assert choice is not None
     assert first is not None
     for device in devices():
+        if not device.element:
+            continue
         etree.SubElement(choice, f"{_XS}element", name=device.element, type=device.element)
         for kind in _types(device):
             schema.insert(schema.index(first), kind)

@@ -28,7 +28,7 @@ from crs_cc.sim.files import (
 )
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.axis import Axis
-from crs_cc.sim.model.robot import Drive, Heat, Link, Odometry, RobotModel
+from crs_cc.sim.model.robot import Drive, Link, Odometry, RobotModel
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
@@ -56,7 +56,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         drive=_drive(root.first("drive"), reader),
         odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
-        heat=_heat(root.first("heat"), reader),
         laser=sensor_elements.laser(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
@@ -151,15 +150,6 @@ def _axis(element: Element, reader: Reader, speed: Kind, acceleration: Kind) -> 
         acceleration_limit=reader.positive(element, "acceleration-limit", acceleration),
         speed=reader.positive(element, "speed", speed),
         acceleration=reader.positive(element, "acceleration", acceleration),
-    )
-
-
-def _heat(element: Element, reader: Reader) -> Heat:
-    range_m = reader.not_negative(element, "range", LENGTH)
-    return Heat(
-        range_m,
-        reader.not_negative(element, "tag-range", LENGTH, range_m),
-        sensor_elements.period_s(element, reader),
     )
 
 

@@ -27,8 +27,6 @@ _SHORTEST_S: Final = 0.001  # bounds the work that one robot's measurements caus
 _ROUNDING: Final = 1e-9
 
 
-
-
 def half_angle_rad(element: Element, reader: Reader) -> float:
     """Return the angle between a beam's axis and its side [rad]."""
     value_rad = reader.not_negative(element, "half-angle", ANGLE)

@@ -24,7 +24,6 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from crs_cc.core.quantity import (
     ANGLE,
-    HEAT,
     LENGTH,
     RATIO,
     SPEED,
@@ -142,9 +141,6 @@ _OTHERS: Final = {
             "background colour",
         ),
         Degradable(
-            "heat", "heat", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
-        ),
-        Degradable(
             "odometry", "speed of an axis as counted by its encoder", SPEED, _axes, AXES,
             "does not count",
         ),
@@ -159,10 +155,6 @@ _OTHERS: Final = {
         Degradable(
             "wheels", "speed at which an axis moves the robot", SPEED, _axes, AXES,
             "slips in place", acts=True,
-        ),
-        Degradable(
-            "tag", "range of tagging", LENGTH,
-            _single(lambda model: model.heat.tag_range_m), 1, "no effect", acts=True,
         ),
         Degradable(
             "gripper", "command of the gripper: 1 to close, from 0.5 on, otherwise to open", RATIO,

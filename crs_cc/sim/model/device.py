@@ -34,14 +34,15 @@ class Device:
     Attributes:
         name: one word: its name in the state and in the models of robots.
         title: its title in the docs, such as `Inclinometer`.
-        element: its element in robot definitions.
+        element: its element in robot definitions; empty if that of another device describes it
+            too, which its `read` then reads.
         summary: one sentence for the schema.
         model: the dataclass of its constants; its element's attributes are the fields made by
             `attribute`.
         read: reads its model from the root element of a robot definition, given that and the
             `files.document.Reader`; None to read it from the attributes of the element.
         state: returns the columns of its state at the start, a dataclass of arrays with a row for
-            each device, given the models of all.
+            each device, given the models of all; None if it has none.
         dense: whether these have a row for every robot instead, with None as the model of robots
             without the device.
         install: equips the robots of a world with it: given this row, the world, the seed and the
@@ -63,8 +64,8 @@ class Device:
     element: str
     summary: str
     model: type
-    state: Callable[[Sequence[Any]], Any]
     install: Callable[..., Any]
+    state: Callable[[Sequence[Any]], Any] | None = None
     read: Callable[[Any, Any], Any] | None = None
     requests: tuple[Request, ...] = ()
     functions: tuple[Function, ...] = ()
@@ -84,6 +85,7 @@ class Device:
 
     def complaint(self) -> str:
         """Return why the row is invalid; empty if it is valid."""
-        if not NAME.fullmatch(self.name) or not _ELEMENT.fullmatch(self.element):
+        is_shared = not self.element and self.read is not None
+        if not NAME.fullmatch(self.name) or not (is_shared or _ELEMENT.fullmatch(self.element)):
             return "name and element must be lower-case words"
         return ""

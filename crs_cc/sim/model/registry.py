@@ -75,7 +75,7 @@ def _complaint(device: Device, found: dict[str, Device]) -> str:
     numbers = {each.number for each in found.values()}
     if device.number is not None and device.number >= 0 and device.number in numbers:
         return "duplicate sensor number"
-    if device.element in {each.element for each in found.values()}:
+    if device.element and device.element in {each.element for each in found.values()}:
         return "duplicate device element"
     return device.complaint()
 

@@ -108,21 +108,6 @@ class Odometry:
 
 
 @dataclass(frozen=True, slots=True)
-class Heat:
-    """A heat sensor and a tagging device, which removes heat.
-
-    Attributes:
-        range_m: sensing range from the robot's centre; 0 for no sensor.
-        tag_range_m: range of tagging.
-        period_s: measuring period by timer; 0 for on request only.
-    """
-
-    range_m: float = 0.0
-    tag_range_m: float = 0.0
-    period_s: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
 class Link:
     """The serial link between the host and the robot, and the network to the simulator.
 
@@ -152,7 +137,6 @@ class RobotModel:
         drive: its drive.
         odometry: its encoders and odometry errors.
         mass_kg: its mass.
-        heat: its heat sensor.
         laser: its laser, or None.
         camera: its camera, or None.
         gripper: its gripper, or None.
@@ -173,7 +157,6 @@ class RobotModel:
     drive: Drive
     odometry: Odometry = Odometry()
     mass_kg: float = 20.0
-    heat: Heat = Heat()
     laser: Laser | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None

@@ -18,10 +18,12 @@ _NAME: Final = "DeviceStates"
 
 
 def device_states(world: WorldModel) -> Any:
-    """Return a dataclass with the state of each device of the registry, by its name."""
+    """Return a dataclass with the state of each device of the registry that has one, by name."""
     models = [robot.model for robot in world.robots]
     columns = {}
     for each in devices():
+        if each.state is None:
+            continue
         found = [model.device(each.name) for model in models]
         has = found if each.dense else [model for model in found if model is not None]
         columns[each.name] = each.state(has)
@@ -30,7 +32,8 @@ def device_states(world: WorldModel) -> Any:
 
 @cache
 def _columns() -> type:
-    columns = dataclasses.make_dataclass(_NAME, [each.name for each in devices()], slots=True)
+    names = [each.name for each in devices() if each.state is not None]
+    columns = dataclasses.make_dataclass(_NAME, names, slots=True)
     columns.__module__ = __name__  # where pickle looks for it, see `__getattr__`
     return columns
 

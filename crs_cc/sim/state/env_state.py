@@ -36,7 +36,6 @@ from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
 from crs_cc.sim.state.gripper import GripperState
 from crs_cc.sim.state.heat import HeatState
-from crs_cc.sim.state.heat_sensor import HeatSensorState
 from crs_cc.sim.state.laser import LaserState
 from crs_cc.sim.state.link import LinkState
 from crs_cc.sim.state.mask import first_mask
@@ -71,7 +70,6 @@ class EnvState:
         laser: the lasers' scans, and the reported ones.
         devices: the state of each device of `registry.devices()`, by its name.
         camera: the cameras' images, and the reported ones.
-        heat_sensor: the heat sensors' readings.
         timers: the timers of sensors.
         degradation: the degradations of these devices, and of the drive.
         gripper: the fingers of grippers; held objects are in `bodies`.
@@ -104,7 +102,6 @@ class EnvState:
     laser: LaserState
     devices: Any
     camera: CameraState
-    heat_sensor: HeatSensorState
     timers: TimerState
     degradation: DegradationState
     gripper: GripperState
@@ -143,7 +140,6 @@ class EnvState:
             laser=LaserState.at_start(world),
             devices=device_states(world),
             camera=CameraState.at_start(world),
-            heat_sensor=HeatSensorState.at_start(world),
             timers=TimerState.at_start(world),
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),

@@ -12,7 +12,7 @@ from crs_cc.sim.model.registry import devices, sensor_count
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-CAMERA, HEAT, LASER = 1, 2, 3
+CAMERA, LASER = 1, 3
 """Numbers in `crs.h` of sensors that can have a timer; the others are those of the registry."""
 
 
@@ -79,7 +79,6 @@ def _periods_s(model: RobotModel) -> list[float]:
     """Return the periods of a robot's sensors, in the order of their numbers; 0 for none."""
     numbered = {
         CAMERA: model.camera,
-        HEAT: model.heat,
         LASER: model.laser,
         **{each.number: model.device(each.name) for each in devices() if each.number is not None},
     }

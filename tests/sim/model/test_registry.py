@@ -51,6 +51,7 @@ def found_with(row: object, monkeypatch: pytest.MonkeyPatch) -> tuple[Device, ..
         (replace(ROW, element="gps"), "duplicate device element"),
         (replace(ROW, number=6), "duplicate sensor number"),
         (replace(ROW, name="Depth"), "must be lower-case words"),
+        (replace(ROW, element=""), "must be lower-case words"),
     ],
 )
 def test_an_invalid_row_is_rejected_with_the_reason(

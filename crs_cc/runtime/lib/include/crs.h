@@ -31,9 +31,6 @@ struct crs_blob {
 int crs_camera(struct crs_pixel *row, int most);
 int crs_blobs(struct crs_blob *blobs, int most);
 
-/* Measure the heat at the robot. */
-int crs_heat(int *heat);
-
 /* Take a laser scan; store the range in each direction, from right to left, in 0.1 inch, -1 if no
    object is in range, at most `most`. Return the number stored, 0 also while the laser is switched
    off, see conf_ls(). */
@@ -41,7 +38,6 @@ int crs_laser(int *ranges, int most);
 
 /* Sensors that can measure periodically. */
 #define CRS_SENSOR_CAMERA 1
-#define CRS_SENSOR_HEAT 2
 #define CRS_SENSOR_LASER 3
 
 /* Set the period at which a sensor measures, starting now; functions that read it then return the
@@ -75,9 +71,6 @@ int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
    free; crs_hand returns immediately. crs_get_hand stores the held mass (gram, 0 for none). */
 int crs_hand(int what);
 int crs_get_hand(int *weight);
-
-/* Remove the heat of all objects nearby; return their number. */
-int crs_tag(void);
 
 /* Communication channels; a world file can define more. Robots are numbered from 0. */
 #define CRS_RADIO    0

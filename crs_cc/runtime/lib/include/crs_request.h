@@ -84,7 +84,6 @@ struct __crs_message {
 #define CRS_TAG 162
 #define CRS_CAMERA 201
 #define CRS_READINGS 202
-#define CRS_SENSE_HEAT 203
 #define CRS_LASER 204
 #define CRS_PERIOD 205
 #define CRS_AGE 206
@@ -93,7 +92,6 @@ struct __crs_message {
 #define CRS_ARM 222
 #define CRS_GET_ARM 223
 #define CRS_HAND 224
-#define CRS_TAKE_HEAT 229
 #define CRS_SEND 240
 #define CRS_RECEIVE 241
 #define CRS_MESSAGE_COUNT 242

@@ -13,62 +13,72 @@ timer. Degradation (`heat`): a dropped or negative value reads 0.
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.requests import LARGEST
-from crs_cc.sim.devices.timers import read_on_request
+from crs_cc.core.quantity import HEAT, LENGTH
+from crs_cc.requests import LARGEST, device_request
+from crs_cc.requests.request import fields
+from crs_cc.robot_api.row import OURS, Function
+from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor, listed
+from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.cell_list import CellList
-from crs_cc.sim.state.timers import HEAT
+from crs_cc.sim.model.attribute import attribute, period
+from crs_cc.sim.model.degradable import Degradable, elements_of
+from crs_cc.sim.model.device import Device
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.installed import Installed
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
+    from crs_cc.sim.files.document import Element, Reader
+    from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
 
 
-def read(
-    state: EnvState,
-    constants: RobotConstants,
-    _around: RayCaster,
-    rows: IndexArray,
-    at_s: FloatArray,
-) -> None:
-    """Measure with heat sensors.
+@dataclass(frozen=True, slots=True)
+class Heat:
+    """A heat sensor and a tagging device, which removes heat.
 
-    Args:
-        state: changed in place.
-        constants: the robots' constants.
-        rows: robots with such a sensor, k of them.
-        at_s: the time of each, shape (k,).
+    Attributes:
+        range_m: sensing range from the robot's centre; 0 for no sensor.
+        tag_range_m: range of tagging; 0 for no tagging device.
+        period_s: measuring period by timer; 0 for on request only.
     """
-    sensed = _heat(state, constants, rows)[:, None]
-    sensed = constants.degradations.alter(state, "heat", rows, sensed, at_s)
-    mine = constants.heat[rows]
-    state.heat_sensor.reading[mine] = np.nan_to_num(sensed[:, 0])
-    state.heat_sensor.at_s[mine] = at_s
+
+    range_m: float = attribute("range", LENGTH, None, "Range, from the centre of the robot.")
+    tag_range_m: float = attribute(
+        "tag-range", LENGTH, "", "Range of tagTarget(). Default: the range of the sensor."
+    )
+    period_s: float = period()
 
 
-def get_heat(context: RequestContext) -> BoolArray:
-    """Answer HEAT and SENSE_HEAT with the heat around; refuse robots without such a sensor."""
-    mine = context.constants.heat[context.rows]
-    has = np.asarray(mine >= 0)
-    read_on_request(context, read, HEAT, has)
-    reading = context.state.heat_sensor.reading[mine[has]]
-    context.clear_data()
-    context.put("heat", np.clip(np.rint(reading), 0.0, LARGEST).astype(np.int32), has)
-    return has
+def both(root: Element, reader: Reader) -> Heat | None:
+    """Return what the element of a robot definition describes, None without it."""
+    element = root.maybe("heat")
+    if element is None:
+        return None
+    heat: Heat = read_attributes(Heat, element, reader)
+    return heat if "tag-range" in element.attributes else replace(heat, tag_range_m=heat.range_m)
 
 
-def _heat(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
-    """Return the heat around robots, (k,)."""
-    robot, thing, distance_m = hot_things(state, constants, rows, constants.heat_range_m[rows])
-    share = np.clip(1.0 - distance_m / constants.shapes.spread_m[thing], 0.0, 1.0)
-    heat = np.bincount(robot, share * state.heat.left[thing], minlength=len(rows))
-    return heat.astype(np.float64)
+def read(root: Element, reader: Reader) -> Heat | None:
+    """Return the heat sensor of a robot definition, None for a robot without one."""
+    heat = both(root, reader)
+    return heat if heat is not None and heat.range_m > 0.0 else None
+
+
+def measure(now: Measurement) -> FloatArray:
+    """Return the heat around robots, (k, 1)."""
+    range_m = now.settings["range_m"]
+    robot, thing, distance_m = hot_things(now.state, now.constants, now.rows, range_m)
+    share = np.clip(1.0 - distance_m / now.constants.shapes.spread_m[thing], 0.0, 1.0)
+    heat = np.bincount(robot, share * now.state.heat.left[thing], minlength=len(now.rows))
+    return heat.astype(np.float64)[:, None]
 
 
 def hot_things(
@@ -98,3 +108,48 @@ def hot_things(
     distance_m = things.distance_m(poses, thing, x_m[robot], y_m[robot])
     near = (distance_m <= range_m[robot]) & (thing != rows[robot])
     return robot[near], thing[near], distance_m[near]
+
+
+def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
+    """Return the heat sensors of a world's robots."""
+    sensors = Sensor(row, world, seed, measure, 1, missing=0.0)
+
+    def get_heat(context: RequestContext) -> BoolArray:
+        """Answer HEAT and SENSE_HEAT with the heat around; refuse robots without such a sensor."""
+        has, mine = sensors.asked(context)
+        heat = sensors.readings(context.state).value[mine, 0]
+        context.clear_data()
+        context.put("heat", np.clip(np.rint(heat), 0.0, LARGEST).astype(np.int32), has)
+        return has
+
+    return sensors.installed({"HEAT": get_heat, "SENSE_HEAT": get_heat})
+
+
+DEVICE = Device(
+    name="heat",
+    title="Heat sensor",
+    element="heat",
+    summary="An omnidirectional heat sensor: heatSensorCheck() and tagTarget() of the CRS report.",
+    model=Heat,
+    read=read,
+    state=lambda models: Readings.never(len(models), 1),
+    install=install,
+    requests=(
+        device_request(
+            "SENSE_HEAT", 203, "int crs_heat(int *heat)", "reads the heat sensor",
+            results=fields(("heat", "i[0]", "1", "the heat")),
+        ),
+    ),
+    functions=(
+        Function(
+            "int crs_heat(int *heat)", "measures the total heat of the objects in range",
+            posts=("SENSE_HEAT",), source=(OURS,),
+        ),
+    ),
+    degradables=(
+        Degradable("heat", "heat", HEAT, elements_of("heat", lambda _model: ("0",)), 1, "0"),
+    ),
+    inspect=listed("heat", 1),
+    number=2,
+    source=__file__,
+)  # fmt: skip

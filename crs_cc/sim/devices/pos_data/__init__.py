@@ -21,9 +21,9 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array
 from crs_cc.requests.request import BUMPER, INFRARED, LASER, SONAR
 from crs_cc.sim.devices.bumper.state import bumper_state
-from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.devices.infrared import rings
+from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.state.mask import POS_DATA
 from crs_cc.sim.state.pos_data import NUMBERS, PLACES
 

@@ -8,32 +8,104 @@ object loses its heat.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray
-from crs_cc.sim.devices.heat import hot_things
+from crs_cc.core.quantity import LENGTH
+from crs_cc.core.source import Diagnostics
+from crs_cc.requests import device_request
+from crs_cc.requests.request import fields
+from crs_cc.robot_api.row import OURS, Function
+from crs_cc.sim.devices import heat
+from crs_cc.sim.devices.installed import Installed
+from crs_cc.sim.files.document import Reader
+from crs_cc.sim.model.degradable import Degradable, elements_of
+from crs_cc.sim.model.device import Device
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.files.document import Element
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.events import EventLog
 
 
 _NOTHING_M: Final = -1.0  # below every distance
 
 
-def tag(context: RequestContext) -> BoolArray:
-    """Remove the heat nearby, and answer with the number of objects; refuse robots without."""
-    state, constants = context.state, context.constants
-    has = np.asarray(constants.tag_range_m[context.rows] > 0.0)
-    rows = context.rows[has]
-    range_m = constants.tag_range_m[rows]
-    reach_m = constants.degradations.alter(
-        state, "tag", rows, range_m[:, None], state.drive.clock_s[rows]
-    )[:, 0]
-    reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
-    robot, thing, _ = hot_things(state, constants, rows, reach_m)
-    state.heat.left[thing] = 0.0
-    context.clear_data()
-    context.put("things", np.bincount(robot, minlength=len(rows)), has)
-    return has
+@dataclass(frozen=True, slots=True)
+class Tag:
+    """A tagging device.
+
+    Attributes:
+        range_m: its range from the robot's centre.
+    """
+
+    range_m: float
+
+
+def read(root: Element, reader: Reader) -> Tag | None:
+    """Return the tagging device of a robot definition, None for a robot without one.
+
+    It has no element of its own: the heat sensor's describes it, and reports errors.
+    """
+    found = heat.both(root, Reader(reader.file, Diagnostics()))
+    return Tag(found.tag_range_m) if found is not None and found.tag_range_m > 0.0 else None
+
+
+def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
+    """Return the handler of TAG and TAKE_HEAT."""
+    found = [robot.model.device(row.name) for robot in world.robots]
+    ranges_m = np.array([tag.range_m for tag in found if tag is not None])
+
+    def tag(context: RequestContext) -> BoolArray:
+        """Remove the heat nearby, and answer with the number of objects; refuse robots without."""
+        state, constants = context.state, context.constants
+        numbers = constants.numbers[row.name][context.rows]
+        has = np.asarray(numbers >= 0)
+        rows, range_m = context.rows[has], ranges_m[numbers[has]]
+        reach_m = constants.degradations.alter(
+            state, row.name, rows, range_m[:, None], state.drive.clock_s[rows]
+        )[:, 0]
+        reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
+        robot, thing, _ = heat.hot_things(state, constants, rows, reach_m)
+        state.heat.left[thing] = 0.0
+        context.clear_data()
+        context.put("things", np.bincount(robot, minlength=len(rows)), has)
+        return has
+
+    return Installed(handlers={"TAG": tag, "TAKE_HEAT": tag})
+
+
+DEVICE = Device(
+    name="tag",
+    title="Tagging device",
+    element="",
+    summary="Removes the heat of all objects in range.",
+    model=Tag,
+    read=read,
+    install=install,
+    requests=(
+        device_request(
+            "TAKE_HEAT", 229, "int crs_tag(void)", "removes the heat of all objects in range",
+            results=fields(("things", "i[0]", "1", "how many things lost heat")),
+        ),
+    ),
+    functions=(
+        Function(
+            "int crs_tag(void)",
+            "removes the heat of all objects in range, like tagTarget() of the CRS report; returns"
+            " the number of objects, -1 if the robot cannot do this",
+            posts=("TAKE_HEAT",), source=(OURS,),
+        ),
+    ),
+    degradables=(
+        Degradable(
+            "tag", "range of tagging", LENGTH, elements_of("tag", lambda _model: ("0",)), 1,
+            "no effect", acts=True,
+        ),
+    ),
+    source=__file__,
+)  # fmt: skip
