@@ -36,8 +36,8 @@ WITH = {"LIGHT": (9,), "SOUND": (9,)}
 """Arguments of the requests to devices."""
 
 ASKED = (
-    ("sonars", "GET_SN"), ("sonars", "CONF_SN", 15), ("sonars", "SONAR", 1),
-    ("bumpers", "GET_BP"),
+    ("sonar", "GET_SN"), ("sonar", "CONF_SN", 15), ("sonar", "SONAR", 1),
+    ("bumper", "GET_BP"),
     ("infrared", "GET_IR"), ("infrared", "CONF_IR"), ("compass", "GET_CP"),
     ("compass", "CONF_CP", 1), ("laser", "CONF_LS", 51), ("laser", "CONF_SG"), ("laser", "GET_LS"),
     ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
@@ -77,7 +77,7 @@ def driver(tmp_path_factory) -> Driver:
     folder = tmp_path_factory.mktemp("robots")
     (folder / "bare.xml").write_text(BARE)
     nomad = next(path for path in ROBOTS if path.stem == "nomad200").read_text()
-    lacks = [each.element for each in devices() if f"<{each.element} " not in nomad]
+    lacks = [each.element for each in devices() if f"<{each.element}" not in nomad]
     registered = "".join(
         f"<{element} {REQUIRED.get(element, '')}/>" for element in lacks if element
     )
