@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from crs_cc.cli.svg import Page, Point, View
-from crs_cc.sim.model.handling import Gripper
+from crs_cc.sim.devices.gripper.model import Gripper
 from crs_cc.sim.model.world import WorldModel
 
 _LIGHT: Final = "#e6a700"

@@ -246,10 +246,11 @@ class _Drawing:
             place = self.view.point(*trip.path[-1].tolist())
             draw = self._hollow if trip.left else self._robot
             draw(place, self._radius_px(trip), trip.heading_rad, colour(number))
-            if trip.robot.model.gripper and not trip.left:
+            gripper = trip.robot.model.device("gripper")
+            if gripper is not None and not trip.left:
                 x_m, y_m = trip.path[-1].tolist()
                 at = (x_m, y_m, trip.heading_rad)
-                draw_fingers(self.page, self.view, trip.robot.model.gripper, at, colour(number))
+                draw_fingers(self.page, self.view, gripper, at, colour(number))
 
     def _there(self) -> list[tuple[int, Trip]]:
         """Return the robots that have been in the world, with their numbers."""

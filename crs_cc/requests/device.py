@@ -10,8 +10,6 @@ from typing import Final
 from crs_cc.requests.request import Field, Link, Request, fields
 
 _LENGTH: Final = "0.1 in"
-_WEIGHT: Final = "g"
-_ANGLE: Final = "0.1 deg"
 _DONE: Final = fields(("done", "result", "1", "1 if done, else 0"))
 _NAMED: Final = fields(
     ("size", "size", "byte", "length of the name, 0 to look up by number"),
@@ -73,40 +71,6 @@ DEVICE_REQUESTS: Final = (
         "AGE", 206, "int crs_age(int sensor)", "returns the age of a sensor's last measurement",
         fields(("sensor", "i[0]", "1", "the sensor's number")),
         results=fields(("age_ms", "i[0]", "ms", "the age, -1 for none")),
-    ),
-    device_request(
-        "GRIPPER", 220, "int crs_gripper(int what)", "opens or closes the gripper",
-        fields(("close", "i[0]", "1", "0 to open, 1 to close")),
-    ),
-    device_request(
-        "GET_GRIPPER", 221, "int crs_get_gripper(int *opening, int *beam, int *weight)",
-        "reads the position of the gripper's fingers and the held object",
-        results=fields(
-            ("opening", "i[0]", _LENGTH, "distance between the fingers"),
-            ("beam", "i[1]", "1", "whether an object is between them"),
-            ("weight", "i[2]", _WEIGHT, "weight of the held object, 0 for none"),
-        ),
-    ),
-    device_request(
-        "ARM", 222, "int crs_arm_move(int shoulder, int elbow)", "turns the joints of the arm",
-        fields(
-            ("relative", "i[0]", "1", "0 for absolute angles, else relative ones"),
-            ("shoulder", "i[1]", _ANGLE, "shoulder"), ("elbow", "i[2]", _ANGLE, "elbow"),
-        ),
-    ),
-    device_request(
-        "GET_ARM", 223, "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
-        "reads the position of the arm and the held object",
-        results=fields(
-            ("shoulder", "i[0]", _ANGLE, "shoulder"), ("elbow", "i[1]", _ANGLE, "elbow"),
-            ("x", "i[2]", _LENGTH, "tip, forward of the robot's centre"),
-            ("y", "i[3]", _LENGTH, "tip, to the left of it"),
-            ("weight", "i[4]", _WEIGHT, "weight of the held object, 0 for none"),
-        ),
-    ),
-    device_request(
-        "HAND", 224, "int crs_hand(int what)", "opens or closes the hand",
-        fields(("close", "i[0]", "1", "0 to open, 1 to close")),
     ),
     device_request(
         "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",

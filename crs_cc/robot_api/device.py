@@ -45,46 +45,6 @@ SENSORS: Final = Group("Sensors", (
     ),
 ))  # fmt: skip
 
-HANDLING: Final = Group("Grippers, arms and tagging", (
-    Function(
-        "int crs_gripper(int what)",
-        "opens (CRS_OPEN) or closes (CRS_CLOSE) the gripper; returns immediately",
-        posts=("GRIPPER",), source=(OURS,),
-    ),
-    Function(
-        "int crs_get_gripper(int *opening, int *beam, int *weight)",
-        "returns the distance between the fingers, which is the width of a held object; whether"
-        " the beam between them is interrupted; and the weight of the held object, 0 for none."
-        " Pointers may be NULL", units="0.1 in, g",
-        posts=("GET_GRIPPER",), source=(OURS,),
-    ),
-    Function(
-        "int crs_arm_move(int shoulder, int elbow)",
-        "turns the joints of the arm to angles, and returns immediately; 0, 0 is straight ahead",
-        units="0.1 deg", posts=("ARM",), source=(OURS,),
-    ),
-    Function(
-        "int crs_arm_turn(int shoulder, int elbow)",
-        "turns the joints by angles relative to their current position, and returns immediately",
-        units="0.1 deg", posts=("ARM",), source=(OURS,),
-    ),
-    Function(
-        "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
-        "returns the joint angles, and the position of the tip: forward of the robot's centre,"
-        " and to the left. Pointers may be NULL", units="0.1 deg, 0.1 in",
-        posts=("GET_ARM",), source=(OURS,),
-    ),
-    Function(
-        "int crs_hand(int what)",
-        "closes the hand (CRS_CLOSE) on the object at the tip, or opens it (CRS_OPEN) as soon as"
-        " there is room below; returns immediately", posts=("HAND",), source=(OURS,),
-    ),
-    Function(
-        "int crs_get_hand(int *weight)", "returns the weight of the held object, 0 for none",
-        units="g", posts=("GET_ARM",), source=(OURS,),
-    ),
-))  # fmt: skip
-
 MESSAGES: Final = Group("Messages", (
     Function(
         "int crs_send(int to, int type, const void *data, int size)",
@@ -149,5 +109,5 @@ MESSAGES: Final = Group("Messages", (
     ),
 ))  # fmt: skip
 
-DEVICE_GROUPS: Final = (SENSORS, HANDLING, MESSAGES)
+DEVICE_GROUPS: Final = (SENSORS, MESSAGES)
 """All functions, by group."""

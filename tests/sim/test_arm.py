@@ -1,10 +1,15 @@
 """The arm's joints, the position of its tip, and what the hand grasps and releases."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.arm import inspect
+from crs_cc.sim.files.world_xml import load_robot
+from tests.device.robot import scout_with
 from tests.sim.gripping import CLOSE, OPEN, gripping, kinds, place
 
 WIDE = 'length="100m" width="100m" origin="centre" edge="0"'
@@ -174,3 +179,16 @@ def test_near_object_without_overlap_leaves_space_free(tmp_path):
     driver.run(1)
     driver.post("HAND", OPEN)
     assert kinds(driver.run(1)) == ["release"]
+
+
+def test_inspector_shows_commands_of_joints_and_hand(tmp_path):
+    driver = arm_of(tmp_path)
+    driver.post("ARM", 0, 450, -300)
+    driver.post("HAND", CLOSE)
+    assert inspect(driver.state, 0) == "shoulder to 45deg, elbow to -30deg, hand: close"
+
+
+def test_crossed_joint_limits_are_refused(tmp_path):
+    arm = '<arm elbow-min="20deg" elbow-max="10deg"/>'
+    with pytest.raises(WorldError, match="arm, elbow-min: must not be greater than elbow-max"):
+        load_robot(Path(scout_with(tmp_path, arm)))

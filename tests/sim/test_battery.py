@@ -1,11 +1,16 @@
 """Batteries that drain, and the clock of the sensor board."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from crs_cc.core.errors import WorldError
 from crs_cc.sim.devices.battery import COMPUTERS, MOTORS
+from crs_cc.sim.devices.battery.state import motors_of
 from crs_cc.sim.devices.vendor_state import CONF_X, MOTOR_STATUS, VEL_RIGHT
+from crs_cc.sim.files import world_xml
+from crs_cc.sim.files.world_xml import load_world
 from tests.sim.driver import INCH, Driver, open_world, own_world, world_of
 
 CPU = 'capacity="204Wh" power="20W" curve="10.5 11.5 11.8 12.0 12.2 12.4 12.7"'
@@ -53,7 +58,7 @@ def test_motors_use_energy_of_friction_and_acceleration(tmp_path):
     friction_j = 2 * 20 * 40 * INCH
     kinetic_j = 23 / 2 * (10 * INCH) ** 2
     expected_j = (friction_j + kinetic_j) / 0.5
-    assert driver.state.battery.moved_j[0] == pytest.approx(expected_j, rel=0.01)
+    assert motors_of(driver.state).moved_j[0] == pytest.approx(expected_j, rel=0.01)
     left = 1 - expected_j / 3600
     assert volts(driver)[1] == pytest.approx(10 + 2 * left, abs=3 / 255 * MOTORS)
 
@@ -63,7 +68,7 @@ def test_stalled_robot_uses_more_energy():
     for robot in range(2):
         free.ask("VM", 100, 100, robot=robot)
     free.run_s(6)
-    used = free.state.battery.moved_j
+    used = motors_of(free.state).moved_j
     assert free.state.collisions.tolist() == [0, 1]
     # Stalled for nearly all of the six seconds, in which the wheels do not rub.
     assert used[1] > 0.9 * 60 * 5
@@ -78,7 +83,7 @@ def test_energy_of_turning_axis_is_that_at_shell(tmp_path):
     driver.run_s(12)
     rim_m, rim_mps = np.pi * 0.225, np.radians(30) * 0.225
     expected_j = 50 * rim_m + 60 / 2 * rim_mps**2
-    assert driver.state.battery.moved_j[0] == pytest.approx(expected_j, rel=0.01)
+    assert motors_of(driver.state).moved_j[0] == pytest.approx(expected_j, rel=0.01)
 
 
 def test_empty_motor_battery_makes_axes_limp(tmp_path):
@@ -120,6 +125,38 @@ def test_unspecified_batteries_are_unlimited(tmp_path):
     assert driver.ask("GS")[VEL_RIGHT] == 100
     cpu, motor = volts(driver)
     assert (cpu, motor) == (12.0, pytest.approx(12.0, abs=0.02))
+
+
+def test_only_robots_with_a_battery_use_it_up(tmp_path):
+    """The first of two robots has none; that of the second is below its cut-off after 5 s."""
+    cells = 'capacity="1Wh" power="360W" curve="10 12" cutoff="11V"'
+    scout = (Path(world_xml.__file__).parent / "robots" / "scout.xml").read_text()
+    robots = ""
+    for name, battery in (("bare", ""), ("full", f"<motor-battery {cells}/>")):
+        text = scout.replace(f"<motor-battery {MOTOR}/>", battery)
+        (tmp_path / f"{name}.xml").write_text(text)
+        robots += f'<robot definition="{name}.xml" x="0" y="{len(robots)}cm"/>'
+    area = '<area length="99m" width="99m" origin="centre"/>'
+    (tmp_path / "world.xml").write_text(f'<world version="1">{area}{robots}</world>')
+    driver = Driver.of(load_world(tmp_path / "world.xml"))
+    for robot in (0, 1):
+        driver.ask("VM", 10, 10, robot=robot)
+    driver.run_s(6.4)
+    assert [driver.ask("GS", robot=robot)[VEL_RIGHT] for robot in (0, 1)] == [10, 0]
+    charge = driver.environment.charges
+    assert charge(0)[1] == 1.0
+    assert charge(1)[1] < 0.5
+    with pytest.raises(ValueError, match="the motor battery is unlimited"):
+        driver.environment.charge(0, 0.5)
+    driver.environment.charge(1, 0.75)
+    assert charge(1)[1] == pytest.approx(0.75)
+
+
+def test_share_with_many_digits_is_read(tmp_path):
+    """The schema limits only the digits behind the point."""
+    cells = f'capacity="1Wh" curve="12" charge="{"0" * 80}.5"'
+    driver = Driver.of(own_world(tmp_path, (MOTOR, cells)))
+    assert driver.environment.charges(0)[1] == 0.5
 
 
 @pytest.mark.parametrize(

@@ -1,12 +1,18 @@
 """Grasps of a gripper: the nearest object between its fingers that fits, and nothing else."""
 
 import math
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.gripper import inspect
 from crs_cc.sim.devices.gripper.fingers import between
+from crs_cc.sim.files.world_xml import load_robot
 from crs_cc.sim.geometry.scene import Scene
+from tests.device.robot import scout_with
 from tests.sim.driver import world_of
 from tests.sim.gripping import CLOSE, OPEN, gripping, kinds, tell
 
@@ -139,3 +145,28 @@ def test_degraded_gripper_may_ignore_command(tmp_path, fault, apart):
     driver.post("GRIPPER", CLOSE)
     driver.run_s(1.5)
     assert tell(driver) == [apart, 0, 0]
+
+
+def test_palm_is_at_the_shell_unless_its_place_is_given(tmp_path):
+    for element, place_m in (("<gripper/>", 0.2032), ('<gripper place="25cm"/>', 0.25)):
+        model = load_robot(Path(scout_with(tmp_path, element))).device("gripper")
+        assert model.place_m == pytest.approx(place_m, abs=1e-4)
+
+
+def test_invalid_radius_is_reported_once(tmp_path):
+    """The radius is the default of the place of the palm."""
+    robot = Path(scout_with(tmp_path, "<gripper/>"))
+    text = robot.read_text()
+    robot.write_text(re.sub('radius="[^"]*"', 'radius="-1m"', text, count=1))
+    with pytest.raises(WorldError) as wrong:
+        load_robot(robot)
+    assert str(wrong.value).count("must be greater than 0") == 1
+    assert "must not be negative" not in str(wrong.value)
+
+
+def test_inspector_shows_command_and_distance_of_fingers(tmp_path):
+    driver = gripping(tmp_path, ROBOT, WIDE)
+    assert inspect(driver.state, 0) == "open, fingers 20.0 cm apart"
+    driver.post("GRIPPER", CLOSE)
+    driver.run_s(0.5)
+    assert inspect(driver.state, 0) == "close, fingers 10.0 cm apart"

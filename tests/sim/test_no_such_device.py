@@ -13,7 +13,7 @@ from crs_cc.sim.state.timers import CAMERA, LASER
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
-DEVICES = "<camera/><gripper/><arm/><computer-battery"
+DEVICES = "<camera/><computer-battery"
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
     <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
            acceleration="1m/s2"/></robot-definition>"""
@@ -25,8 +25,6 @@ HAS = {
         for device in devices()
     },
     "camera": lambda model: model.camera is not None,
-    "gripper": lambda model: model.gripper is not None,
-    "arm": lambda model: model.arm is not None,
 }
 
 REQUIRED = {"heat": 'range="3m"'}
@@ -46,9 +44,7 @@ ASKED = (
         (device.name, request.name, *WITH.get(request.name, ()))
         for device in devices() for request in device.requests
     ),
-    ("heat", "HEAT"), ("tag", "TAG"),
-    ("gripper", "GRIPPER"), ("gripper", "GET_GRIPPER"), ("arm", "ARM"), ("arm", "GET_ARM"),
-    ("arm", "HAND"),
+    ("heat", "HEAT"), ("heat", "SENSE_HEAT"), ("tag", "TAG"), ("tag", "TAKE_HEAT"),
     *((device, request, number)
       for request in ("PERIOD", "AGE")
       for device, number in (

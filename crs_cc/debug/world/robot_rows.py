@@ -200,17 +200,17 @@ def _echo(echo_m: float) -> str:
 def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
     """Return what only some robots have: batteries, heat, grippers, messages."""
     state = environment.state
-    batteries = ("computer battery", model.computer_battery), ("motor battery", model.motor_battery)
-    for (name, battery), charge in zip(batteries, environment.charges(robot), strict=True):
-        if math.isfinite(battery.capacity_j):
-            yield Row(name, f"{100 * charge:.1f} %")
+    batteries = ("computer_battery", "motor_battery")
+    for name, charge in zip(batteries, environment.charges(robot), strict=True):
+        if model.device(name) is not None:
+            yield Row(name.replace("_", " "), f"{100 * charge:.1f} %")
     for title, text in environment.device_rows(robot):
         yield Row(title, text)
     if state.heat.left[robot]:
         yield Row("heat", f"{state.heat.left[robot]:g}")
-    for name, thing in zip(("gripper", "hand"), state.bodies.holds.thing[robot], strict=True):
-        if thing >= 0:
-            yield Row(name, f"holds {environment.pushables[int(thing)]}")
+    held = [environment.pushables[thing] for thing in state.bodies.holds.thing[robot] if thing >= 0]
+    if held:
+        yield Row("holds", ", ".join(held))
     inbox = state.messages.receptions
     waiting = int(((inbox["receiver"] == robot) & (inbox["status"] == ARRIVED)).sum())
     if state.messages.sent[robot] or waiting:

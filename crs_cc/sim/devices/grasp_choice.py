@@ -1,4 +1,4 @@
-"""Selection of the objects that grippers and hands grasp.
+"""What grippers and hands have in common: their commands, and the choice of what they grasp.
 
 >>> nearest(np.array([0, 0, 1]), np.array([0.2, 0.1, 0.3]), np.array([True, True, False])).tolist()
 [1]
@@ -7,11 +7,15 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene
+
+COMMANDS: Final = "#define CRS_OPEN 0\n#define CRS_CLOSE 1"
+"""The commands in C; the same definition may stand twice (C17 6.10.3p2)."""
 
 
 def can_be_taken(scene: Scene, things: IndexArray, most_kg: FloatArray) -> BoolArray:

@@ -7,16 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.sim.devices.arm import Arms
-from crs_cc.sim.devices.gripper import Grippers
 from crs_cc.sim.devices.mount import mount_rad
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.arm import Arms
+    from crs_cc.sim.devices.gripper import Grippers
     from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.bodies import Contacts, Pull
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.events import EventLog
 
 
 class Handling:
@@ -27,9 +25,8 @@ class Handling:
         arms: their arms.
     """
 
-    def __init__(self, world: WorldModel, log: EventLog) -> None:
-        self.grippers = Grippers(world, log)
-        self.arms = Arms(world, log)
+    def __init__(self, grippers: Grippers, arms: Arms) -> None:
+        self.grippers, self.arms = grippers, arms
 
     def pull(self, state: EnvState, constants: RobotConstants, pull: Pull, end_s: float) -> Pull:
         """Add the final poses of mounts and hands that hold something to the drives' action."""

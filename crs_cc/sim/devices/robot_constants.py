@@ -28,8 +28,6 @@ class RobotConstants:
         vendor_model: the vendor's number of the model.
         laser: number of each robot among those with a laser, -1 for the others.
         camera: the same for cameras.
-        gripper: the same for grippers.
-        arm: the same for arms.
         numbers: the same for each device of `registry.devices()`, by its name.
         laser_points: maximum number of points of the laser.
         radius_m: the radius of the body.
@@ -45,8 +43,6 @@ class RobotConstants:
     vendor_model: Int64Array
     laser: IndexArray
     camera: IndexArray
-    gripper: IndexArray
-    arm: IndexArray
     numbers: Mapping[str, IndexArray]
     laser_points: Int32Array
     radius_m: FloatArray
@@ -67,8 +63,6 @@ class RobotConstants:
             vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
             laser=_numbers([model.laser is not None for model in models]),
             camera=_numbers([model.camera is not None for model in models]),
-            gripper=_numbers([model.gripper is not None for model in models]),
-            arm=_numbers([model.arm is not None for model in models]),
             numbers={
                 "camera": _numbers([model.camera is not None for model in models]),
                 "laser": _numbers([model.laser is not None for model in models]),

@@ -15,7 +15,6 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.requests import CODES, NUM_STATE
 from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import laser, pos_data
-from crs_cc.sim.devices.battery import Batteries
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import compasses
@@ -44,6 +43,7 @@ from crs_cc.sim.state.rows import take
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from crs_cc.sim.devices.battery import Batteries
     from crs_cc.sim.devices.installed import Installed
     from crs_cc.sim.devices.ray_caster import RayCaster
     from crs_cc.sim.devices.request_context import RequestContext
@@ -79,7 +79,7 @@ class SensorBoard:
             seed: decides the noise.
             installed: the devices of the registry, by their names.
         """
-        self.batteries = Batteries(world)
+        self.batteries: Batteries = installed["motor_battery"].device
         self._clock = BoardClock(world)
         self._infrared: InfraredRing = installed["infrared"].device
         self.lasers = Lasers(world, seed)

@@ -61,7 +61,6 @@ class DeviceBoard:
         """
         self.log = log
         self.cameras = Cameras(world, seed)
-        self.handling = Handling(world, log)
         self.messenger = Messenger(world, seed)
         self.installed: dict[str, Installed] = {
             row.name: row.install(row, world, seed, log) for row in _REGISTERED
@@ -69,6 +68,7 @@ class DeviceBoard:
         self.sonars: SonarRing = self.installed["sonar"].device
         self.bumpers: Bumpers = self.installed["bumper"].device
         self.sensor_board = SensorBoard(world, seed, self.installed)
+        self.handling = Handling(self.installed["gripper"].device, self.installed["arm"].device)
         self.timers = Timers(self._timed())
 
     def _timed(self) -> dict[int, tuple[str, Timed]]:
@@ -88,7 +88,7 @@ class DeviceBoard:
     @property
     def fans(self) -> list[Fan]:
         """Return the beams of the devices that measure distances."""
-        own = [*self.cameras.fans, *self.handling.grippers.fans]
+        own = [*self.cameras.fans]
         for each in self.installed.values():
             own += each.fans
         return [*self.sensor_board.fans, *own]

@@ -90,7 +90,7 @@ def ct(context: RequestContext) -> BoolArray:
 
 def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
     """Return the handler of each request that a robot answers, or one of these devices."""
-    board, handling, messages = devices.sensor_board, devices.handling, devices.messenger
+    board, messages = devices.sensor_board, devices.messenger
     handlers: dict[str, Handler] = {
         "CONNECT": connect,
         "DISCONNECT": disconnect,
@@ -140,11 +140,6 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "LASER": board.lasers.get_ranges,
         "PERIOD": devices.timers.set_period,
         "AGE": devices.timers.get_age,
-        "GRIPPER": handling.grippers.move,
-        "GET_GRIPPER": handling.grippers.get_gripper,
-        "ARM": handling.arms.move,
-        "GET_ARM": handling.arms.get_arm,
-        "HAND": handling.arms.hand,
         "SEND": messages.send,
         "RECEIVE": messenger.wait,
         "MESSAGE_COUNT": messages.count,

@@ -9,7 +9,15 @@ from lxml import etree
 
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import period_s
-from crs_cc.sim.model.attribute import Attribute, Choice, Count, Fraction, Numbers, attributes_of
+from crs_cc.sim.model.attribute import (
+    Attribute,
+    Choice,
+    Count,
+    Fraction,
+    Numbers,
+    Voltages,
+    attributes_of,
+)
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
 
@@ -53,7 +61,7 @@ def read_attributes(model: type, element: Element, reader: Reader) -> Any:
 
 def _value(row: Attribute, element: Element, reader: Reader) -> Any:
     values = row.values
-    if isinstance(values, Choice | Fraction | Numbers):  # the schema checks these
+    if isinstance(values, Choice | Fraction | Numbers | Voltages):  # the schema checks these
         return values.parse(element.attributes[row.name])
     if isinstance(values, Count):
         least = 0 if row.default is None else int(row.default)
@@ -118,6 +126,13 @@ def _restrict(attribute: etree._Element, row: Attribute) -> None:
         etree.SubElement(bounded, f"{_XS}maxLength", value=str(row.values.most))
     elif isinstance(row.values, Count):
         attribute.set("type", "xs:string")
+    elif isinstance(row.values, Voltages):
+        kind = etree.SubElement(attribute, f"{_XS}simpleType")
+        bounded = etree.SubElement(kind, f"{_XS}restriction")
+        listed = etree.SubElement(bounded, f"{_XS}simpleType")
+        etree.SubElement(listed, f"{_XS}list", itemType="volts")
+        etree.SubElement(bounded, f"{_XS}minLength", value="1")
+        etree.SubElement(bounded, f"{_XS}maxLength", value=str(row.values.most))
     elif isinstance(row.values, Fraction):
         attribute.set("type", "share" if row.values.positive else "probability")
     else:

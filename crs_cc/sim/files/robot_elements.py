@@ -23,7 +23,6 @@ from crs_cc.core.suggest import unknown
 from crs_cc.requests import REQUESTS
 from crs_cc.sim.files import (
     device_elements,
-    handling_elements,
     sensor_elements,
 )
 from crs_cc.sim.files.document import Element, Reader
@@ -58,10 +57,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         mass_kg=reader.positive(body, "mass", MASS),
         laser=sensor_elements.laser(root, reader),
         camera=sensor_elements.camera(root, reader),
-        gripper=handling_elements.gripper(root, radius_m, reader),
-        arm=handling_elements.arm(root, reader),
-        computer_battery=sensor_elements.computer_battery(root, reader),
-        motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),
         link=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),

@@ -6,19 +6,15 @@ import math
 from dataclasses import replace
 from typing import Final
 
-from crs_cc.core.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME, VOLTAGE
+from crs_cc.core.quantity import ANGLE, FREQUENCY, LENGTH, TIME
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.colours import rgb
 from crs_cc.sim.model.sensors import (
-    ENDLESS,
-    ENDLESS_MOTORS,
     MAX_COLUMNS,
     NUM_LASER,
     USUAL_BOARD,
-    Battery,
     Camera,
     Laser,
-    MotorBattery,
     SensorBoard,
 )
 
@@ -128,36 +124,6 @@ def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]
     except ValueError as wrong:
         reader.refuse(element, f"{name}: {wrong}")
         return 0, 0, 0
-
-
-def computer_battery(root: Element, reader: Reader) -> Battery:
-    """Return the battery of the computers; by default it is never empty."""
-    element = root.maybe("computer-battery")
-    return ENDLESS if element is None else Battery(*_battery(element, reader))
-
-
-def motor_battery(root: Element, reader: Reader) -> MotorBattery:
-    """Return the battery of the motors; by default it is never empty."""
-    element = root.maybe("motor-battery")
-    if element is None:
-        return ENDLESS_MOTORS
-    return MotorBattery(
-        *_battery(element, reader),
-        friction_n=reader.not_negative(element, "friction", FORCE),
-        efficiency=float(element.attributes.get("efficiency", "1")),
-        stall_w=reader.not_negative(element, "stall", POWER),
-        cutoff_v=reader.not_negative(element, "cutoff", VOLTAGE),
-        is_in_status=element.attributes.get("in-status") == "yes",
-    )
-
-
-def _battery(element: Element, reader: Reader) -> tuple[float, float, float, tuple[float, ...]]:
-    return (
-        reader.positive(element, "capacity", ENERGY),
-        float(element.attributes.get("charge", "1")),
-        reader.not_negative(element, "power", POWER),
-        tuple(float(volts) for volts in element.attributes["curve"].split()),
-    )
 
 
 def sensor_board(root: Element, reader: Reader) -> SensorBoard:

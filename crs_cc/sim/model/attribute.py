@@ -13,7 +13,7 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
-from crs_cc.core.quantity import FREQUENCY, LENGTH, RATIO, TIME, Kind
+from crs_cc.core.quantity import FREQUENCY, LENGTH, TIME, Kind
 
 __all__ = [
     "FRACTION",
@@ -23,6 +23,7 @@ __all__ = [
     "Choice",
     "Count",
     "Numbers",
+    "Voltages",
     "attribute",
     "attributes_of",
     "period",
@@ -69,7 +70,7 @@ class Fraction:
 
     def parse(self, text: str) -> float:
         """Return the value of a text that the schema allows."""
-        return RATIO.parse(text)
+        return float(text)
 
 
 FRACTION: Final = Fraction()
@@ -91,7 +92,22 @@ class Numbers:
         return tuple(int(number) for number in text.split())
 
 
-Values: TypeAlias = Kind | Count | Choice | Fraction | Numbers
+@dataclass(frozen=True, slots=True)
+class Voltages:
+    """Lists of at least one voltage, bare numbers.
+
+    Attributes:
+        most: maximum length.
+    """
+
+    most: int
+
+    def parse(self, text: str) -> tuple[float, ...]:
+        """Return the value of a text that the schema allows."""
+        return tuple(float(volts) for volts in text.split())
+
+
+Values: TypeAlias = Kind | Count | Choice | Fraction | Numbers | Voltages
 """Which values an attribute can have."""
 
 

@@ -23,11 +23,9 @@ from functools import cache
 from typing import TYPE_CHECKING, Final, Literal
 
 from crs_cc.core.quantity import (
-    ANGLE,
     LENGTH,
     RATIO,
     SPEED,
-    VOLTAGE,
     Kind,
 )
 from crs_cc.core.suggest import unknown
@@ -115,10 +113,6 @@ class Degradation:
         return ", ".join(words)
 
 
-def _always(_model: RobotModel) -> bool:
-    return True
-
-
 def _single(has: Callable[[RobotModel], object], *names: str) -> Callable[..., tuple[str, ...]]:
     return lambda model: (names or ("0",)) if has(model) else ()
 
@@ -145,25 +139,12 @@ _OTHERS: Final = {
             "does not count",
         ),
         Degradable(
-            "battery", "voltage", VOLTAGE,
-            _single(_always, "computers", "motors"), 2, "the lowest voltage",
-        ),
-        Degradable(
             "drive", "speed at which a motor turns its axis", SPEED, _axes, AXES, "stops",
             acts=True,
         ),
         Degradable(
             "wheels", "speed at which an axis moves the robot", SPEED, _axes, AXES,
             "slips in place", acts=True,
-        ),
-        Degradable(
-            "gripper", "command of the gripper: 1 to close, from 0.5 on, otherwise to open", RATIO,
-            _single(lambda model: model.gripper), 1, "command not received", acts=True,
-        ),
-        Degradable(
-            "arm", "commanded angle of a joint", ANGLE,
-            _single(lambda model: model.arm, "shoulder", "elbow"), 2,
-            "command not received", acts=True,
         ),
     )
 }  # fmt: skip

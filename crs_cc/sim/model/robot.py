@@ -15,15 +15,10 @@ from dataclasses import dataclass, replace
 from typing import Any, Final, Self
 
 from crs_cc.sim.model.axis import Axis
-from crs_cc.sim.model.handling import Arm, Gripper
 from crs_cc.sim.model.sensors import (
-    ENDLESS,
-    ENDLESS_MOTORS,
     USUAL_BOARD,
-    Battery,
     Camera,
     Laser,
-    MotorBattery,
     SensorBoard,
 )
 
@@ -139,10 +134,6 @@ class RobotModel:
         mass_kg: its mass.
         laser: its laser, or None.
         camera: its camera, or None.
-        gripper: its gripper, or None.
-        arm: its arm, or None.
-        computer_battery: supply of its computers.
-        motor_battery: supply of its motors.
         board: the computer that reads its sensors.
         link: the link between host and robot.
         host_speed_hz: IR instructions that the host computer executes per second.
@@ -159,10 +150,6 @@ class RobotModel:
     mass_kg: float = 20.0
     laser: Laser | None = None
     camera: Camera | None = None
-    gripper: Gripper | None = None
-    arm: Arm | None = None
-    computer_battery: Battery = ENDLESS
-    motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD
     link: Link = IDEAL_LINK
     host_speed_hz: float = 5e7

@@ -6,7 +6,6 @@ seconds, radians; directions are counter-clockwise from ahead.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -76,42 +75,6 @@ class Camera:
 
 
 @dataclass(frozen=True, slots=True)
-class Battery:
-    """A battery and its load.
-
-    Attributes:
-        capacity_j: energy when full; infinite for one that is never empty.
-        charge: state of charge at the start, 0 to 1.
-        power_w: constant load.
-        curve_v: voltage at equally spaced states of charge from empty to full.
-    """
-
-    capacity_j: float = math.inf
-    charge: float = 1.0
-    power_w: float = 0.0
-    curve_v: tuple[float, ...] = (12.0,)
-
-
-@dataclass(frozen=True, slots=True)
-class MotorBattery(Battery):
-    """The battery of the motors: a `Battery` with the load of the drive.
-
-    Attributes:
-        friction_n: rolling resistance of a turning wheel.
-        efficiency: efficiency of the drive.
-        stall_w: additional load while the robot is blocked.
-        cutoff_v: voltage below which the motors have no force.
-        is_in_status: whether bits 2 and 3 of the motors' status report its charge.
-    """
-
-    friction_n: float = 0.0
-    efficiency: float = 1.0
-    stall_w: float = 0.0
-    cutoff_v: float = 0.0
-    is_in_status: bool = False
-
-
-@dataclass(frozen=True, slots=True)
 class SensorBoard:
     """The computer on the robot that reads the sensors.
 
@@ -124,7 +87,5 @@ class SensorBoard:
     tick_s: float = 0.0164
 
 
-ENDLESS: Final = Battery()
-ENDLESS_MOTORS: Final = MotorBattery()
 USUAL_BOARD: Final = SensorBoard()
 """Defaults of a robot definition."""

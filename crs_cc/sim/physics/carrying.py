@@ -42,6 +42,7 @@ class Load:
         sharers: robots that grip an object together with others, rising, s of them.
         shared: the object of each, (s,).
         grip_m: the distance of the grip point ahead of the mount's centre, (s,).
+        grip_n: the force that pulls the object out of its fingers, (s,).
         point_m: the grip point in the frame of the object, (s, 2).
         lifters: robots with an object in their hand, rising.
         lifted: the object of each.
@@ -59,6 +60,7 @@ class Load:
     sharers: IndexArray
     shared: IndexArray
     grip_m: FloatArray
+    grip_n: FloatArray
     point_m: FloatArray
     lifters: IndexArray
     lifted: IndexArray
@@ -77,8 +79,7 @@ class Load:
         together = np.bincount(things, minlength=len(scene.pushables))
         alone = together[things] == 1
         sharers, grip_m = rows[~alone], np.zeros((int((~alone).sum()), 3))
-        models = [world.robots[robot].model for robot in sharers.tolist()]
-        grip_m[:, 0] = [each.gripper.middle_m if each.gripper else 0.0 for each in models]
+        grip_m[:, 0], grip_n = holds.grip[sharers].T
         thing_kg = np.array([thing.mass_kg for thing in scene.pushables])
         weight_kg, mass_kg = np.zeros(len(world.robots)), np.zeros(len(world.robots))
         weight_kg[rows] = thing_kg[things] / together[things]
@@ -94,6 +95,7 @@ class Load:
             sharers,
             things[~alone],
             grip_m[:, 0],
+            grip_n,
             relative(holds.grasp[sharers, GRIPPER], grip_m)[:, :2],
             hands,
             lifted,

@@ -173,12 +173,12 @@ class SpaceBuilder:
     def _shared_grips(self, bodies: list[pymunk.Body], load: Load) -> list[pymunk.Constraint]:
         """Return the joints between robots and their shared loads."""
         joints: list[pymunk.Constraint] = []
-        rows = zip(load.sharers, load.shared, load.grip_m, load.point_m.tolist(), strict=True)
-        for robot, thing, grip_m, point_m in rows:
-            gripper = self._world.robots[robot].model.gripper
+        grips = zip(load.grip_m.tolist(), load.grip_n.tolist(), load.point_m.tolist(), strict=True)
+        rows = zip(load.sharers, load.shared, grips, strict=True)
+        for robot, thing, (grip_m, grip_n, point_m) in rows:
             body, held = bodies[robot], bodies[self._scene.robots + thing]
-            joint = pymunk.PivotJoint(body, held, (float(grip_m), 0.0), tuple(point_m))
-            joint.max_force = gripper.force_n if gripper else 0.0
+            joint = pymunk.PivotJoint(body, held, (grip_m, 0.0), tuple(point_m))
+            joint.max_force = grip_n
             joint.collide_bodies = False
             joints.append(joint)
         return joints

@@ -26,15 +26,12 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, ByteArray, FloatArray, Int64Array
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.arm import ArmState
-from crs_cc.sim.state.battery import BatteryState
 from crs_cc.sim.state.bodies import Bodies
 from crs_cc.sim.state.camera import CameraState
 from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
-from crs_cc.sim.state.gripper import GripperState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.laser import LaserState
 from crs_cc.sim.state.link import LinkState
@@ -72,11 +69,8 @@ class EnvState:
         camera: the cameras' images, and the reported ones.
         timers: the timers of sensors.
         degradation: the degradations of these devices, and of the drive.
-        gripper: the fingers of grippers; held objects are in `bodies`.
-        arm: the joints of arms; held objects are in `bodies`.
         mask: the parts of `State` that the program requests (`Smask`), (robots, 44).
         pos_data: positions and times of sensor readings, for programs that request them.
-        battery: the energy used by the motors.
         heat: the heat of objects.
         link: the serial links to the robots.
         obstacles: objects that programs added to the world and removed from it.
@@ -104,11 +98,8 @@ class EnvState:
     camera: CameraState
     timers: TimerState
     degradation: DegradationState
-    gripper: GripperState
-    arm: ArmState
     mask: ByteArray
     pos_data: PosDataState
-    battery: BatteryState
     heat: HeatState
     link: LinkState
     obstacles: ObstacleState
@@ -142,11 +133,8 @@ class EnvState:
             camera=CameraState.at_start(world),
             timers=TimerState.at_start(world),
             degradation=DegradationState.at_start(world),
-            gripper=GripperState.at_start(world),
-            arm=ArmState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
-            battery=BatteryState.at_start(world),
             obstacles=ObstacleState.at_start(world),
             drawings=DrawingState.at_start(),
             heat=HeatState.at_start(world, scene),

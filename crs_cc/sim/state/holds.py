@@ -31,26 +31,35 @@ class Holds:
         thing: number of the object among the movable ones, -1 for none, (robots, 2).
         grasp: its pose: x, y [m] and direction [rad], for a gripper in the frame of the mount, for
             a hand in the frame of the hand, (robots, 2, 3).
+        grip: of the gripper that holds it: distance [m] of the fingers' centre ahead of the mount's
+            centre, and the force [N] that pulls out an object that others hold too, (robots, 2).
     """
 
     thing: Int64Array
     grasp: FloatArray
+    grip: FloatArray
 
     @classmethod
     def nothing(cls, robots: int) -> Self:
         """Return empty grippers and hands."""
-        return cls(np.full((robots, _KINDS), -1, np.int64), np.zeros((robots, _KINDS, 3)))
+        return cls(
+            np.full((robots, _KINDS), -1, np.int64),
+            np.zeros((robots, _KINDS, 3)),
+            np.zeros((robots, 2)),
+        )
 
     def with_another(self) -> Self:
         """Return a copy with one more robot, which holds nothing."""
         more = self.nothing(1)
         return type(self)(
-            np.concatenate([self.thing, more.thing]), np.concatenate([self.grasp, more.grasp])
+            np.concatenate([self.thing, more.thing]),
+            np.concatenate([self.grasp, more.grasp]),
+            np.concatenate([self.grip, more.grip]),
         )
 
     def copy(self) -> Self:
         """Return a deep copy."""
-        return type(self)(self.thing.copy(), self.grasp.copy())
+        return type(self)(self.thing.copy(), self.grasp.copy(), self.grip.copy())
 
     def any(self) -> bool:
         """Return whether any object is held."""
@@ -81,7 +90,7 @@ class Holds:
             kept: which of the movable objects are left, (things,).
         """
         numbers = np.append(np.where(kept, np.cumsum(kept) - 1, -1), -1)
-        return type(self)(numbers[self.thing], self.grasp.copy())
+        return type(self)(numbers[self.thing], self.grasp.copy(), self.grip.copy())
 
     def _held(self, kind: int) -> tuple[IndexArray, IndexArray]:
         rows = np.flatnonzero(self.thing[:, kind] >= 0)

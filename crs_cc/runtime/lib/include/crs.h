@@ -48,30 +48,6 @@ int crs_period(int sensor, int ms);
 /* Return the age of a sensor's last measurement in ms; -1 if there is none, or no such sensor. */
 int crs_age(int sensor);
 
-/* Open or close the gripper; the function returns immediately. The gripper grasps an object between
-   its fingers, and holds it until it opens. */
-#define CRS_OPEN 0
-#define CRS_CLOSE 1
-int crs_gripper(int what);
-
-/* Store the distance between the fingers (0.1 inch), whether an object breaks the beam between
-   them, and the mass of the held object (gram, 0 for none). Any of the pointers may be NULL. */
-int crs_get_gripper(int *opening, int *beam, int *weight);
-
-/* Turn the joints of the arm to absolute angles, or by angles relative to the current ones, in 0.1
-   degree; the functions return immediately. At 0 the arm is straight. */
-int crs_arm_move(int shoulder, int elbow);
-int crs_arm_turn(int shoulder, int elbow);
-
-/* Store the angles of the joints (0.1 degree), and the position of the tip relative to the robot's
-   centre: forward, and to the left (0.1 inch). Any of the pointers may be NULL. */
-int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
-
-/* Close the hand at the tip, which grasps and lifts an object, or open it once the place below is
-   free; crs_hand returns immediately. crs_get_hand stores the held mass (gram, 0 for none). */
-int crs_hand(int what);
-int crs_get_hand(int *weight);
-
 /* Communication channels; a world file can define more. Robots are numbered from 0. */
 #define CRS_RADIO    0
 #define CRS_INFRARED 1

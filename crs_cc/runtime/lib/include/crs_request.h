@@ -87,11 +87,6 @@ struct __crs_message {
 #define CRS_LASER 204
 #define CRS_PERIOD 205
 #define CRS_AGE 206
-#define CRS_GRIPPER 220
-#define CRS_GET_GRIPPER 221
-#define CRS_ARM 222
-#define CRS_GET_ARM 223
-#define CRS_HAND 224
 #define CRS_SEND 240
 #define CRS_RECEIVE 241
 #define CRS_MESSAGE_COUNT 242

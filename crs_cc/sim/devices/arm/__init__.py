@@ -23,12 +23,20 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.quantity import ANGLE
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
-from crs_cc.requests import LARGEST
+from crs_cc.requests import LARGEST, device_request
+from crs_cc.requests.request import fields
+from crs_cc.robot_api.row import OURS, Function
+from crs_cc.sim.devices.arm.model import Arm, read
+from crs_cc.sim.devices.arm.state import ArmState, arm_of
 from crs_cc.sim.devices.collision_free import is_space_free
-from crs_cc.sim.devices.grasp_choice import can_be_taken, nearest
+from crs_cc.sim.devices.grasp_choice import COMMANDS, can_be_taken, nearest
+from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.frames import compose, relative
+from crs_cc.sim.model.degradable import Degradable, elements_of
+from crs_cc.sim.model.device import Device
 from crs_cc.sim.state.holds import HAND
 
 if TYPE_CHECKING:
@@ -47,22 +55,21 @@ class Arms:
 
     def __init__(self, world: WorldModel, log: EventLog) -> None:
         self._log = log
-        has = [number for number, robot in enumerate(world.robots) if robot.model.arm]
-        found = [arm for robot in world.robots if (arm := robot.model.arm) is not None]
-        joints = [(arm.shoulder, arm.elbow) for arm in found]
-        self._rows = np.array(has, dtype=np.intp)
+        models = [robot.model.device("arm") for robot in world.robots]
+        found: list[Arm] = [model for model in models if model is not None]
+        self._rows = np.flatnonzero([model is not None for model in models])
         self._shoulder_m = _table([(arm.x_m, arm.y_m) for arm in found])
         self._link_m = _table([(arm.upper_m, arm.fore_m) for arm in found])
-        self._least_rad = _table([(one.least_rad, two.least_rad) for one, two in joints])
-        self._most_rad = _table([(one.most_rad, two.most_rad) for one, two in joints])
-        self._speed_radps = _table([(one.speed_radps, two.speed_radps) for one, two in joints])
+        self._least_rad = _table([(arm.shoulder_least_rad, arm.elbow_least_rad) for arm in found])
+        self._most_rad = _table([(arm.shoulder_most_rad, arm.elbow_most_rad) for arm in found])
+        self._speed_radps = _table([(arm.shoulder_radps, arm.elbow_radps) for arm in found])
         self._hand_m = np.array([arm.hand_m for arm in found])
         self._most_kg = np.array([arm.most_kg for arm in found])
 
     def move(self, context: RequestContext) -> BoolArray:
         """Answer ARM: turn joints to angles, or by angles; refuse robots without an arm."""
-        state, arm = context.state, context.state.arm
-        mine = context.constants.arm[context.rows]
+        state, arm = context.state, arm_of(context.state)
+        mine = context.constants.numbers["arm"][context.rows]
         has = mine >= 0
         which, at_s = mine[has], context.at_s[has]
         now_rad = self._angles_rad(state, which, at_s)
@@ -78,7 +85,7 @@ class Arms:
 
     def get_arm(self, context: RequestContext) -> BoolArray:
         """Answer GET_ARM with joint angles, position of the tip and weight of the held object."""
-        mine = context.constants.arm[context.rows]
+        mine = context.constants.numbers["arm"][context.rows]
         has = np.asarray(mine >= 0)
         which = mine[has]
         angles_rad = self._angles_rad(context.state, which, context.at_s[has])
@@ -95,9 +102,9 @@ class Arms:
 
     def hand(self, context: RequestContext) -> BoolArray:
         """Answer HAND: close or open it; refuse robots without an arm, and invalid values."""
-        mine, close = context.constants.arm[context.rows], context["close"]
+        mine, close = context.constants.numbers["arm"][context.rows], context["close"]
         good = (mine >= 0) & (close >= 0) & (close <= 1)
-        which, closed, arm = mine[good], close[good] == 1, context.state.arm
+        which, closed, arm = mine[good], close[good] == 1, arm_of(context.state)
         arm.acts[which] |= arm.closed[which] != closed
         arm.closed[which] = closed
         return np.asarray(good)
@@ -114,9 +121,9 @@ class Arms:
 
     def end_cycle(self, state: EnvState, constants: RobotConstants, end_s: float) -> bool:
         """Make hands grasp and release objects; return whether any did."""
-        if not state.arm.acts.any():
+        rows, arm = self._rows, arm_of(state)
+        if not arm.acts.any():
             return False
-        rows, arm = self._rows, state.arm
         held = state.bodies.holds.thing[rows, HAND] >= 0
         opening = np.flatnonzero(arm.acts & ~arm.closed)
         closing = np.flatnonzero(arm.acts & arm.closed & ~held)
@@ -129,7 +136,7 @@ class Arms:
         return any(opened) or took
 
     def _angles_rad(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
-        arm = state.arm
+        arm = arm_of(state)
         most_rad = self._speed_radps[which] * (at_s - arm.since_s[which])[:, None]
         way_rad = arm.to_rad[which] - arm.from_rad[which]
         return np.asarray(
@@ -180,7 +187,7 @@ class Arms:
         if not is_space_free(constants, state.bodies, thing):
             return False
         state.bodies.holds.drop(self._rows[[which]], HAND)
-        state.arm.acts[which] = False
+        arm_of(state).acts[which] = False
         self._log.say(end_s, "release", f"released {scene.pushables[thing].id}", int(row))
         return True
 
@@ -193,3 +200,94 @@ class Arms:
 
 def _table(rows: list[tuple[float, float]]) -> FloatArray:
     return np.array(rows, dtype=np.float64).reshape(-1, 2)
+
+
+def install(_row: Device, world: WorldModel, _seed: int, log: EventLog) -> Installed:
+    """Return the arms of a world's robots."""
+    arms = Arms(world, log)
+    handlers = {"ARM": arms.move, "GET_ARM": arms.get_arm, "HAND": arms.hand}
+    return Installed(handlers=handlers, device=arms)
+
+
+def inspect(state: EnvState, number: int) -> str:
+    """Return the commanded joint angles, and the command of the hand."""
+    arm = arm_of(state)
+    shoulder, elbow = map(ANGLE.show, arm.to_rad[number].tolist())
+    command = "close" if arm.closed[number] else "open"
+    return f"shoulder to {shoulder}, elbow to {elbow}, hand: {command}"
+
+
+_DEG: Final = "0.1 deg"
+
+DEVICE = Device(
+    name="arm",
+    title="Arm",
+    element="arm",
+    summary="Two links that rotate in a plane above all objects, with a hand at the end:"
+    " crs_arm_move() and crs_hand() of crs.h.",
+    model=Arm,
+    read=read,
+    state=ArmState.at_start,
+    install=install,
+    requests=(
+        device_request(
+            "ARM", 222, "int crs_arm_move(int shoulder, int elbow)", "turns the joints of the arm",
+            fields(
+                ("relative", "i[0]", "1", "0 to angles, else on by angles"),
+                ("shoulder", "i[1]", _DEG, "shoulder"), ("elbow", "i[2]", _DEG, "elbow"),
+            ),
+        ),
+        device_request(
+            "GET_ARM", 223, "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
+            "reads the position of the arm and what is in its hand",
+            results=fields(
+                ("shoulder", "i[0]", _DEG, "shoulder"), ("elbow", "i[1]", _DEG, "elbow"),
+                ("x", "i[2]", "0.1 in", "tip, ahead of the robot's middle"),
+                ("y", "i[3]", "0.1 in", "tip, to the left of it"),
+                ("weight", "i[4]", "g", "weight of what is in the hand, 0 for nothing"),
+            ),
+        ),
+        device_request(
+            "HAND", 224, "int crs_hand(int what)", "opens or closes the hand",
+            fields(("close", "i[0]", "1", "0 to open, 1 to close")),
+        ),
+    ),
+    functions=(
+        Function(
+            "int crs_arm_move(int shoulder, int elbow)",
+            "turns the joints of the arm to angles, and returns immediately; 0, 0 is straight"
+            " ahead", units=_DEG, posts=("ARM",), source=(OURS,),
+        ),
+        Function(
+            "int crs_arm_turn(int shoulder, int elbow)",
+            "turns the joints by angles relative to their current position, and returns"
+            " immediately", units=_DEG, posts=("ARM",), source=(OURS,),
+        ),
+        Function(
+            "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
+            "returns the joint angles, and the position of the tip: forward of the robot's centre,"
+            " and to the left. Pointers may be NULL", units="0.1 deg, 0.1 in",
+            posts=("GET_ARM",), source=(OURS,),
+        ),
+        Function(
+            "int crs_hand(int what)",
+            "closes the hand (CRS_CLOSE) on the object at the tip, or opens it (CRS_OPEN) as soon"
+            " as there is room below; returns immediately", posts=("HAND",), source=(OURS,),
+        ),
+        Function(
+            "int crs_get_hand(int *weight)",
+            "returns the weight of what is in the hand, 0 for nothing",
+            units="g", posts=("GET_ARM",), source=(OURS,),
+        ),
+    ),
+    declarations=COMMANDS,
+    degradables=(
+        Degradable(
+            "arm", "commanded angle of a joint", ANGLE,
+            elements_of("arm", lambda _model: ("shoulder", "elbow")), 2, "command not received",
+            acts=True,
+        ),
+    ),
+    inspect=inspect,
+    source=__file__,
+)  # fmt: skip

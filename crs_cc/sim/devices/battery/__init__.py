@@ -24,16 +24,19 @@ that. Degradation (`battery`) applies to the voltages; a dropped value is byte 0
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.sim.devices.battery.model import ENDLESS, ENDLESS_MOTORS, Battery, MotorBattery
+from crs_cc.sim.devices.battery.state import motors_of
+from crs_cc.sim.state.rows import ALL, Rows, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.robot import RobotModel
-    from crs_cc.sim.model.sensors import Battery, MotorBattery
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -54,18 +57,24 @@ class Batteries:
         models = [robot.model for robot in world.robots]
         kinds = list(dict.fromkeys(models))
         self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
-        self._computers = _Supply([model.computer_battery for model in kinds], COMPUTERS)
-        self._motors = _Supply([model.motor_battery for model in kinds], MOTORS)
-        motors = [model.motor_battery for model in models]
-        self._friction_n = np.array([battery.friction_n for battery in motors])[:, None]
-        self._lever = np.array([_levers(model) for model in models])
-        self._mass_kg = np.array([_moved_kg(model) for model in models])[:, None]
-        self._per_work = np.array([1.0 / battery.efficiency for battery in motors])
-        self._stall_w = np.array([battery.stall_w for battery in motors])
-        least = {model.motor_battery: _least_charge(model.motor_battery) for model in kinds}
-        self._least_charge = np.array([least[battery] for battery in motors])
-        self._in_status = np.array([battery.is_in_status for battery in motors])
-        self._lasts = not any(np.isfinite(battery.capacity_j) for battery in motors)
+        computers = [model.device("computer_battery") or ENDLESS for model in kinds]
+        motors: list[MotorBattery] = [
+            model.device("motor_battery") or ENDLESS_MOTORS for model in kinds
+        ]
+        self._computers, self._motors = _Supply(computers, COMPUTERS), _Supply(motors, MOTORS)
+        least = np.array([_least_charge(battery) for battery in motors])
+        self._least_charge = least[self._kind]
+        self._in_status = np.array([battery.is_in_status for battery in motors])[self._kind]
+        has = np.array([model.device("motor_battery") is not None for model in models])
+        self._number, self._robots = np.cumsum(has) - 1, np.flatnonzero(has)
+        self._rows: Rows = ALL if has.all() else self._robots
+        owners = [(models[robot], motors[self._kind[robot]]) for robot in self._robots.tolist()]
+        self._friction_n = np.array([battery.friction_n for _, battery in owners])[:, None]
+        self._lever = np.array([_levers(model) for model, _ in owners])
+        self._mass_kg = np.array([_moved_kg(model) for model, _ in owners])[:, None]
+        self._per_work = np.array([1.0 / battery.efficiency for _, battery in owners])
+        self._stall_w = np.array([battery.stall_w for _, battery in owners])
+        self._lasts = not owners
 
     def drain(self, state: EnvState, timestep_s: float) -> IndexArray:
         """Drain the motor batteries by a cycle whose axes have been turned to its end.
@@ -76,27 +85,29 @@ class Batteries:
         held_back = state.bodies.slipping
         if self._lasts or not (state.drive.slice.any() or held_back.any()):
             return _NOBODY
-        way_m, speed_mps = state.drive.slice * self._lever, state.drive.axes.speed * self._lever
-        battery = state.battery
+        held_back = held_back[self._rows]
+        way_m = take(state.drive.slice, self._rows) * self._lever
+        speed_mps = take(state.drive.axes.speed, self._rows) * self._lever
+        battery = motors_of(state)
         faster = np.maximum(speed_mps * speed_mps - battery.speed_mps * battery.speed_mps, 0.0)
         work_j = self._friction_n * np.abs(way_m) + self._mass_kg * (faster / 2)
         battery.moved_j += work_j.sum(axis=1) * self._per_work
         battery.moved_j += self._stall_w * (timestep_s * held_back)
         battery.speed_mps = speed_mps
-        return np.flatnonzero(way_m.any(axis=1) | held_back)
+        return np.asarray(self._robots[way_m.any(axis=1) | held_back])
 
     def empty(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> BoolArray:
         """Return which robots' motor batteries are empty, shape (k,)."""
         if self._lasts:
             return np.zeros(len(rows), dtype=np.bool_)
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
-        charge = self._motors.charge(kinds, for_s, state.battery.moved_j[rows])
+        charge = self._motors.charge(kinds, for_s, self._moved_j(state, rows))
         return np.asarray(charge < self._least_charge[rows])
 
     def left(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> FloatArray:
         """Return the state of charge of computers' and motors' batteries, 0 to 1, (k, 2)."""
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
-        moved_j = state.battery.moved_j[rows]
+        moved_j = self._moved_j(state, rows)
         return np.column_stack(
             [self._computers.charge(kinds, for_s, 0.0), self._motors.charge(kinds, for_s, moved_j)]
         )
@@ -112,7 +123,7 @@ class Batteries:
             raise ValueError("the motor battery is unlimited")
         for_s = at_s - float(state.presence.joined_s[robot])
         used_j = (motors.start[kind] - share) * motors.capacity_j[kind]
-        state.battery.moved_j[robot] = used_j - motors.power_w[kind] * for_s
+        motors_of(state).moved_j[self._number[robot]] = used_j - motors.power_w[kind] * for_s
 
     def voltage_bytes(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
@@ -121,7 +132,7 @@ class Batteries:
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
         charges = (
             self._computers.charge(kinds, for_s, 0.0),
-            self._motors.charge(kinds, for_s, state.battery.moved_j[rows]),
+            self._motors.charge(kinds, for_s, self._moved_j(state, rows)),
         )
         supplies = (self._computers, self._motors)
         pairs = list(zip(supplies, charges, strict=True))
@@ -139,9 +150,13 @@ class Batteries:
         if not asks.any():
             return None
         for_s = at_s - state.presence.joined_s[rows]
-        charge = self._motors.charge(self._kind[rows], for_s, state.battery.moved_j[rows])
+        charge = self._motors.charge(self._kind[rows], for_s, self._moved_j(state, rows))
         level = np.minimum((charge * _LEVELS).astype(np.int32), _LEVELS - 1)
         return np.asarray(np.where(asks, level << 2, 0))
+
+    def _moved_j(self, state: EnvState, rows: IndexArray) -> FloatArray | float:
+        """Return the energy used for moving; any number for robots without a battery."""
+        return 0.0 if self._lasts else motors_of(state).moved_j[self._number[rows]]
 
 
 def _levers(model: RobotModel) -> tuple[float, float, float]:
@@ -158,7 +173,7 @@ def _moved_kg(model: RobotModel) -> float:
 class _Supply:
     """One battery of each kind of robot."""
 
-    def __init__(self, batteries: list[Battery], factor: float) -> None:
+    def __init__(self, batteries: Sequence[Battery], factor: float) -> None:
         self.start = np.array([battery.charge for battery in batteries])
         self.power_w = np.array([battery.power_w for battery in batteries])
         self.capacity_j = np.array([battery.capacity_j for battery in batteries])
@@ -204,8 +219,7 @@ def _bytes(curve_v: tuple[float, ...], factor: float) -> Int32Array:
 def _least_charge(battery: MotorBattery) -> float:
     """Return the smallest charge whose voltage is not below the cut-off; above 1 for none.
 
-    >>> from crs_cc.sim.model.sensors import MotorBattery
-    >>> _least_charge(MotorBattery(curve_v=(10.0, 12.0), cutoff_v=10.5))
+    >>> _least_charge(MotorBattery(capacity_j=1.0, curve_v=(10.0, 12.0), cutoff_v=10.5))
     0.25
     """
     charges = np.arange(_STEPS + 1) / _STEPS

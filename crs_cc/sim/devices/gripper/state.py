@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray
-from crs_cc.sim.model.world import WorldModel
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.gripper.model import Gripper
+    from crs_cc.sim.state.env_state import EnvState
 
 
 @dataclass(slots=True)
 class GripperState:
     """The grippers; arrays have a row for each robot with a gripper, n of them.
+
+    What they hold is in `state.bodies`.
 
     Attributes:
         from_m: distance between the fingers at the last command to open or close, (n,).
@@ -30,9 +36,13 @@ class GripperState:
     width_m: FloatArray
 
     @classmethod
-    def at_start(cls, world: WorldModel) -> Self:
+    def at_start(cls, grippers: Sequence[Gripper]) -> Self:
         """Return open grippers."""
-        found = [gripper for robot in world.robots if (gripper := robot.model.gripper) is not None]
-        open_m = np.array([gripper.opening_m for gripper in found], dtype=np.float64)
-        nothing, no = np.zeros(len(found)), np.zeros(len(found), dtype=np.bool_)
+        open_m = np.array([gripper.opening_m for gripper in grippers], dtype=np.float64)
+        nothing, no = np.zeros(len(grippers)), np.zeros(len(grippers), dtype=np.bool_)
         return cls(open_m, nothing, no, open_m.copy(), nothing.copy())
+
+
+def gripper_of(state: EnvState) -> GripperState:
+    """Return the state of the grippers."""
+    return state.device("gripper", GripperState)

@@ -1,0 +1,68 @@
+"""Constants of batteries."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.core.quantity import ENERGY, FORCE, POWER, VOLTAGE
+from crs_cc.sim.model.attribute import SHARE, Choice, Voltages, attribute
+
+_MOST_STEPS: Final = 64
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Battery:
+    """A battery and its load.
+
+    Attributes:
+        capacity_j: energy when full; infinite for one that is never empty.
+        charge: state of charge at the start, 0 to 1.
+        power_w: constant load.
+        curve_v: voltage at equally spaced states of charge from empty to full.
+    """
+
+    capacity_j: float = attribute(
+        "capacity", ENERGY, None, "Energy when fully charged.", positive=True
+    )
+    charge: float = attribute("charge", SHARE, "1", "Initial state of charge, as a fraction.")
+    power_w: float = attribute("power", POWER, "0W", "Constant power consumption.")
+    curve_v: tuple[float, ...] = attribute(
+        "curve", Voltages(_MOST_STEPS), None,
+        "Voltages from empty to full, at equal steps of charge, linearly interpolated.",
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MotorBattery(Battery):
+    """The battery of the motors: a `Battery` with the load of the drive.
+
+    Attributes:
+        friction_n: rolling resistance of a turning wheel.
+        efficiency: efficiency of the drive.
+        stall_w: additional load while the robot is blocked.
+        cutoff_v: voltage below which the motors have no force.
+        is_in_status: whether bits 2 and 3 of the motors' status report its charge.
+    """
+
+    friction_n: float = attribute("friction", FORCE, "0N", "Friction of a turning wheel.")
+    efficiency: float = attribute(
+        "efficiency", SHARE, "1",
+        "Fraction of the energy for friction and acceleration that reaches the wheels.",
+    )  # fmt: skip
+    stall_w: float = attribute("stall", POWER, "0W", "Additional power while the robot is blocked.")
+    cutoff_v: float = attribute(
+        "cutoff", VOLTAGE, "0V", "Voltage below which the motors have no force."
+    )
+    is_in_status: bool = attribute(
+        "in-status", Choice((("yes", True), ("no", False))), "no",
+        "Whether bits 2 and 3 of State[41] report the charge: 0 low, 1 medium, 2 high.",
+    )  # fmt: skip
+
+
+ENDLESS: Final = Battery(capacity_j=math.inf, curve_v=(12.0,))
+"""The supply of computers without a battery."""
+
+ENDLESS_MOTORS: Final = MotorBattery(capacity_j=math.inf, curve_v=(12.0,))
+"""The supply of motors without a battery."""
