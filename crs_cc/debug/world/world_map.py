@@ -196,8 +196,8 @@ class WorldMap:
 
     def _things(self, outlines: Outlines) -> None:
         """Draw objects with outlines, except robots; walls are filled."""
-        things, robots = self._environment.things, len(self._environment.world.robots)
-        is_wall = np.array([isinstance(thing, Wall) for thing in things], np.bool_)
+        objects, robots = self._environment.objects, len(self._environment.world.robots)
+        is_wall = np.array([isinstance(thing, Wall) for thing in objects], np.bool_)
         starts, ends = (self.view.dots(outlines.segments[:, 2 * n : 2 * n + 2]) for n in (0, 1))
         lines, owners = np.concatenate([starts, ends], axis=1), outlines.segment_owners
         walls, others = np.flatnonzero(is_wall[owners]), np.flatnonzero(~is_wall[owners])
@@ -211,8 +211,8 @@ class WorldMap:
         self._canvas.circles(circles, self._styles(outlines.owners[round_]), _THINGS)
 
     def _styles(self, owners: IndexArray) -> list[str]:
-        things = self._environment.things
-        return [_style(things[owner]) for owner in owners.tolist()]
+        objects = self._environment.objects
+        return [_style(objects[owner]) for owner in owners.tolist()]
 
     def _lamps(self) -> None:
         for sign, x_m, y_m in _sources(self._environment):

@@ -89,10 +89,10 @@ class ChannelModel:
         seen = np.flatnonzero((fate == Fate.DELIVERED) & (channels.walls[channel] < 1.0))
         if len(seen):
             bodies = state.bodies
-            things = self._sight.between(
+            objects = self._sight.between(
                 bodies.position_m, bodies.angle_rad, start[seen], end[seen]
             )
-            reach_m = range_m[seen] * channels.walls[channel[seen]] ** things
+            reach_m = range_m[seen] * channels.walls[channel[seen]] ** objects
             fate[seen[distance_m[seen] > reach_m]] = Fate.BLOCKED
         self._lose(state, packets, packet, receiver, fate)
         lost = fate != Fate.DELIVERED

@@ -122,14 +122,14 @@ class RayCaster:
             the distances, and the objects as in `Scene.names`, `NO_THING` where nothing is within
             range, both of shape (k, beams).
         """
-        thing = np.empty((len(poses), len(fan)), dtype=np.intp)
+        obj = np.empty((len(poses), len(fan)), dtype=np.intp)
         prospect = self.prospect(state, fan.z_m, 0.0)
-        distance_m = nearest(fan, poses, prospect, own=own, things=thing)
-        covers = np.full_like(thing, NO_THING)
+        distance_m = nearest(fan, poses, prospect, own=own, objects=obj)
+        covers = np.full_like(obj, NO_THING)
         covered = self._pieces.cover(fan, poses, covers)
         if self._outlook is not None:
             covered &= self._outlook.at(fan.z_m).tops_above(poses, covers)
             under = self._outlook.under_ground(fan.z_m, poses, fan.start, fan.order)
             covers[under], covered = self._outlook.ground, covered | under
-        distance_m[covered], thing[covered] = 0.0, covers[covered]
-        return distance_m, thing
+        distance_m[covered], obj[covered] = 0.0, covers[covered]
+        return distance_m, obj

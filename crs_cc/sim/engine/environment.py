@@ -194,9 +194,9 @@ class Environment:
         return self._data.pushables
 
     @property
-    def things(self) -> tuple[Robot | Solid, ...]:
+    def objects(self) -> tuple[Robot | Solid, ...]:
         """All objects in the order of their names; the ground has a name only."""
-        return self._data.constants.scene.things
+        return self._data.constants.scene.objects
 
     def outlines(self) -> tuple[Outlines, Outlines]:
         """Return the outlines of what never moves, and of the bodies where they are now."""

@@ -71,12 +71,12 @@ class Timetable:
         joined = []
         for robot in np.flatnonzero(due).tolist():
             wanted = self._robots[robot]
-            thing = in_the_way(state, constants, wanted.start, wanted.model.radius_m)
-            if not thing:
+            obj = in_the_way(state, constants, wanted.start, wanted.model.radius_m)
+            if not obj:
                 join(state, constants, robot, now_s, log)
                 joined.append(robot)
             elif now_s - self._join_s[robot] < self._timestep_s - ROUNDING_S:
-                log.say(now_s, "join", f"had to wait: place occupied by {thing}", robot)
+                log.say(now_s, "join", f"had to wait: place occupied by {obj}", robot)
         return np.array(joined, dtype=np.intp)
 
 
@@ -128,13 +128,13 @@ def in_the_way(
         and area.y_min_m + reach_m <= place.y_m <= area.y_max_m - reach_m
     ):
         return EDGE
-    things, robots = constants.shapes, len(state.presence.present)
-    there = np.ones(len(things.margin_m), dtype=np.bool_)
+    objects, robots = constants.shapes, len(state.presence.present)
+    there = np.ones(len(objects.margin_m), dtype=np.bool_)
     there[:robots] = state.presence.present
     there[robot if robot >= 0 else slice(0)] = False
     others = np.flatnonzero(there)
     x_m, y_m = np.full((2, len(others)), [[place.x_m], [place.y_m]])
-    distance_m = things.distance_m(things.poses(state.bodies), others, x_m, y_m)
+    distance_m = objects.distance_m(objects.poses(state.bodies), others, x_m, y_m)
     near = others[distance_m < reach_m]
     return f"'{constants.scene.names[near[0]]}'" if len(near) else ""
 

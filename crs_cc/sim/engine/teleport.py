@@ -64,8 +64,8 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
         the name of what it would overlap; empty if it was moved.
     """
     radius_m = float(constants.radius_m[robot])
-    if thing := in_the_way(state, constants, place, radius_m, robot):
-        return thing
+    if obj := in_the_way(state, constants, place, radius_m, robot):
+        return obj
     turn_rad = place.heading_rad - float(state.heading_rad[robot])
     base_rad = float(state.base_rad[robot]) + turn_rad
     turret_rad = float(state.drive.turret_rad[robot]) + turn_rad
@@ -73,7 +73,7 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
     return ""
 
 
-def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
+def carry_object(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
     """Move a pushable object to a pose, if the place is free.
 
     Args:
@@ -85,8 +85,8 @@ def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Po
     Returns:
         the name of what it would overlap; empty if it was moved.
     """
-    thing = constants.scene.pushables[body - constants.scene.robots]
-    if wrong := _obstacle(state, constants, body, replace(thing, pose=place)):
+    obj = constants.scene.pushables[body - constants.scene.robots]
+    if wrong := _obstacle(state, constants, body, replace(obj, pose=place)):
         return wrong
     bodies = state.bodies
     bodies.position_m[body] = place.x_m, place.y_m
@@ -99,45 +99,45 @@ def carry_thing(state: EnvState, constants: RobotConstants, body: int, place: Po
 
 def _part(state: EnvState, constants: RobotConstants, body: int) -> None:
     """Forget the contacts of a body at its former pose."""
-    robot, thing = np.divmod(state.contacts_before, len(constants.scene.names))
-    state.contacts_before = state.contacts_before[(robot != body) & (thing != body)]
+    robot, obj = np.divmod(state.contacts_before, len(constants.scene.names))
+    state.contacts_before = state.contacts_before[(robot != body) & (obj != body)]
 
 
 def _obstacle(state: EnvState, constants: RobotConstants, body: int, wanted: Thing) -> str:
     """Return the name of what an object would overlap; empty for nothing."""
-    things, area, scene = constants.shapes, constants.world.area, constants.scene
+    objects, area, scene = constants.shapes, constants.world.area, constants.scene
     low, high = _extent_m(wanted)
     if (low < np.array([area.x_min_m, area.y_min_m]) - TOLERANCE_M).any():
         return EDGE
     if (high > np.array([area.x_max_m, area.y_max_m]) + TOLERANCE_M).any():
         return EDGE
-    poses = things.poses(state.bodies)
+    poses = objects.poses(state.bodies)
     others = np.flatnonzero(np.arange(len(poses)) != body)
     x_m, y_m = np.full((2, len(others)), [[wanted.pose.x_m], [wanted.pose.y_m]])
-    near = others[things.distance_m(poses, others, x_m, y_m) < things.reach_m[body]]
+    near = others[objects.distance_m(poses, others, x_m, y_m) < objects.reach_m[body]]
     for number in near.tolist():
         if number < scene.robots and not state.presence.present[number]:
             continue
-        other = _standing(scene.things[number], poses[number])
+        other = _standing(scene.objects[number], poses[number])
         if overlap_m(wanted, other) > TOLERANCE_M:
             return f"'{scene.names[number]}'"
     return ""
 
 
-def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
+def _standing(obj: Robot | Solid, pose: FloatArray) -> Solid:
     """Return an object at its pose; for a robot its cylinder."""
-    if isinstance(thing, Wall):
-        return thing
+    if isinstance(obj, Wall):
+        return obj
     place = Pose(*pose.tolist())
-    if isinstance(thing, Robot):
-        return Cylinder(thing.id, place, thing.model.radius_m)
-    return replace(thing, pose=place)
+    if isinstance(obj, Robot):
+        return Cylinder(obj.id, place, obj.model.radius_m)
+    return replace(obj, pose=place)
 
 
-def _extent_m(thing: Thing) -> FloatArray:
+def _extent_m(obj: Thing) -> FloatArray:
     """Return the lower left and the upper right corner of an object's bounding box, (2, 2)."""
-    if isinstance(thing, Cylinder):
-        middle = np.array([thing.pose.x_m, thing.pose.y_m])
-        return np.array([middle - thing.radius_m, middle + thing.radius_m])
-    corners = corners_m(thing)
+    if isinstance(obj, Cylinder):
+        middle = np.array([obj.pose.x_m, obj.pose.y_m])
+        return np.array([middle - obj.radius_m, middle + obj.radius_m])
+    corners = corners_m(obj)
     return np.array([corners.min(axis=0), corners.max(axis=0)])

@@ -37,7 +37,7 @@ from crs_cc.sim.engine.device_board import DeviceBoard
 from crs_cc.sim.engine.handlers import handlers_of, waits_of
 from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.engine.step import Served
-from crs_cc.sim.engine.teleport import carry_robot, carry_thing
+from crs_cc.sim.engine.teleport import carry_object, carry_robot
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.world import Pose, Robot, WorldModel
@@ -146,8 +146,8 @@ class WorldData:
         """
         wrong = complaint(robot, self.names, self.time_s)
         if not wrong and robot.join_s <= self.time_s:
-            thing = in_the_way(self.state, self.constants, robot.start, robot.model.radius_m)
-            wrong = f"it would overlap {thing}" if thing else ""
+            obj = in_the_way(self.state, self.constants, robot.start, robot.model.radius_m)
+            wrong = f"it would overlap {obj}" if obj else ""
         if wrong:
             raise ValueError(f"robot {robot.id!r} cannot join: {wrong}")
         world = replace(self.world, robots=(*self.world.robots, robot))
@@ -192,13 +192,13 @@ class WorldData:
         number = self.names.index(name) if name in self.names else -1
         if number in range(len(self.world.robots)):
             self._demand_presence(number)
-            thing = carry_robot(self.state, self.constants, number, place)
+            obj = carry_robot(self.state, self.constants, number, place)
         else:
             if wrong := self._immovable(name):
                 raise ValueError(wrong)
-            thing = carry_thing(self.state, self.constants, number, place)
-        if thing:
-            raise ValueError(f"cannot move {name!r}: it would overlap {thing}")
+            obj = carry_object(self.state, self.constants, number, place)
+        if obj:
+            raise ValueError(f"cannot move {name!r}: it would overlap {obj}")
         self.refurnish(moved=True)
 
     def take_away(self, name: str) -> None:

@@ -19,7 +19,7 @@ from typing import Final
 from crs_cc.core.quantity import MASS
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.files.object_ids import name_things
+from crs_cc.sim.files.object_ids import name_objects
 from crs_cc.sim.files.solid_elements import SolidElements, pose
 from crs_cc.sim.model.mass_properties import floor_m2
 from crs_cc.sim.model.world import Pose, Solid, Wall
@@ -75,16 +75,16 @@ class CompositeElements:
     def _with_mass(self, element: Element, parts: Sequence[Solid]) -> tuple[Solid, ...]:
         """Return the parts of a movable object, each with its share of the mass."""
         mass_kg = self._reader.positive(element, "mass", MASS)
-        things = [part for part in parts if not isinstance(part, Wall)]
+        objects = [part for part in parts if not isinstance(part, Wall)]
         if self._open:
             self._reader.refuse(element, "mass: not allowed on an object inside a definition")
-        elif len(things) < len(parts):
+        elif len(objects) < len(parts):
             self._reader.refuse(element, "mass: an object that contains walls cannot be movable")
-        whole_m2 = sum(map(floor_m2, things))
+        whole_m2 = sum(map(floor_m2, objects))
         name = element.attributes["id"]
         return tuple(
-            replace(thing, mass_kg=mass_kg * floor_m2(thing) / whole_m2, part_of=name)
-            for thing in things
+            replace(obj, mass_kg=mass_kg * floor_m2(obj) / whole_m2, part_of=name)
+            for obj in objects
         )
 
     def _read(self, name: str) -> tuple[Solid, ...]:
@@ -92,7 +92,7 @@ class CompositeElements:
         if name in self._parts:
             return self._parts[name]
         definition = self._elements[name]
-        name_things(definition.children, self._reader)
+        name_objects(definition.children, self._reader)
         self._open.append(name)
         parts = [part for child in definition.children for part in self._part(child)]
         self._open.pop()

@@ -31,7 +31,7 @@ def complaint(name: str) -> str:
     return ""
 
 
-def name_things(elements: Sequence[Element], reader: Reader) -> None:
+def name_objects(elements: Sequence[Element], reader: Reader) -> None:
     """Set default ids, and report ids that are invalid or used twice."""
     used: dict[str, Element] = {}
     counts: dict[str, int] = {}

@@ -20,9 +20,9 @@ from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
 from crs_cc.sim.files.map_elements import map_boxes
 from crs_cc.sim.files.material_elements import Materials
-from crs_cc.sim.files.object_ids import check_parts, name_things
+from crs_cc.sim.files.object_ids import check_parts, name_objects
 from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements, pose, spread
-from crs_cc.sim.geometry.placement import misplaced, overlapping_things
+from crs_cc.sim.geometry.placement import misplaced, overlapping_objects
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
 
@@ -52,13 +52,13 @@ def world_model(
     if len(root.children) > MAX_THINGS:
         reader.error(root, f"more than {MAX_THINGS} objects")
         root.children = root.children[:1]
-    name_things(root.children, reader)
+    name_objects(root.children, reader)
     definitions = included.definitions(root)
     materials = Materials((each for each in definitions if each.tag == "material"), reader)
     area = _area(root.first("area"), reader, materials)
     solids = SolidElements(reader, materials)
     composites = CompositeElements((e for e in definitions if e.tag == "define"), solids)
-    things = _things(root, included.folder, area, solids, composites)
+    objects = _objects(root, included.folder, area, solids, composites)
     robots = [
         Robot(
             element.attributes["id"],
@@ -89,12 +89,12 @@ def world_model(
         ),
         communication=communication(root, [robot.id for robot in robots], reader),
     )
-    world = _with(world, things)
-    _check(world, root, {solid.id: element for element, solid in things}, reader)
+    world = _with(world, objects)
+    _check(world, root, {solid.id: element for element, solid in objects}, reader)
     return world
 
 
-def _things(
+def _objects(
     root: Element,
     folder: Path | None,
     area: Area,
@@ -102,7 +102,7 @@ def _things(
     composites: CompositeElements,
 ) -> list[tuple[Element, Solid]]:
     """Return all walls and objects, each with its element."""
-    things: list[tuple[Element, Solid]] = []
+    objects: list[tuple[Element, Solid]] = []
     for element in root.children:
         parts: Sequence[Solid] = ()
         if element.tag in _SIMPLE:
@@ -111,20 +111,20 @@ def _things(
             parts = composites.parts(element)
         elif element.tag == "map":
             parts = map_boxes(element, folder, area, solids)
-        things += [(element, part) for part in parts]
-        if len(things) > MAX_THINGS:
+        objects += [(element, part) for part in parts]
+        if len(objects) > MAX_THINGS:
             solids.reader.error(element, f"more than {MAX_THINGS} objects")
             return []
-    composed = [(element, part.id) for element, part in things if element.tag not in _SIMPLE]
+    composed = [(element, part.id) for element, part in objects if element.tag not in _SIMPLE]
     check_parts(
         composed, [element.attributes.get("id", "") for element in root.children], solids.reader
     )
-    return things
+    return objects
 
 
-def _with(world: WorldModel, things: Sequence[tuple[Element, Solid]]) -> WorldModel:
+def _with(world: WorldModel, objects: Sequence[tuple[Element, Solid]]) -> WorldModel:
     """Return a world with objects added, except those with invalid values."""
-    solids = [solid for element, solid in things if not element.broken]
+    solids = [solid for element, solid in objects if not element.broken]
     return replace(
         world,
         walls=tuple(solid for solid in solids if isinstance(solid, Wall)),
@@ -134,13 +134,15 @@ def _with(world: WorldModel, things: Sequence[tuple[Element, Solid]]) -> WorldMo
     )
 
 
-def _check(world: WorldModel, root: Element, things: Mapping[str, Element], reader: Reader) -> None:
+def _check(
+    world: WorldModel, root: Element, objects: Mapping[str, Element], reader: Reader
+) -> None:
     """Report errors that concern the whole world, as far as its values are valid.
 
     Args:
         world: the world.
         root: the root element.
-        things: the element of each object, by its id.
+        objects: the element of each object, by its id.
         reader: receives the errors.
     """
     if not world.robots:
@@ -152,8 +154,8 @@ def _check(world: WorldModel, root: Element, things: Mapping[str, Element], read
     elements = [element for element, _ in pairs if not element.broken]
     for robot, wrong in misplaced(readable, MAX_MESSAGES + 1):
         reader.error(elements[robot], wrong)
-    for thing, wrong in islice(overlapping_things(world), MAX_MESSAGES + 1):
-        reader.error(things.get(thing, root), wrong)
+    for obj, wrong in islice(overlapping_objects(world), MAX_MESSAGES + 1):
+        reader.error(objects.get(obj, root), wrong)
 
 
 def _area(element: Element, reader: Reader, materials: Materials) -> Area:

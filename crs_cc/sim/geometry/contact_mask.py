@@ -51,8 +51,8 @@ class Pieces:
         fixed = [piece for solid in scene.fixed_solids for piece in _pieces(solid)]
         moving = [
             (body, piece)
-            for body, thing in enumerate(scene.pushables, scene.robots)
-            for piece in _pieces(thing)
+            for body, obj in enumerate(scene.pushables, scene.robots)
+            for piece in _pieces(obj)
         ]
         pieces = [*fixed, *(piece for _, piece in moving)]
         self._fixed = len(fixed)
@@ -60,7 +60,7 @@ class Pieces:
         first = scene.robots + len(scene.pushables)
         solids = enumerate(scene.fixed_solids, first)
         owners = [number for number, solid in solids for _ in _pieces(solid)]
-        self._things = np.concatenate([np.array(owners, dtype=np.intp), self._bodies])
+        self._objects = np.concatenate([np.array(owners, dtype=np.intp), self._bodies])
         self._own_middle = np.array([piece.middle for piece in pieces], dtype=np.complex128)
         self._own_along = np.array([piece.along for piece in pieces], dtype=np.complex128)
         place = np.array([piece.place for piece in pieces], dtype=np.complex128)
@@ -85,13 +85,13 @@ class Pieces:
         self._along[self._fixed :] = facing * self._own_along[self._fixed :]
         self._cells = None
 
-    def cover(self, fan: Fan, poses: FloatArray, things: IndexArray | None = None) -> BoolArray:
+    def cover(self, fan: Fan, poses: FloatArray, objects: IndexArray | None = None) -> BoolArray:
         """Return which beams of each robot start on or inside an object.
 
         Args:
             fan: the robots' beams.
             poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-            things: receives the objects that those beams start in, as in `Scene.names`, shape
+            objects: receives the objects that those beams start in, as in `Scene.names`, shape
                 (k, beams); None if they are not needed.
 
         Returns:
@@ -100,12 +100,12 @@ class Pieces:
         covered = np.zeros((len(poses), len(fan)), dtype=np.bool_)
         place = poses[:, 0] + 1j * poses[:, 1]
         for part in self._blocks(place):
-            hit = None if things is None else things[part]
+            hit = None if objects is None else objects[part]
             self._cover(fan, poses[part], covered[part], hit)
         return covered
 
     def _cover(
-        self, fan: Fan, poses: FloatArray, covered: BoolArray, things: IndexArray | None
+        self, fan: Fan, poses: FloatArray, covered: BoolArray, objects: IndexArray | None
     ) -> None:
         """Mark the beams that start on or inside an object, see `cover`."""
         place = poses[:, 0] + 1j * poses[:, 1]
@@ -124,8 +124,8 @@ class Pieces:
             left = self._left_of_slants(starts[pairs, beams], shapes[part].take(pairs))
             pairs, beams = pairs[left] + part.start, fan.order.take(beams[left])
             covered[robots.take(pairs), beams] = True
-            if things is not None:
-                things[robots.take(pairs), beams] = self._things[shapes.take(pairs)]
+            if objects is not None:
+                objects[robots.take(pairs), beams] = self._objects[shapes.take(pairs)]
 
     def _within(self, local: ComplexArray, shapes: IndexArray, margin_m: float) -> BoolArray:
         along = np.abs(local.real) <= self._half_length_m.take(shapes) + margin_m
@@ -138,7 +138,7 @@ class Pieces:
 
     def _blocks(self, place: ComplexArray) -> Iterator[slice]:
         """Yield parts of the robots whose pairs are few enough to be listed."""
-        counts = np.full(len(place), len(self._things))
+        counts = np.full(len(place), len(self._objects))
         if counts.sum() > cell_list.PAIRS_IN_BLOCK:
             counts = self._grid.counts(place)
             if len(self._bodies):

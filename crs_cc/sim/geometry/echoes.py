@@ -178,7 +178,7 @@ def first_echo(
         obstacles: the obstacles.
         voices: further targets, heard if they are in the beam and nothing hides them.
         hushed: the distance at which each object, as in `Scene.names`, is heard, relative to that
-            of a hard one, (things,); None if all are hard.
+            of a hard one, (objects,); None if all are hard.
 
     Returns:
         distances from the transducers [m], infinite without an echo, shape (k,).
@@ -348,7 +348,7 @@ def _faces(
     kept = kept[np.argsort(ping[kept], kind="stable")]
     share = np.ones(len(kept))
     if hushed is not None:
-        share = hushed[obstacles.segment_things(pings.place)[kept]]
+        share = hushed[obstacles.segment_objects(pings.place)[kept]]
     return _Faces(ping[kept], a[kept], b[kept] - a[kept], -behind_m[kept], share), pierced
 
 
@@ -368,7 +368,7 @@ def _rounds(
     kept = kept[np.argsort(ping[kept], kind="stable")]
     share = np.ones(len(kept))
     if hushed is not None:
-        share = hushed[obstacles.circle_things(pings.place, pings.own)[kept]]
+        share = hushed[obstacles.circle_objects(pings.place, pings.own)[kept]]
     return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
 
 

@@ -93,7 +93,7 @@ class Outlook:
         self.reach_m = reach_m
         self.ground = len(scene.names) - 1
         self._moving = len(scene.start)
-        self._heights_m = np.array([thing.height_m for thing in scene.things])
+        self._heights_m = np.array([obj.height_m for obj in scene.objects])
         self.tops_m = np.append(self._heights_m, np.inf)
         x_m, y_m = ShapeTable.of(scene).fixed[:, :2].T
         self.tops_m[self._moving : -1] += self.terrain.height_m(x_m, y_m)
@@ -172,11 +172,11 @@ class Level:
         viewers, start, end, length_m = (np.concatenate(pair) for pair in parts)
         return viewers, start, end, length_m
 
-    def segment_things(self, place: ComplexArray) -> IndexArray:
+    def segment_objects(self, place: ComplexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
         _, keep, ground = self._segments(place)
-        things = self.outlook.obstacles.segment_things(place)[keep]
-        return np.concatenate([things, np.full(len(ground[0]), self.outlook.ground, np.intp)])
+        objects = self.outlook.obstacles.segment_objects(place)[keep]
+        return np.concatenate([objects, np.full(len(ground[0]), self.outlook.ground, np.intp)])
 
     def circles_near(
         self, place: ComplexArray, own: IndexArray
@@ -185,15 +185,15 @@ class Level:
         (viewers, middle, radius_m), keep = self._circles(place, own)
         return viewers[keep], middle[keep], radius_m[keep]
 
-    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+    def circle_objects(self, place: ComplexArray, own: IndexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `circles_near`."""
         _, keep = self._circles(place, own)
-        return self.outlook.obstacles.circle_things(place, own)[keep]
+        return self.outlook.obstacles.circle_objects(place, own)[keep]
 
-    def tops_above(self, poses: FloatArray, things: IndexArray) -> BoolArray:
+    def tops_above(self, poses: FloatArray, objects: IndexArray) -> BoolArray:
         """Return which objects, one for each pose and beam, reach the beams that start there."""
         plane_m, _ = self.outlook.plane(poses[:, 0] + 1j * poses[:, 1])
-        return np.asarray(self.outlook.tops_m[things] > (plane_m + self.z_m)[:, None])
+        return np.asarray(self.outlook.tops_m[objects] > (plane_m + self.z_m)[:, None])
 
     def _segments(self, place: ComplexArray) -> tuple[Segments, BoolArray, Segments]:
         obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
@@ -201,7 +201,7 @@ class Level:
         away, along = start - place.take(viewers), end - start
         share = segment.nearest_share(-away.real, -away.imag, along.real, along.imag)
         foot = away + share * along
-        keep = self._is_high(plane, viewers, foot, obstacles.segment_things(place))
+        keep = self._is_high(plane, viewers, foot, obstacles.segment_objects(place))
         return (viewers, start, end, length_m), keep, self._ground(place, plane)
 
     def _circles(
@@ -212,18 +212,18 @@ class Level:
         away = middle - place.take(viewers)
         away_m = np.maximum(np.abs(away), _ON_M)
         front = away * np.maximum(1.0 - radius_m / away_m, 0.0)
-        keep = self._is_high(plane, viewers, front, obstacles.circle_things(place, own))
+        keep = self._is_high(plane, viewers, front, obstacles.circle_objects(place, own))
         return (viewers, middle, radius_m), keep
 
     def _is_high(
         self, plane: tuple[FloatArray, ComplexArray], viewers: IndexArray, near: ComplexArray,
-        things: IndexArray,
+        objects: IndexArray,
     ) -> BoolArray:  # fmt: skip
         """Return which objects are above the lower sides of beams at their nearest points."""
         ground_m, rise = plane
         beam_m = ground_m.take(viewers) + (rise.conj().take(viewers) * near).real
         beam_m += self._above(viewers, np.abs(near))
-        return np.asarray(self.outlook.tops_m.take(things) > beam_m)
+        return np.asarray(self.outlook.tops_m.take(objects) > beam_m)
 
     def _above(self, viewers: IndexArray, away_m: FloatArray) -> FloatArray:
         """Return the height of the lower sides of beams above the viewers' ground."""
@@ -290,4 +290,4 @@ def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segm
 
 def is_needed(scene: Scene) -> bool:
     """Return whether heights matter: whether an object is low or the ground is not flat."""
-    return not scene.world.surface.is_flat or any(thing.height_m < TALL_M for thing in scene.things)
+    return not scene.world.surface.is_flat or any(obj.height_m < TALL_M for obj in scene.objects)

@@ -59,7 +59,7 @@ class Ledges:
         models = [robot.model for robot in scene.world.robots]
         self._terrain = terrain
         self._feet = [_round_feet(model.radius_m) for model in models]
-        self._feet += [_feet(thing) for thing in scene.pushables]
+        self._feet += [_feet(obj) for obj in scene.pushables]
         self._step_m = [model.drive.step_m for model in models] + [STEP_M] * len(scene.pushables)
         self._climb = [math.tan(model.drive.climb_rad) for model in models]
         self._climb += [CLIMB] * len(scene.pushables)
@@ -120,11 +120,11 @@ def _round_feet(radius_m: float) -> ComplexArray:
     return np.append(_CIRCLE * max(radius_m - RIM_M, 0.0), 0.0)
 
 
-def _feet(thing: Thing) -> ComplexArray:
+def _feet(obj: Thing) -> ComplexArray:
     """Return the centre and the corners of an object, moved inwards by the rim."""
-    if isinstance(thing, Cylinder):
-        return _round_feet(thing.radius_m)
-    corners = own_corners_m(thing)
+    if isinstance(obj, Cylinder):
+        return _round_feet(obj.radius_m)
+    corners = own_corners_m(obj)
     feet = corners[:, 0] + 1j * corners[:, 1]
     feet *= np.maximum(1.0 - math.sqrt(2.0) * RIM_M / np.maximum(np.abs(feet), 1e-9), 0.0)
     return np.append(feet, 0.0)

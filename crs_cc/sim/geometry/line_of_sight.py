@@ -79,11 +79,11 @@ class Sight:
             _meet_segments(a, step, *_near(middle, moving.segments), moving.segments),
             _meet_circles(a, step, *_near(middle, circles), circles),
         ]
-        things = (fixed.segment_owners, fixed.owners, moving.segment_owners, owners)
+        objects = (fixed.segment_owners, fixed.owners, moving.segment_owners, owners)
         width = len(self._scene.names) + 1
         keys = [
-            line[piece] * width + thing[shape]
-            for (piece, shape), thing in zip(met, things, strict=True)
+            line[piece] * width + obj[shape]
+            for (piece, shape), obj in zip(met, objects, strict=True)
         ]
         return np.bincount(np.unique(np.concatenate(keys)) // width, minlength=len(start))
 

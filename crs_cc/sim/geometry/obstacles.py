@@ -124,14 +124,14 @@ class Obstacles:
         middle, radius_m = (np.concatenate(pair) for pair in zip(fixed, moving, strict=True))
         return np.concatenate([robots, others]), middle, radius_m
 
-    def segment_things(self, place: ComplexArray) -> IndexArray:
+    def segment_objects(self, place: ComplexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
         _, shapes = self._segment_grid.near(place)
         _, movers = self._moving_segments(place)
         fixed, moving = self._fixed_owners[1].take(shapes), self._segment_owners.take(movers)
         return np.concatenate([fixed, moving])
 
-    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+    def circle_objects(self, place: ComplexArray, own: IndexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `circles_near`."""
         _, shapes = self._circle_grid.near(place)
         _, movers = self._moving_circles(place, own)

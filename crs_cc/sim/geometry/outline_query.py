@@ -22,7 +22,7 @@ class Prospect(Protocol):
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
         """Return the robots, and both ends and the length [m] of the segments."""
 
-    def segment_things(self, place: ComplexArray) -> IndexArray:
+    def segment_objects(self, place: ComplexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
 
     def circles_near(
@@ -30,5 +30,5 @@ class Prospect(Protocol):
     ) -> tuple[IndexArray, ComplexArray, FloatArray]:
         """Return the robots, and centre and radius [m] of the circles, except their own bodies."""
 
-    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+    def circle_objects(self, place: ComplexArray, own: IndexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `circles_near`."""

@@ -22,11 +22,11 @@ from crs_cc.sim.geometry.scene import convex_parts_of, corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 
-def overlap_m(thing: Solid, other: Solid) -> float:
+def overlap_m(obj: Solid, other: Solid) -> float:
     """Return the depth of overlap of two objects, at most one a wall; negative for a gap [m]."""
     return max(
         margin_m + other_margin_m - _gap_m(part, other_part)
-        for part, margin_m in _convex(thing)
+        for part, margin_m in _convex(obj)
         for other_part, other_margin_m in _convex(other)
     )
 

@@ -54,20 +54,20 @@ def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str
     return list(islice(complaints, most))
 
 
-def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
+def overlapping_objects(world: WorldModel) -> Iterator[tuple[str, str]]:
     """Yield the id of each movable object that overlaps another, and the error message."""
     solids = world.solids()
     pushable = [number for number, solid in enumerate(solids) if is_pushable(solid)]
     if not pushable:
         return
     around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
-    things = around.take(np.array(pushable))
-    for solid_of, thing_of in overlapping(around, things):
+    objects = around.take(np.array(pushable))
+    for solid_of, object_of in overlapping(around, objects):
         for number in np.unique(solid_of).tolist():
-            near, solid = np.sort(thing_of[solid_of == number]), solids[number]
-            room_m = distance_from_m(solid, things.x_m[near], things.y_m[near])
-            for thing in near[room_m < things.radius_m[near]].tolist():
-                other = pushable[thing]
+            near, solid = np.sort(object_of[solid_of == number]), solids[number]
+            room_m = distance_from_m(solid, objects.x_m[near], objects.y_m[near])
+            for obj in near[room_m < objects.radius_m[near]].tolist():
+                other = pushable[obj]
                 first = number < other or not is_pushable(solid)
                 first &= not _together(solid, solids[other])
                 if first and overlap_m(solids[other], solid) > TOLERANCE_M:

@@ -114,7 +114,7 @@ def nearest(
     poses: FloatArray,
     obstacles: Prospect,
     own: IndexArray | None = None,
-    things: IndexArray | None = None,
+    objects: IndexArray | None = None,
 ) -> FloatArray:
     """Return the measured distance of each beam of each robot.
 
@@ -126,7 +126,7 @@ def nearest(
         poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
         obstacles: the outlines.
         own: the number of each robot's own body, which its beams pass through.
-        things: receives the object that each beam hits, as in `Scene.names`, -1 if there is none
+        objects: receives the object that each beam hits, as in `Scene.names`, -1 if there is none
             within range; shape (k, beams). None if they are not needed.
 
     Returns:
@@ -134,7 +134,7 @@ def nearest(
         (k, beams), in the order of the list that the fan was made from.
     """
     found = np.full((len(poses), len(fan)), np.inf)
-    hit = None if things is None else np.full(found.shape, NO_THING, dtype=np.intp)
+    hit = None if objects is None else np.full(found.shape, NO_THING, dtype=np.intp)
     if own is None:
         own = np.full(len(poses), -1, dtype=np.intp)
     for block, outlines in obstacles.blocks(poses[:, 0] + 1j * poses[:, 1]):
@@ -148,9 +148,9 @@ def nearest(
     found[beyond] = np.inf
     given = np.empty_like(found)
     given[:, fan.order] = found
-    if things is not None and hit is not None:
+    if objects is not None and hit is not None:
         hit[beyond] = NO_THING
-        things[:, fan.order] = hit
+        objects[:, fan.order] = hit
     return given
 
 
@@ -159,14 +159,14 @@ class _Hits:
     """Nearest hits of the beams of all robots, in one row: distances and, if needed, objects."""
 
     distance_m: FloatArray
-    thing: IndexArray | None
+    obj: IndexArray | None
 
-    def take(self, beam: IndexArray, distance_m: FloatArray, thing: IndexArray | None) -> None:
+    def take(self, beam: IndexArray, distance_m: FloatArray, obj: IndexArray | None) -> None:
         """Record hits that are nearer than those before."""
         np.minimum.at(self.distance_m, beam, distance_m)
-        if self.thing is not None and thing is not None:
+        if self.obj is not None and obj is not None:
             nearer = np.flatnonzero(distance_m == self.distance_m.take(beam))
-            self.thing[beam.take(nearer)] = thing.take(nearer)
+            self.obj[beam.take(nearer)] = obj.take(nearer)
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,13 +189,13 @@ class _Robots:
 def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -> None:
     """Intersect beams with segments."""
     viewers, a, b, length = obstacles.segments_near(robots.place)
-    things = None if hits.thing is None else obstacles.segment_things(robots.place)
+    objects = None if hits.obj is None else obstacles.segment_objects(robots.place)
     place = robots.place.take(viewers)
     a, b = a - place, b - place
     if len(viewers) * len(fan) > _FEW:
         keep, sectors = _sectors_of_segments(fan, a, b, length)
         viewers, a, b = viewers.take(keep), a.take(keep), b.take(keep)
-        things = None if things is None else things.take(keep)
+        objects = None if objects is None else objects.take(keep)
         starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
@@ -206,7 +206,7 @@ def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -
         start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
         ends = ((end.take(pairs) - start) * backturn for end in (a, b))
         distance_m = _to_segment(fan, beams, *ends)
-        hits.take(numbers, distance_m, None if things is None else things.take(pairs))
+        hits.take(numbers, distance_m, None if objects is None else objects.take(pairs))
 
 
 def _try_circles(
@@ -214,12 +214,12 @@ def _try_circles(
 ) -> None:
     """Intersect beams with circles."""
     viewers, middle, radius = obstacles.circles_near(robots.place, own)
-    things = None if hits.thing is None else obstacles.circle_things(robots.place, own)
+    objects = None if hits.obj is None else obstacles.circle_objects(robots.place, own)
     middle = middle - robots.place.take(viewers)
     if len(viewers) * len(fan) > _FEW:
         keep, sectors = _sectors_of_circles(fan, middle, radius)
         viewers, middle, radius = viewers.take(keep), middle.take(keep), radius.take(keep)
-        things = None if things is None else things.take(keep)
+        objects = None if objects is None else objects.take(keep)
         starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
@@ -229,7 +229,7 @@ def _try_circles(
         numbers = viewers.take(pairs) * len(fan) + beams
         away = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
         distance_m = _to_circle(fan, beams, away, radius.take(pairs))
-        hits.take(numbers, distance_m, None if things is None else things.take(pairs))
+        hits.take(numbers, distance_m, None if objects is None else objects.take(pairs))
 
 
 # -- candidate pairs of beam and shape -------------------------------------------------------------

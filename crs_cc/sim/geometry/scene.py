@@ -70,7 +70,7 @@ class Scene:
         fixed: the outlines of fixed solids.
         pushables: the movable objects, in the order of the bodies.
         fixed_solids: the fixed solids.
-        things: all of them: the robots, movable objects, fixed solids.
+        objects: all of them: the robots, movable objects, fixed solids.
         present: the robots that are in the world; the others are invisible, (robots,).
         names: the id of each object, then `GROUND` if it is not flat.
         start: the initial poses of all bodies, shape (bodies, 3): x, y [m], heading [rad].
@@ -92,18 +92,18 @@ class Scene:
         )
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
         self.fixed = _fixed_outlines(self.fixed_solids, len(world.robots) + len(self.pushables))
-        self.things = (*world.robots, *self.pushables, *self.fixed_solids)
-        ids = [thing.id for thing in self.things]
+        self.objects = (*world.robots, *self.pushables, *self.fixed_solids)
+        ids = [obj.id for obj in self.objects]
         self.names = (*ids,) if world.surface.is_flat else (*ids, GROUND)
-        poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
+        poses = [robot.start for robot in world.robots] + [obj.pose for obj in self.pushables]
         rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]
         self.start = np.array(rows, dtype=np.float64).reshape(-1, 3)
         self._sides = _Sides(enumerate(self.pushables, len(world.robots)))
         round_bodies = np.flatnonzero(self.present).tolist()
         radii = [world.robots[robot].model.radius_m for robot in round_bodies]
-        for body, thing in enumerate(self.pushables, self.robots):
-            if isinstance(thing, Cylinder):
-                radii.append(thing.radius_m)
+        for body, obj in enumerate(self.pushables, self.robots):
+            if isinstance(obj, Cylinder):
+                radii.append(obj.radius_m)
                 round_bodies.append(body)
         self._radii_m = np.array(radii, dtype=np.float64)
         self._round_bodies = np.array(round_bodies, dtype=np.intp)
@@ -128,8 +128,8 @@ class _Sides:
     """
 
     def __init__(self, bodies: Iterable[tuple[int, Thing]]) -> None:
-        pairs = [(body, thing) for body, thing in bodies if not isinstance(thing, Cylinder)]
-        corners = [own_corners_m(thing) for _, thing in pairs]
+        pairs = [(body, obj) for body, obj in bodies if not isinstance(obj, Cylinder)]
+        corners = [own_corners_m(obj) for _, obj in pairs]
         counts = np.array([len(rows) for rows in corners], dtype=np.intp)
         self.bodies = np.repeat(np.array([body for body, _ in pairs], dtype=np.intp), counts)
         self._starts_m = np.concatenate([np.zeros((0, 2)), *corners])
@@ -151,18 +151,18 @@ class _Sides:
         return _with_length(np.concatenate(columns, axis=1))
 
 
-def own_corners_m(thing: Box | Polygon) -> FloatArray:
+def own_corners_m(obj: Box | Polygon) -> FloatArray:
     """Return the corners of an object in its own frame, counter-clockwise, shape (corners, 2)."""
-    if isinstance(thing, Polygon):
-        return np.array(thing.corners_m)
-    x, y = thing.length_m / 2, thing.width_m / 2
+    if isinstance(obj, Polygon):
+        return np.array(obj.corners_m)
+    x, y = obj.length_m / 2, obj.width_m / 2
     return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
 
 
 @lru_cache(maxsize=4096)  # a scene is rebuilt whenever an obstacle is added or removed
-def corners_m(thing: Box | Polygon) -> FloatArray:
+def corners_m(obj: Box | Polygon) -> FloatArray:
     """Return the corners of an object in the world frame, counter-clockwise, shape (corners, 2)."""
-    corners = _sides_of([thing])[0][:, :2]
+    corners = _sides_of([obj])[0][:, :2]
     corners.flags.writeable = False
     return corners
 
@@ -186,7 +186,7 @@ def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
     circles: list[tuple[float, float, float]] = []
     owners: list[int] = []
     segment_owners: list[int] = []
-    things: list[tuple[int, Box | Polygon]] = []
+    objects: list[tuple[int, Box | Polygon]] = []
     for number, solid in enumerate(solids, first):
         if isinstance(solid, Wall):
             segments.append(_wall_segments(solid))
@@ -198,9 +198,9 @@ def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
             circles.append((solid.pose.x_m, solid.pose.y_m, solid.radius_m))
             owners.append(number)
         else:
-            things.append((number, solid))
-    numbers = np.array([number for number, _ in things], dtype=np.intp)
-    sides, rows = _sides_of([thing for _, thing in things])
+            objects.append((number, solid))
+    numbers = np.array([number for number, _ in objects], dtype=np.intp)
+    sides, rows = _sides_of([obj for _, obj in objects])
     return Outlines(
         np.concatenate([*segments, sides]),
         np.array(circles).reshape(-1, 3),
@@ -217,11 +217,11 @@ def _wall_segments(wall: Wall) -> FloatArray:
     return _with_length(np.array(sides))
 
 
-def _sides_of(things: Sequence[Box | Polygon]) -> tuple[FloatArray, IndexArray]:
+def _sides_of(objects: Sequence[Box | Polygon]) -> tuple[FloatArray, IndexArray]:
     """Return the sides of objects in the world frame, and the index of the object of each."""
-    rows = [(thing.pose.x_m, thing.pose.y_m, thing.pose.heading_rad) for thing in things]
+    rows = [(obj.pose.x_m, obj.pose.y_m, obj.pose.heading_rad) for obj in objects]
     poses = np.array(rows).reshape(-1, 3)
-    sides = _Sides(enumerate(things))
+    sides = _Sides(enumerate(objects))
     return sides.segments(poses[:, :2], poses[:, 2]), sides.bodies
 
 

@@ -27,7 +27,7 @@ from crs_cc.sim.model.world import PLAIN
 
 @dataclass(frozen=True, slots=True)
 class Surfaces:
-    """The surfaces of all objects, in the order of `Scene.names`; arrays have shape (things,).
+    """The surfaces of all objects, in the order of `Scene.names`; arrays have shape (objects,).
 
     Attributes:
         colour: the colour, 0xRRGGBB.
@@ -43,8 +43,8 @@ class Surfaces:
     @classmethod
     def of(cls, scene: Scene) -> Self:
         """Return the surfaces of all objects in a scene."""
-        materials = [thing.material for thing in scene.things]
-        materials += [PLAIN] * (len(scene.names) - len(scene.things))  # of the ground
+        materials = [obj.material for obj in scene.objects]
+        materials += [PLAIN] * (len(scene.names) - len(scene.objects))  # of the ground
         sonar = np.array([material.sonar for material in materials], dtype=np.float64)
         shares = [np.nan if each.infrared is None else each.infrared for each in materials]
         infrared = np.array(shares, dtype=np.float64)

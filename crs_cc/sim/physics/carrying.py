@@ -74,26 +74,26 @@ class Load:
     @classmethod
     def of(cls, world: WorldModel, scene: Scene, holds: Holds) -> Self:
         """Return the load of robots that hold objects."""
-        rows, things = holds.in_grippers()
+        rows, objects = holds.in_grippers()
         hands, lifted = holds.in_hands()
-        together = np.bincount(things, minlength=len(scene.pushables))
-        alone = together[things] == 1
+        together = np.bincount(objects, minlength=len(scene.pushables))
+        alone = together[objects] == 1
         sharers, grip_m = rows[~alone], np.zeros((int((~alone).sum()), 3))
         grip_m[:, 0], grip_n = holds.grip[sharers].T
-        thing_kg = np.array([thing.mass_kg for thing in scene.pushables])
+        object_kg = np.array([obj.mass_kg for obj in scene.pushables])
         weight_kg, mass_kg = np.zeros(len(world.robots)), np.zeros(len(world.robots))
-        weight_kg[rows] = thing_kg[things] / together[things]
-        mass_kg[rows[alone]] = thing_kg[things[alone]]
-        weight_kg[hands] += thing_kg[lifted]
-        mass_kg[hands] += thing_kg[lifted]
+        weight_kg[rows] = object_kg[objects] / together[objects]
+        mass_kg[rows[alone]] = object_kg[objects[alone]]
+        weight_kg[hands] += object_kg[lifted]
+        mass_kg[hands] += object_kg[lifted]
         grasp = holds.grasp[rows[alone], GRIPPER]
-        size_m = ShapeTable.of(scene).reach_m[len(world.robots) + things[alone]]
+        size_m = ShapeTable.of(scene).reach_m[len(world.robots) + objects[alone]]
         return cls(
             rows[alone],
-            things[alone],
+            objects[alone],
             grasp,
             sharers,
-            things[~alone],
+            objects[~alone],
             grip_m[:, 0],
             grip_n,
             relative(holds.grasp[sharers, GRIPPER], grip_m)[:, :2],
@@ -172,8 +172,8 @@ class Load:
             by_load |= far
         return given, np.flatnonzero(by_load)
 
-    def _put(self, bodies: Bodies, things: IndexArray, poses: FloatArray) -> None:
-        rows = self.robots + things
+    def _put(self, bodies: Bodies, objects: IndexArray, poses: FloatArray) -> None:
+        rows = self.robots + objects
         bodies.position_m[rows], bodies.angle_rad[rows] = poses[:, :2], wrapped(poses[:, 2])
         bodies.velocity_mps[rows] = bodies.spin_radps[rows] = 0.0
 
@@ -184,17 +184,17 @@ def release(state: EnvState, rows: IndexArray) -> None:
     The physics must be restarted from this state.
     """
     holds = state.bodies.holds
-    things = holds.thing[rows]
+    objects = holds.thing[rows]
     for kind in (GRIPPER, HAND):
         holds.drop(rows, kind)
-    grasp_anew(state, things[things >= 0].astype(np.intp))
+    grasp_anew(state, objects[objects >= 0].astype(np.intp))
 
 
-def grasp_anew(state: EnvState, things: IndexArray) -> None:
+def grasp_anew(state: EnvState, objects: IndexArray) -> None:
     """Recompute the grasps of objects from the current poses."""
     bodies, holds = state.bodies, state.bodies.holds
     rows, held = holds.in_grippers()
-    rows, held = rows[np.isin(held, things)], held[np.isin(held, things)]
+    rows, held = rows[np.isin(held, objects)], held[np.isin(held, objects)]
     bodies.angle_rad[rows] = state.mount_rad[rows]
     poses = np.column_stack([bodies.position_m, bodies.angle_rad])
     holds.grasp[rows, GRIPPER] = relative(poses[rows], poses[len(state.heading_rad) + held])

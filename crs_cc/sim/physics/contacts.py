@@ -71,5 +71,5 @@ def with_slipped(contacts: Contacts, load: Load, bodies: Bodies) -> Contacts:
 
 def is_settled(scene: Scene, pairs: IndexArray, places: FloatArray) -> bool:
     """Return whether no object presses on another; arguments as for `told_apart`."""
-    things = ((pairs >= scene.robots) & (pairs < len(scene.start))).any(axis=1)
-    return bool((places[things, 2] >= -2 * SLOP_M).all())
+    objects = ((pairs >= scene.robots) & (pairs < len(scene.start))).any(axis=1)
+    return bool((places[objects, 2] >= -2 * SLOP_M).all())

@@ -46,16 +46,13 @@ class Whole:
     def of(cls, parts: list[tuple[Thing, FloatArray]]) -> Self:
         """Combine parts, given with their poses in the frame of the centre of mass."""
         off_m = [math.hypot(place[0], place[1]) for _, place in parts]
-        pairs = [(thing, away_m) for (thing, _), away_m in zip(parts, off_m, strict=True)]
+        pairs = [(obj, away_m) for (obj, _), away_m in zip(parts, off_m, strict=True)]
         return cls(
             tuple(parts),
-            sum(thing.mass_kg for thing, _ in pairs),
-            sum(moment_kgm2(thing) + thing.mass_kg * away_m**2 for thing, away_m in pairs),
-            sum(friction_n(thing) for thing, _ in pairs),
-            sum(
-                math.hypot(friction_nm(thing), friction_n(thing) * away_m)
-                for thing, away_m in pairs
-            ),
+            sum(obj.mass_kg for obj, _ in pairs),
+            sum(moment_kgm2(obj) + obj.mass_kg * away_m**2 for obj, away_m in pairs),
+            sum(friction_n(obj) for obj, _ in pairs),
+            sum(math.hypot(friction_nm(obj), friction_n(obj) * away_m) for obj, away_m in pairs),
         )
 
 
@@ -70,21 +67,21 @@ class Rigid:
 
     def __init__(self, scene: Scene) -> None:
         groups: dict[str, list[int]] = {}
-        for number, thing in enumerate(scene.pushables):
-            if thing.part_of:
-                groups.setdefault(thing.part_of, []).append(number)
-        self.wholes = [Whole.of([(thing, np.zeros(3))]) for thing in scene.pushables]
+        for number, obj in enumerate(scene.pushables):
+            if obj.part_of:
+                groups.setdefault(obj.part_of, []).append(number)
+        self.wholes = [Whole.of([(obj, np.zeros(3))]) for obj in scene.pushables]
         rows: list[int] = []
         first: list[int] = []
         places = [np.zeros((0, 3))]
         for numbers in groups.values():
-            things = [scene.pushables[number] for number in numbers]
+            objects = [scene.pushables[number] for number in numbers]
             start = scene.start[scene.robots + np.array(numbers)]
-            mass_kg = np.array([thing.mass_kg for thing in things])
-            middle = np.zeros((len(things), 3))
+            mass_kg = np.array([obj.mass_kg for obj in objects])
+            middle = np.zeros((len(objects), 3))
             middle[:, :2] = (mass_kg[:, None] * start[:, :2]).sum(axis=0) / mass_kg.sum()
             place = relative(middle, start)
-            self.wholes[numbers[0]] = Whole.of(list(zip(things, place, strict=True)))
+            self.wholes[numbers[0]] = Whole.of(list(zip(objects, place, strict=True)))
             first += [len(rows)] * len(numbers)
             rows += numbers
             places.append(place)

@@ -43,18 +43,18 @@ def floor_friction(
 
 def shapes_of(body: pymunk.Body, whole: Whole) -> list[pymunk.Shape]:
     """Return the shapes of all parts of a composite body."""
-    return [shape for thing, place in whole.parts for shape in thing_shapes(body, thing, place)]
+    return [shape for obj, place in whole.parts for shape in object_shapes(body, obj, place)]
 
 
-def thing_shapes(
-    body: pymunk.Body, thing: Thing, pose: FloatArray = _AS_IT_IS
+def object_shapes(
+    body: pymunk.Body, obj: Thing, pose: FloatArray = _AS_IT_IS
 ) -> list[pymunk.Shape]:
     """Return the shapes of a movable object, at a pose in the frame of a body."""
-    if isinstance(thing, Cylinder):
-        return [pymunk.Circle(body, thing.radius_m, (float(pose[0]), float(pose[1])))]
-    corners = np.column_stack([own_corners_m(thing), np.zeros(len(own_corners_m(thing)))])
+    if isinstance(obj, Cylinder):
+        return [pymunk.Circle(body, obj.radius_m, (float(pose[0]), float(pose[1])))]
+    corners = np.column_stack([own_corners_m(obj), np.zeros(len(own_corners_m(obj)))])
     placed = compose(np.broadcast_to(pose, corners.shape), corners)[:, :2]
-    return _straight_shapes(body, thing, placed)
+    return _straight_shapes(body, obj, placed)
 
 
 def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
@@ -68,12 +68,12 @@ def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
 
 
 def _straight_shapes(
-    body: pymunk.Body, thing: Box | Polygon, corners: FloatArray
+    body: pymunk.Body, obj: Box | Polygon, corners: FloatArray
 ) -> list[pymunk.Shape]:
     """Return the shapes of a box or polygon; pymunk's polygons are convex."""
-    if isinstance(thing, Box):
+    if isinstance(obj, Box):
         return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
-    pieces = corners[convex_parts_of(thing)].tolist()
+    pieces = corners[convex_parts_of(obj)].tolist()
     return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]
 
 
@@ -119,18 +119,18 @@ def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
     return any(space.shape_query(shape) for shape in shapes)
 
 
-def _standing(scene: Scene, bodies: Bodies, thing: int) -> tuple[pymunk.Body, list[pymunk.Shape]]:
+def _standing(scene: Scene, bodies: Bodies, obj: int) -> tuple[pymunk.Body, list[pymunk.Shape]]:
     """Return the body and the shapes of an object at its current pose, in no space."""
     moving = len(scene.start)
     body = pymunk.Body(body_type=pymunk.Body.STATIC)
     shapes: list[pymunk.Shape]
-    if thing < moving:
-        x_m, y_m = bodies.position_m[thing].tolist()
-        body.position, body.angle = (x_m, y_m), float(bodies.angle_rad[thing])
-    if thing < scene.robots:
-        shapes = [pymunk.Circle(body, scene.world.robots[thing].model.radius_m)]
-    elif thing < moving:
-        shapes = thing_shapes(body, scene.pushables[thing - scene.robots])
+    if obj < moving:
+        x_m, y_m = bodies.position_m[obj].tolist()
+        body.position, body.angle = (x_m, y_m), float(bodies.angle_rad[obj])
+    if obj < scene.robots:
+        shapes = [pymunk.Circle(body, scene.world.robots[obj].model.radius_m)]
+    elif obj < moving:
+        shapes = object_shapes(body, scene.pushables[obj - scene.robots])
     else:
-        shapes = fixed_shapes(body, scene.fixed_solids[thing - moving])
+        shapes = fixed_shapes(body, scene.fixed_solids[obj - moving])
     return body, shapes

@@ -193,7 +193,7 @@ class Physics:
         """Return the slope under the bodies, None in a flat world."""
         if self._inclines is None or self._ledges is None:
             return None
-        pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.thing_kg])
+        pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.object_kg])
         self._ledges.place(bodies.position_m, bodies.angle_rad)
         return self._inclines.under(bodies.position_m, pull.facing_rad, pulled_kg)
 

@@ -27,8 +27,8 @@ from crs_cc.sim.physics.shapes import (
     add_ground,
     fixed_shapes,
     floor_friction,
+    object_shapes,
     shapes_of,
-    thing_shapes,
 )
 
 _BIAS: Final = 1e-6  # fraction of a deeper overlap that is left after a second
@@ -46,16 +46,16 @@ class Space:
         rubs: the joints that model floor friction, with their force [N] or torque [N m] on level
             ground, by the number of the object.
         joints: those that hold robots, in this cycle.
-        grip: the factor on the friction of each object on a slope, (things,).
-        thing_kg: the mass of each object that no robot bears and that is not a part, else 0,
-            (things,).
+        grip: the factor on the friction of each object on a slope, (objects,).
+        object_kg: the mass of each object that no robot bears and that is not a part, else 0,
+            (objects,).
     """
 
     inner: pymunk.Space
     bodies: list[pymunk.Body]
     robots: int
     rubs: dict[int, list[tuple[pymunk.Constraint, float]]]
-    thing_kg: FloatArray
+    object_kg: FloatArray
     grip: FloatArray
     joints: list[pymunk.Constraint] = field(default_factory=list)
 
@@ -71,7 +71,7 @@ class Space:
         self.inner.add(*joints)
 
     def rub(self, grip: FloatArray) -> None:
-        """Scale the friction of each object by a factor, (things,)."""
+        """Scale the friction of each object by a factor, (objects,)."""
         for number in np.flatnonzero(grip != self.grip).tolist():
             for joint, most in self.rubs.get(number, ()):
                 joint.max_force = most * float(grip[number])
@@ -133,7 +133,7 @@ class SpaceBuilder:
             body.position = x_m, y_m
             bodies.append(body)
             carried = parts.get(number)
-            load = () if carried is None else thing_shapes(body, *carried)
+            load = () if carried is None else object_shapes(body, *carried)
             own = [pymunk.Circle(body, robot.model.radius_m)] * bool(self._scene.present[number])
             add(inner, body, *own, *load)
         return bodies
@@ -144,14 +144,14 @@ class SpaceBuilder:
         bodies.append(floor)
         inner.add(floor)
         rubs: dict[int, list[tuple[pymunk.Constraint, float]]] = {}
-        thing_kg = np.zeros(len(self._scene.pushables))
+        object_kg = np.zeros(len(self._scene.pushables))
         for number, whole in enumerate(self._rigid.wholes):
             if number not in borne:
                 joints = floor_friction(floor, bodies[robots + number], whole)
                 rubs[number] = [(joint, joint.max_force) for joint in joints]
                 inner.add(*joints)
-                thing_kg[number] = whole.mass_kg
-        return Space(inner, bodies, robots, rubs, thing_kg, np.ones(len(thing_kg)))
+                object_kg[number] = whole.mass_kg
+        return Space(inner, bodies, robots, rubs, object_kg, np.ones(len(object_kg)))
 
     def _parts(
         self, load: Load | None
@@ -165,8 +165,10 @@ class SpaceBuilder:
         others = self._rigid.others
         if load is None:
             return {}, set(others), set(others)
-        things = [self._scene.pushables[thing] for thing in load.carried.tolist()]
-        parts = dict(zip(load.carriers.tolist(), zip(things, load.grasp, strict=True), strict=True))
+        objects = [self._scene.pushables[obj] for obj in load.carried.tolist()]
+        parts = dict(
+            zip(load.carriers.tolist(), zip(objects, load.grasp, strict=True), strict=True)
+        )
         apart = {*load.carried.tolist(), *load.lifted.tolist(), *others}
         return parts, apart | set(load.shared.tolist()), apart
 
@@ -175,8 +177,8 @@ class SpaceBuilder:
         joints: list[pymunk.Constraint] = []
         grips = zip(load.grip_m.tolist(), load.grip_n.tolist(), load.point_m.tolist(), strict=True)
         rows = zip(load.sharers, load.shared, grips, strict=True)
-        for robot, thing, (grip_m, grip_n, point_m) in rows:
-            body, held = bodies[robot], bodies[self._scene.robots + thing]
+        for robot, obj, (grip_m, grip_n, point_m) in rows:
+            body, held = bodies[robot], bodies[self._scene.robots + obj]
             joint = pymunk.PivotJoint(body, held, (grip_m, 0.0), tuple(point_m))
             joint.max_force = grip_n
             joint.collide_bodies = False

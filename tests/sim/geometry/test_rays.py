@@ -162,7 +162,7 @@ def look_around(world: WorldModel, fan: Fan, things: np.ndarray | None = None):
     moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
     obstacles = Obstacles(scene.fixed, moving, fan.reach_m, fan.start_m)
     count = len(world.robots)
-    return nearest(fan, scene.start[:count], obstacles, own=np.arange(count), things=things)
+    return nearest(fan, scene.start[:count], obstacles, own=np.arange(count), objects=things)
 
 
 @pytest.mark.parametrize("robots", [40, 300])

@@ -151,9 +151,9 @@ def _find(
     for added in np.flatnonzero(obstacles.sizes == len(corners)).tolist():
         if _in_order(obstacles.of(added)) == wanted:
             return int(added)
-    things = things_of(constants.world)
+    objects = things_of(constants.world)
     for number in np.flatnonzero(obstacles.standing).tolist():
-        if _in_order(_tenths_inch(things[number])) == wanted:
+        if _in_order(_tenths_inch(objects[number])) == wanted:
             return ~int(number)
     return None
 
