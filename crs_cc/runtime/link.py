@@ -112,12 +112,12 @@ def _check_client(whole: Program, diagnostics: Diagnostics) -> None:
 
 def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
     """Report variables that are called, and functions that are read or written as variables."""
-    told = set()
+    reported = set()
     for function in whole.functions.values():
         for block in function.blocks:
             for instruction in all_instructions(block):
                 name = _referred(instruction)
-                if name is None or name in told or isinstance(instruction, Address):
+                if name is None or name in reported or isinstance(instruction, Address):
                     continue
                 if isinstance(instruction, Call) and name in whole.data:
                     text = f"'{name}' is called as a function, but it is a variable"
@@ -127,7 +127,7 @@ def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
                     defined = whole.functions[name].location
                 else:
                     continue
-                told.add(name)
+                reported.add(name)
                 # The library calls main: report a mismatch at the definition.
                 by_library = in_library(instruction.location)
                 place = defined if by_library else instruction.location
@@ -343,8 +343,8 @@ def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnost
         known = [each for each in user.functions if ":" not in each] + list(library.names())
         close = difflib.get_close_matches(name, known, 1)
         hint = f"did you mean '{close[0]}'?" if close else ""
-    told = [each for each in diagnostics.messages if each.location == location]
-    for each in told:
+    here = [each for each in diagnostics.messages if each.location == location]
+    for each in here:
         if each.severity == "warning" and f"'{name}'" in each.text:
             diagnostics.messages.remove(each)  # the implicit declaration: this error is more useful
     diagnostics.error(location, f"'{name}' is used, but not defined", hint)

@@ -80,7 +80,7 @@ def test_device_replies_and_events_are_traced(tmp_path: Path) -> None:
     world = load_world(tmp_path / "world.xml")
     session = Session(world, [build(tmp_path, ASKING)], trace=trace)
     session.step()
-    assert re.search(r"GPS\(\) @0\.0\d\d told=1010,500  ", rows[0])
+    assert re.search(r"GPS\(\) @0\.0\d\d reply=1010,500  ", rows[0])
     assert rows[1:] == [
         "0.000 scout  degradation: late began: gps x, bias 0.0254m",
         "0.020 scout  degradation: degradation1 began: bumper, dead",

@@ -86,7 +86,7 @@ class EditorBreakpoints:
         self._last_id = 0
 
     def replace(self, group: Group, requests: Sequence[RequestedBreakpoint]) -> list[Message]:
-        """Replace the breakpoints of a group; return what the client is told of the new ones."""
+        """Replace the breakpoints of a group; return descriptions of the new ones."""
         obsolete = list(self._groups.get(group, ()))
         self._groups[group] = now = []
         for request in requests:
@@ -177,7 +177,7 @@ class EditorBreakpoints:
         return _add_place(debugger, f"{file}:{request.line}", request)
 
     def _body(self, each: _ClientBreakpoint) -> Message:
-        """Return what a client is told of a breakpoint."""
+        """Return the description of a breakpoint for a client."""
         body: Message = {"id": each.id, "verified": bool(each.number)}
         message = each.message or ("" if self.debugger else "no program is launched")
         if message:

@@ -146,8 +146,8 @@ def _variables(
 
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     """Return the numbers of `State[]` with their names and units."""
-    told = session.require_debugger().view.vendor_state(at.robot)
-    for row, (field, _) in zip(state_rows(told), told, strict=True):
+    elements = session.require_debugger().view.vendor_state(at.robot)
+    for row, (field, _) in zip(state_rows(elements), elements, strict=True):
         yield {
             "name": row.name,
             "value": row.text,

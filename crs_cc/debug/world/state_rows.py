@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
 
 
-def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
+def state_rows(elements: Iterable[tuple[StateField, Value]]) -> list[Row]:
     """Return the values of a `State[]` as rows."""
     return [
         Row(
             f"[{each.index}] {each.name}",
             each.text(value.number) if isinstance(value.number, int) else value.text,
         )
-        for each, value in told
+        for each, value in elements
     ]
 
 
@@ -32,10 +32,10 @@ def vendor_state_rows(view: View, robot: int) -> list[Row]:
     """
     model = view.session.environment.world.robots[robot].model
     missing = [name for name, device in _devices(model).items() if not device]
-    told = view.vendor_state(robot)
+    elements = view.vendor_state(robot)
     return [
         row
-        for row, (_, value) in zip(state_rows(told), told, strict=True)
+        for row, (_, value) in zip(state_rows(elements), elements, strict=True)
         if value.number or not any(name in row.name for name in missing)
     ]
 

@@ -97,7 +97,7 @@ class Explanation:
     Attributes:
         text: what happened; empty if the kind suffices.
         notes: further information, a sentence each.
-        told: the variable whose value is in the text.
+        mentioned: the variable whose value is in the text.
         blamed: the only variable of the expression at fault, if there is one.
         shows_callee: whether to show the library function in the call stack.
         shows_values: whether to show the values of the variables in the expression.
@@ -105,7 +105,7 @@ class Explanation:
 
     text: str
     notes: tuple[str, ...] = ()
-    told: str = ""
+    mentioned: str = ""
     blamed: str = ""
     shows_callee: bool = True
     shows_values: bool = True
@@ -131,12 +131,12 @@ def _null(case: Case) -> Explanation:
         return Explanation(f"{name} is passed {what}", notes)
     text, value = case.pointer() or ("", None)
     if text and (value == 0 or (value is None and case.failure.value == 0)):
-        return Explanation(f"'{text}' is null", told=text)
+        return Explanation(f"'{text}' is null", mentioned=text)
     if text and value is not None and value < NULL_SIZE:
-        return Explanation(f"'{text}' is {value:#x}, which is not a valid pointer", told=text)
+        return Explanation(f"'{text}' is {value:#x}, which is not a valid pointer", mentioned=text)
     name = case.null_variable()
     if name:
-        return Explanation(f"'{name}' is null", told=name)
+        return Explanation(f"'{name}' is null", mentioned=name)
     return Explanation(f"{case.access} at address {case.failure.value:#x}")
 
 
@@ -151,7 +151,7 @@ def _outside(case: Case) -> Explanation:
         what = f"'{case.expression}' is at {address:#x}"
     else:
         what = f"{case.access} at {address:#x}"
-    return Explanation(f"{what}, outside the program's memory", told=text)
+    return Explanation(f"{what}, outside the program's memory", mentioned=text)
 
 
 def _wild(case: Case) -> Explanation:
@@ -282,7 +282,7 @@ def _bad_function(case: Case) -> Explanation:
     value = case.failure.value
     name = f"'{case.called}'" if case.called else "the pointer called"
     what = "is null" if value == 0 else f"is {value:#x}, which is not a function"
-    return Explanation(f"{name} {what}", told=case.called)
+    return Explanation(f"{name} {what}", mentioned=case.called)
 
 
 def _stack(case: Case) -> Explanation:

@@ -103,8 +103,8 @@ class _Reporter:
         place, expression = _narrowed(place, expression, explained.blamed)
         values: tuple[tuple[str, str], ...] = ()
         if frame is not None and callee is None and explained.shows_values:
-            told = {explained.told, failure.object.name if failure.object else ""}
-            values = self.values(frame, expression, told)
+            mentioned = {explained.mentioned, failure.object.name if failure.object else ""}
+            values = self.values(frame, expression, mentioned)
         return ErrorReport(
             failure.kind,
             place,
@@ -126,13 +126,13 @@ class _Reporter:
         return _call(frame, self.stopped, self.variables)
 
     def values(
-        self, frame: StackFrame, expression: str, told: set[str]
+        self, frame: StackFrame, expression: str, mentioned: set[str]
     ) -> tuple[tuple[str, str], ...]:
         """Return the values of the variables in an expression, and of the structs they point to."""
         values = []
         for name in names_in(expression):
             known = self.variables.find(name, frame)
-            if known is None or name in told:
+            if known is None or name in mentioned:
                 continue
             shown = self.variables.show(known)
             if shown.endswith("..."):  # too long to be useful

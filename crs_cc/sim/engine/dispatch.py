@@ -172,6 +172,6 @@ class Dispatcher:
                 arguments=arguments,
                 results=messages["result"].copy(),
                 states=states,
-                told=messages.copy() if request.traced else None,
+                replies=messages.copy() if request.traced else None,
             )
         )

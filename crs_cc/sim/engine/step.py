@@ -60,8 +60,8 @@ class Served:
         arguments: the integer arguments, shape (k, 8).
         results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
         states: `State` as reported, shape (k, 45), for requests answered with it; else None.
-        told: the whole replies, of dtype `requests.MESSAGE`, for requests that are `traced`; else
-            None.
+        replies: the whole replies, of dtype `requests.MESSAGE`, for requests that are `traced`;
+            else None.
     """
 
     code: int
@@ -70,7 +70,7 @@ class Served:
     arguments: Int32Array
     results: Int32Array
     states: Int32Array | None
-    told: Records | None = None
+    replies: Records | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -161,8 +161,8 @@ class Answer:
         result: 0 refused, else 1 or what the request counts (results in `REQUESTS`).
         values: the result of a sensor request, in the vendor's units: `sonar_in`, `infrared` (0 to
             15), `compass` (0.1 deg), `bumper`, `pose` (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s
-            right, left), `motors`; and `told`, the results of all other requests, by their names in
-            `REQUESTS`.
+            right, left), `motors`; and `reply`, the results of all other requests, in the order
+            of `REQUESTS`.
     """
 
     name: str
@@ -280,13 +280,13 @@ def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]
     if served.states is not None:
         state = served.states[row].tolist()
         return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
-    if served.told is None or not served.results[row]:
+    if served.replies is None or not served.results[row]:
         return {}
-    message, results = served.told[row], REQUESTS[served.code].results
+    message, results = served.replies[row], REQUESTS[served.code].results
     positions = [result.position for result in results]
     numbers = (message[array][place].item() for array, place in positions if place >= 0)
     content = (field for field in results if field.place == "data")
-    return {"told": (*numbers, *(value for field in content for value in _data(message, field)))}
+    return {"reply": (*numbers, *(value for field in content for value in _data(message, field)))}
 
 
 def _data(message: np.void, field: Field) -> tuple[int | str, ...]:

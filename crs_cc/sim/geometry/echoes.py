@@ -140,13 +140,13 @@ class Points:
     Attributes:
         ping: the ping's index.
         place: their positions.
-        told_m: the distances that they report.
+        reported_m: the distances that they report.
         share: the distance at which they are heard, relative to that of a hard object.
     """
 
     ping: IndexArray
     place: ComplexArray
-    told_m: FloatArray
+    reported_m: FloatArray
     share: FloatArray
 
     @classmethod
@@ -158,7 +158,7 @@ class Points:
     def of_pings(self, part: slice) -> Self:
         """Return the targets of a part of the pings, which are numbered anew."""
         found = self.where((self.ping >= part.start) & (self.ping < part.stop))
-        return type(self)(found.ping - part.start, found.place, found.told_m, found.share)
+        return type(self)(found.ping - part.start, found.place, found.reported_m, found.share)
 
     def where(self, kept: BoolArray | IndexArray | slice) -> Self:
         """Return a selection of the targets."""
@@ -216,7 +216,7 @@ class _Block:
         if not shaped:
             for points in (_feet(faces, rounds), _ends(faces)):
                 heard = points.where(_in_beam(pings, points))
-                np.minimum.at(found_m, heard.ping, heard.told_m)
+                np.minimum.at(found_m, heard.ping, heard.reported_m)
         else:
             for points in self._targets(faces, rounds, found_m):
                 _hear(points.where(_in_beam(pings, points)), faces, rounds, found_m)
@@ -400,7 +400,7 @@ def _corner_ends(pings: Pings, faces: _Faces, end: ComplexArray, found_m: FloatA
     """
     points = Points.at((faces.ping, end, faces.share))
     which = _in_beam(pings, points)
-    which = which[points.told_m[which] < found_m[points.ping[which]]]
+    which = which[points.reported_m[which] < found_m[points.ping[which]]]
     which = which[_distinct(faces.ping[which], end[which], faces.along[which], faces.share[which])]
     along, corner = faces.along, np.ones(len(which), dtype=np.bool_)
     for item, other in _pairs(faces.ping[which], faces.ping):
@@ -457,9 +457,9 @@ def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -
         rounds: circles that may hide them.
         found_m: the first echo of each ping so far, changed in place.
     """
-    points = points.where(points.told_m < found_m[points.ping])
-    points = points.where(_distinct(points.ping, points.place, points.told_m))
-    points = points.where(np.argsort(points.told_m, kind="stable"))
+    points = points.where(points.reported_m < found_m[points.ping])
+    points = points.where(_distinct(points.ping, points.place, points.reported_m))
+    points = points.where(np.argsort(points.reported_m, kind="stable"))
     before = np.bincount(faces.ping, minlength=len(found_m))
     before += np.bincount(rounds.ping, minlength=len(found_m))
     while len(points.ping):
@@ -467,9 +467,9 @@ def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -
         count = max(1, int(np.searchsorted(work, cell_list.PAIRS_IN_BLOCK, side="right")))
         near = points.where(slice(count))
         near = near.where(~_hidden(near, faces, rounds))
-        np.minimum.at(found_m, near.ping, near.told_m)
+        np.minimum.at(found_m, near.ping, near.reported_m)
         points = points.where(slice(count, None))
-        points = points.where(points.told_m < found_m[points.ping])
+        points = points.where(points.reported_m < found_m[points.ping])
 
 
 def _hidden(points: Points, faces: _Faces, rounds: _Rounds) -> BoolArray:

@@ -38,10 +38,10 @@ def predict(context: RequestContext, *, sonars: SonarRing, sensor_board: SensorB
     state, constants, rays = context.state, context.constants, context.rays
     rows, wanted = context.rows, context.columns("x", "y", "heading", "turret")
     poses = _mounts(state, constants, rows, wanted.astype(np.float64))
-    told = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
-    told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, rays, rows, poses)
-    told[:, IR_0:SONAR_0], counts = sensor_board.look(state, constants, rays, rows, poses)
-    context.put_data(told)
+    states = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
+    states[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, rays, rows, poses)
+    states[:, IR_0:SONAR_0], counts = sensor_board.look(state, constants, rays, rows, poses)
+    context.put_data(states)
     context["laser_count"] = counts
 
 
