@@ -27,7 +27,7 @@ def name_of(one: Breakpoint) -> str:
 
 
 def described(one: Breakpoint) -> str:
-    """Return a description of where a breakpoint is."""
+    """Return a description of a breakpoint's location."""
     location = one.place.location if one.place else None
     if one.watch is not None:
         return f"{one.text}, {_ACCESSES[one.watch.watched.kind]}"

@@ -1,4 +1,4 @@
-"""What defines a command: names, syntax, help and the function that runs it."""
+"""Commands: their names, syntax and help, and the functions that run them."""
 
 from __future__ import annotations
 

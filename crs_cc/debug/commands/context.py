@@ -1,4 +1,4 @@
-"""What commands work on: the debugger, and what a command line keeps between commands."""
+"""The context of commands: the debugger, and the state of the command line between commands."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class CommandContext:
         self._selection: Selection | None = None
 
     def move(self, go: Callable[[], Stop]) -> Answer:
-        """Move the run; answer why and where it stopped."""
+        """Move the run; answer with the reason and the location of the stop."""
         known = {each.number: each for each in self.debugger.stop_points.breakpoints}
         stop = go()
         self.listing = None

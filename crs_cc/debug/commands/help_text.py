@@ -37,7 +37,7 @@ def summaries(head: str, commands: Sequence[Command]) -> Answer:
 
 
 def manual(command: Command) -> Answer:
-    """Answer with the whole help on a command."""
+    """Answer with the full help of a command."""
     yield f"{command.usage} - {command.summary}"
     if command.text:
         yield textwrap.fill(command.text, _WIDTH)

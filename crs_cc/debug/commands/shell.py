@@ -52,7 +52,7 @@ class Shell:
 
     @property
     def is_collecting(self) -> bool:
-        """Whether the next line is one of a breakpoint's commands, whatever it says."""
+        """Whether the next line is one of a breakpoint's commands, regardless of its text."""
         return self.context.input is not None
 
     def execute(self, text: str) -> Iterator[Line | SourceLine]:
@@ -68,7 +68,7 @@ class Shell:
             yield from self._run(self.context.due.pop(0))
 
     def greet(self) -> Iterator[Line | SourceLine]:
-        """Move to the start of the run and answer where that is."""
+        """Move to the start of the run and answer with its location."""
         yield from _as_lines(self.context.move(self.debugger.start))
 
     def _collect(self, entered: CommandInput, line: str) -> None:
@@ -101,7 +101,7 @@ class Shell:
 
 
 def _repeated(command: Command, text: str) -> str:
-    """Return what an empty line after a command does."""
+    """Return the command that an empty line after a command repeats."""
     return {"": "", "same": text, "on": command.name}[command.repeats]
 
 

@@ -1,4 +1,4 @@
-"""Reports of stops: why and where."""
+"""Reports of stops: reason and location."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MAX_ENDS: Final = 5
 _MAX_ARGUMENT_LENGTH: Final = 40  # characters
 
 _QUIET: Final = frozenset({"step", "goto"})
-"""Reasons that are not reported: they are what the user asked for."""
+"""Reasons that are not reported, because the user requested the stop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ def stop_lines(
     known: Mapping[int, Breakpoint],
     before: Selection | None,
 ) -> Answer:
-    """Answer why and where a run has stopped.
+    """Answer with the reason and the location of a stop.
 
     Args:
         debugger: the debugger.

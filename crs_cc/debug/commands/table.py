@@ -1,4 +1,4 @@
-"""The table of all commands, and the lookup of commands by what a user types.
+"""The table of all commands, and the lookup of commands by user input.
 
 Help and completion use it, and `docs/debugger.md` is generated from it.
 
