@@ -38,7 +38,7 @@ class Site:
             the address, see `diagnosis.diagnose`.
         location: the place in the C source.
         access: what an access does; empty for all other failures.
-        size: how many bytes are accessed; 0 when only the slot's `error_size` knows.
+        size: the number of accessed bytes; 0 if it is in the slot's `error_size`.
         variable: the variable to blame, where that is known.
     """
 
@@ -66,7 +66,7 @@ class StatementSite:
 
 
 def call_word(site: int, frame_size: int, arguments_size: int) -> int:
-    """Return what a call notes in the header of the function that it calls.
+    """Return the call word that a call stores in the callee's header.
 
     Args:
         site: number of the call site.
@@ -78,10 +78,10 @@ def call_word(site: int, frame_size: int, arguments_size: int) -> int:
 
 
 def call_site(word: int) -> int:
-    """Return the number of the call site that a call word tells of."""
+    """Return the number of the call site in a call word."""
     return word & ((1 << SITE_BITS) - 1)
 
 
 def arguments_size(word: int) -> int:
-    """Return the size of the arguments that a call word tells of [bytes]."""
+    """Return the size of the arguments in a call word [bytes]."""
     return (word >> SITE_BITS + FRAME_BITS) * ARGUMENT_UNIT

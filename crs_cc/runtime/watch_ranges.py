@@ -1,4 +1,4 @@
-"""What is watched in a robot's memory, as a watching build finds it: the start of memory `marks`.
+"""Watched ranges of a robot's memory, as watching builds read them: the start of memory `marks`.
 
 Up to `RANGES` ranges of bytes are stored in sequence, each with the kinds of access that count and
 those that have occurred since it was cleared. They are preceded by the bounds of all ranges (the

@@ -88,7 +88,7 @@ def source(device: Device) -> str:
 
 @cache
 def device_sources() -> str:
-    """Return all that decides what the devices' functions are compiled to."""
+    """Return everything that the compiled functions of devices depend on."""
     return "\0".join(
         [text for _, text in device_headers()]
         + [f"{defines(device)}\0{source(device)}" for device in units().values()]

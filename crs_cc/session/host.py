@@ -81,8 +81,8 @@ class Host:
 
         Args:
             arguments: for each robot `argv`.
-            output: receives what the programs write to their standard streams.
-            read: returns what they read from their standard input.
+            output: receives the output of programs to their standard streams.
+            read: returns their standard input.
             files: the initial contents of every program's disk, by file name.
             client: which of the vendor's client libraries to emulate.
         """

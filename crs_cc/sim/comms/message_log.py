@@ -134,7 +134,7 @@ class HasTraffic(Protocol):
 class Monitor:
     """A counter of messages' fates over timesteps.
 
-    Give its `step` to a session as its trace, or call it with each `Step`.
+    Pass its `step` to a session as its trace, or call it with each `Step`.
     """
 
     def __init__(self, channels: Sequence[str], robots: Sequence[str]) -> None:

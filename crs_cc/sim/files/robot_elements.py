@@ -80,7 +80,7 @@ def _check_places(root: Element, radius_m: float, reader: Reader) -> None:
 
 
 def _check_duplicates(root: Element, reader: Reader) -> None:
-    """Report elements that stand twice: the schema allows those of devices in any order."""
+    """Report duplicate elements: the schema allows those of devices in any order."""
     seen: set[str] = set()
     for element in root.children:
         if element.tag in seen and element.tag not in _SEVERAL:
