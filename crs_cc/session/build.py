@@ -8,12 +8,13 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.gc_pause import without_collector
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.frontend.preprocess.regular_file import digest
+from crs_cc.ir.names import in_library
 from crs_cc.runtime.executable import (
     Detail,
     Driver,
@@ -28,22 +29,26 @@ from crs_cc.session.device_library import device_sources
 
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess.options import Dialect, Options
+    from crs_cc.ir.program import Data, Function, Program
+
+_Definition = TypeVar("_Definition", "Function", "Data")
+_Names: TypeAlias = tuple[str, str]  # the program's name and command, see `Executable`
+_Lines: TypeAlias = dict[str, list[str]]
 
 
 @dataclass(frozen=True, slots=True)
-class _Entry:
-    """A cached executable, with the digests of its sources.
+class _Linked:
+    """A cached program, from which each build generates its own code.
 
     Attributes:
         digests: of every file that the compiler looked for, see `Diagnostics`.
-        machine_code: wasmtime's serialised module.
-        source: the pickled IR and source lines, which only messages and debuggers need.
+        content: the pickled program and source lines, see `_pack`; builds whose code is cached
+            need them only for messages and debuggers.
         warnings: the compiler's warnings.
     """
 
     digests: dict[str, str]
-    machine_code: bytes
-    source: bytes
+    content: bytes
     warnings: tuple[Diagnostic, ...]
 
 
@@ -77,7 +82,7 @@ def build_executable(
     Raises:
         CompileError: the files are not a valid program.
     """
-    name = " ".join(map(str, paths))
+    names = " ".join(map(str, paths)), command_name(paths[0])
     flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
     key = cache.key(
         map(str, (path.resolve() for path in paths)),
@@ -87,18 +92,16 @@ def build_executable(
         defines,
         undefines,
         standard,
-        f"{flags} {dialect}",
+        str(dialect),
         device_sources(),
     )
-    entry = cache.load(key, _Entry)
+    entry = cache.load(key, _Linked)
     if entry is not None and _unchanged(entry):
-        detail = _reload(entry, flags)
-        known = load_executable(name, command_name(paths[0]), entry.machine_code, detail)
-        if known is not None:
-            diagnostics.messages.extend(entry.warnings)
-            return known
+        diagnostics.messages.extend(entry.warnings)
+        return _build(entry, key, names, flags, diagnostics)
 
     from crs_cc.frontend.dialect import dialect_of
+    from crs_cc.runtime.executable import make_executable
     from crs_cc.session.library import library_options
 
     options = library_options(tuple(include_paths), tuple(defines), tuple(undefines), standard)
@@ -106,26 +109,23 @@ def build_executable(
     try:
         with without_collector():  # saves a fifth of the time
             options = replace(options, dialect=dialect or dialect_of(paths, options))
-            executable = _compile(paths, options, own, name, flags)
-            made = executable.detail()
-            source = pickle.dumps((made.program, made.lines), pickle.HIGHEST_PROTOCOL)
+            program, lines = _compile(paths, options, own)
+            executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
+            entry = _Linked(own.digests, _pack(program, lines), tuple(own.messages))
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
-    cache.store(key, _Entry(own.digests, executable.machine_code, source, tuple(own.messages)))
+    cache.store(key, entry)
+    cache.store(_code_key(key, entry, flags), executable.machine_code)
     return executable
 
 
 def _compile(
-    paths: Sequence[Path],
-    options: Options,
-    diagnostics: Diagnostics,
-    name: str,
-    flags: dict[str, bool],
-) -> Executable:
+    paths: Sequence[Path], options: Options, diagnostics: Diagnostics
+) -> tuple[Program, _Lines]:
+    """Return the linked program, and the lines of its files."""
     from crs_cc.frontend.unit import compile_file
     from crs_cc.ir.verify import verify
-    from crs_cc.runtime.executable import make_executable
     from crs_cc.runtime.link import link
     from crs_cc.session.library import library
 
@@ -144,7 +144,31 @@ def _compile(
     program = link(units, library(), diagnostics)
     files = {function.location.file for function in program.functions.values()}
     lines = {file: diagnostics.lines[file] for file in sorted(files & diagnostics.lines.keys())}
-    return make_executable(program, name, command=command_name(paths[0]), lines=lines, **flags)
+    return program, lines
+
+
+def _build(
+    entry: _Linked, key: str, names: _Names, flags: dict[str, bool], diagnostics: Diagnostics
+) -> Executable:
+    """Return a build of a cached program, whose code may be cached, too."""
+    place = _code_key(key, entry, flags)
+    machine_code = cache.load(place, bytes)
+    known = machine_code and load_executable(*names, machine_code, _reload(entry, flags))
+    if known:
+        return known
+
+    from crs_cc.runtime.executable import make_executable
+
+    with without_collector():
+        program, lines = _unpack(entry.content)
+        diagnostics.lines.update(lines)
+        executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
+    cache.store(place, executable.machine_code)
+    return executable
+
+
+def _code_key(key: str, entry: _Linked, flags: dict[str, bool]) -> str:
+    return cache.key("code", key, entry.content, str(flags))
 
 
 def build_watching(executable: Executable) -> Executable:
@@ -192,18 +216,45 @@ def build_driver() -> Driver:
     return made
 
 
-def _unchanged(entry: _Entry) -> bool:
+def _unchanged(entry: _Linked) -> bool:
     return all(digest(Path(file)) == known for file, known in entry.digests.items())
 
 
-def _reload(entry: _Entry, flags: dict[str, bool]) -> Callable[[], Detail]:
+def _reload(entry: _Linked, flags: dict[str, bool]) -> Callable[[], Detail]:
     """Return a function that builds a cached program's detail on first use."""
 
     @functools.cache
     def detail() -> Detail:
         from crs_cc.runtime.codegen.module import compile_program
 
-        program, lines = pickle.loads(entry.source)  # noqa: S301 - see `crs_cc.session.cache`
-        return Detail(program, compile_program(program, **flags), lines)
+        with without_collector():
+            program, lines = _unpack(entry.content)
+            return Detail(program, compile_program(program, **flags), lines)
 
     return detail
+
+
+def _pack(program: Program, lines: _Lines) -> bytes:
+    """Pickle a program and its lines; the library's definitions, most of it, as None."""
+    from crs_cc.session.library import library
+
+    def own(definitions: dict[str, _Definition]) -> dict[str, _Definition | None]:
+        return {
+            name: None if in_library(each.location) and library().find(name) is each else each
+            for name, each in definitions.items()
+        }
+
+    packed = own(program.functions), own(program.data), lines
+    return pickle.dumps(packed, pickle.HIGHEST_PROTOCOL)
+
+
+def _unpack(content: bytes) -> tuple[Program, _Lines]:
+    """Return what `_pack` packed."""
+    from crs_cc.ir.program import Program
+    from crs_cc.session.library import library
+
+    functions, data, lines = pickle.loads(content)  # noqa: S301 - see `crs_cc.session.cache`
+    for definitions in (functions, data):
+        for name, each in definitions.items():
+            definitions[name] = each or library().find(name)
+    return Program(functions, data), lines

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import errno
 import hashlib
 import os
@@ -17,6 +16,7 @@ import pytest
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.ir.program import Function
+from crs_cc.runtime import executable as executable_module
 from crs_cc.session import build as build_module
 from crs_cc.session import cache
 from crs_cc.session import library as library_module
@@ -48,6 +48,20 @@ def compilations(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
         return compile_(*arguments, **options)  # type: ignore[arg-type]
 
     monkeypatch.setattr(build_module, "_compile", counted)
+    return done
+
+
+@pytest.fixture
+def generations(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Return a list that grows each time that machine code is made of a program."""
+    done: list[str] = []
+    make = executable_module.make_executable
+
+    def counted(*arguments: object, **options: object) -> object:
+        done.append("generated")
+        return make(*arguments, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(executable_module, "make_executable", counted)
     return done
 
 
@@ -137,12 +151,31 @@ def test_only_warnings_of_the_same_build_are_repeated(
     assert second.messages == first.messages[1:]
 
 
-def test_each_set_of_options_has_its_own_entry(program: Path, compilations: list[str]) -> None:
+def test_each_set_of_options_has_its_own_entry(
+    program: Path, compilations: list[str], generations: list[str]
+) -> None:
+    for _ in range(2):
+        build_executable([program], Diagnostics())
+        build_executable([program], Diagnostics(), checked=False)
+        build_executable([program], Diagnostics(), debug=True)
+        build_executable([program], Diagnostics(), defines=["X=1"])
+    assert len(generations) == 4
+    assert len(compilations) == 2  # builds with the same macros share the linked program
+
+
+def test_a_build_of_a_cached_program_equals_one_from_its_sources(
+    program: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    fresh, cached = Diagnostics(), Diagnostics()
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "one"))
+    one = build_executable([program], fresh, debug=True)
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "two"))
     build_executable([program], Diagnostics())
-    build_executable([program], Diagnostics(), checked=False)
-    build_executable([program], Diagnostics(), debug=True)
-    build_executable([program], Diagnostics(), defines=["X=1"])
-    assert len(compilations) == 4
+    two = build_executable([program], cached, debug=True)
+    assert two.wat() == one.wat()
+    assert two.machine_code == one.machine_code
+    assert two.detail().lines == one.detail().lines
+    assert cached.messages == fresh.messages
 
 
 def whole(entry: object) -> bytes:
@@ -153,10 +186,7 @@ def whole(entry: object) -> bytes:
 
 def with_half_the_machine_code(content: bytes) -> bytes:
     entry = pickle.loads(content[32:])
-    if not isinstance(entry, build_module._Entry):
-        return content
-    half = entry.machine_code[: len(entry.machine_code) // 2]
-    return whole(dataclasses.replace(entry, machine_code=half))
+    return whole(entry[: len(entry) // 2]) if isinstance(entry, bytes) else content
 
 
 damages = pytest.mark.parametrize(
@@ -179,16 +209,20 @@ damages = pytest.mark.parametrize(
 
 @damages
 def test_a_corrupt_entry_is_rebuilt(
-    program: Path, compilations: list[str], damaged: Callable[[bytes], bytes]
+    program: Path,
+    compilations: list[str],
+    generations: list[str],
+    damaged: Callable[[bytes], bytes],
 ) -> None:
     one = build_executable([program], Diagnostics())
     for entry in (program.parent / "cache").iterdir():
         entry.write_bytes(damaged(entry.read_bytes()))
     two = build_executable([program], Diagnostics())
-    assert len(compilations) == 2
+    assert len(generations) == 2
     assert two.machine_code == one.machine_code
+    done = len(compilations)
     build_executable([program], Diagnostics())
-    assert len(compilations) == 2  # the damage is mended
+    assert (len(generations), len(compilations)) == (2, done)  # the damage is mended
 
 
 @damages
