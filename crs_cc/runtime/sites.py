@@ -74,7 +74,7 @@ def call_word(site: int, frame_size: int, arguments_size: int) -> int:
         arguments_size: of all arguments, each rounded up to 4 [bytes].
     """
     arguments = arguments_size // ARGUMENT_UNIT
-    return site | frame_size // FRAME_UNIT << SITE_BITS | arguments << SITE_BITS + FRAME_BITS
+    return site + (frame_size // FRAME_UNIT << SITE_BITS) + (arguments << SITE_BITS + FRAME_BITS)
 
 
 def call_site(word: int) -> int:

@@ -138,7 +138,7 @@ class Code:
 
     def to_binary(self) -> tuple[bytes, list[int]]:
         """Return the entry in the code section, and the offsets of `UNLIKELY` tests in it."""
-        content, hints = bytearray(self._head()), []
+        content, hints = bytearray(self.head()), []
         for instr in self.body:
             if instr is UNLIKELY:
                 hints.append(len(content))
@@ -148,9 +148,9 @@ class Code:
 
     def start(self) -> int:
         """Return the offset of the instructions in the entry's content [bytes]."""
-        return len(self._head())
+        return len(self.head())
 
-    def _head(self) -> bytes:
+    def head(self) -> bytes:
         """Return the declarations of the locals in the entry."""
         runs: list[tuple[int, str]] = []
         for kind in self.locals:

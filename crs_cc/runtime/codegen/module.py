@@ -15,7 +15,7 @@ from crs_cc.requests import FAILED, slot_offset
 from crs_cc.runtime.codegen import jumps, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
-from crs_cc.runtime.codegen.function_code import Build, generate
+from crs_cc.runtime.codegen.function_code import Build
 from crs_cc.runtime.codegen.indices import (
     BEGUN_GLOBAL,
     MAILBOX,
@@ -24,6 +24,7 @@ from crs_cc.runtime.codegen.indices import (
     SHADOW,
     SLOT_GLOBAL,
 )
+from crs_cc.runtime.codegen.library_code import generate_shared
 from crs_cc.runtime.codegen.signatures import pointer_tables, valueless_functions
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.codegen.watchpoints import update_bounds, watch
@@ -111,7 +112,7 @@ def compile_program(
     build = Build(checked, debug, own_and_program + 1 if watching else 0, trap_overflow)
     infos = []
     for function in program.functions.values():
-        code, info = generate(function, names, build)
+        code, info = generate_shared(function, names, build)
         module.functions.append(code)
         infos.append(info)
     begin = update_bounds(SHADOW + checked, len(names.statements))
