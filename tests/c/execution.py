@@ -18,6 +18,7 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
+from tests.c.rounds import Rounds
 
 HERE = Path(__file__).parent
 ENDLESS = 10**9  # fuel that no case needs
@@ -82,9 +83,11 @@ class Run:
         outcome = self.outcome
         host = Host([["case"]], self._write, lambda _robot, _wanted: b"")
         fleet = Fleet([self.executable])
+        driven = Rounds(fleet)
         while outcome.fuel < fuel and outcome.rounds < rounds and outcome.status is None:
-            self._resume(fleet)
+            self._resume(driven, fuel, rounds)
             slot = fleet.slots[0]
+            outcome.statements = int(slot["statements"])
             if slot["status"] == FAILED:
                 outcome.failure = fleet.failure(0)
                 break
@@ -93,20 +96,22 @@ class Run:
             outcome.status = host.exit_status[0]
             if self.stepping.restore_every and outcome.rounds % self.stepping.restore_every == 0:
                 fleet = _moved(fleet, self.executable)
+                driven = Rounds(fleet)
         outcome.memory = _digest(fleet)
         return outcome
 
-    def _resume(self, fleet: Fleet) -> None:
-        slot = fleet.slots[0]
-        slot["run"] = 1
-        slot["fuel"] = self.stepping.fuel
-        if self.stepping.statements:
-            slot["stop_before_all"] = 1
-            slot["stop_from"] = slot["statements"] + self.stepping.statements
-        fleet.run_round()
-        self.outcome.rounds += 1
-        self.outcome.fuel += self.stepping.fuel - int(slot["fuel"])
-        self.outcome.statements = int(slot["statements"])
+    def _resume(self, driven: Rounds, fuel: int, rounds: int) -> None:
+        """Resume the program until it has to be served or moved, or has used up so much."""
+        stepping, outcome = self.stepping, self.outcome
+        most_rounds = rounds - outcome.rounds
+        if stepping.restore_every:
+            due = stepping.restore_every - outcome.rounds % stepping.restore_every
+            most_rounds = min(most_rounds, due)
+        used, done = driven.run(
+            stepping.fuel, stepping.statements, fuel - outcome.fuel, most_rounds
+        )
+        outcome.fuel += used
+        outcome.rounds += done
 
     def _write(self, _robot: int, stream: int, content: bytes) -> None:
         if stream == 1:
