@@ -56,11 +56,13 @@ class _Held:
         value: the object, so that its `id` is not reused.
         size: its own size [bytes].
         uses: its reference count.
+        is_whole: whether neither it nor any part of it is `_Chunked`.
     """
 
     value: Any
     size: int
     uses: int
+    is_whole: bool = True
 
 
 class ChunkStore:
@@ -100,21 +102,18 @@ class ChunkStore:
         taken = [self.take(part) for part in parts]
         if any(one is not other for one, other in zip(taken, parts, strict=True)):
             value = _made_of(value, taken)
-        return self._hold(value)
+        return self._hold(value, is_whole=all(map(self._is_whole, taken)))
 
     def give(self, taken: Any) -> Any:
         """Return the snapshot of a key; it stays stored."""
+        if self._is_whole(taken):
+            return taken
         if isinstance(taken, _Chunked):
             content = b"".join(taken.chunks)
             if taken.dtype is None:
                 return content
             return np.frombuffer(content, taken.dtype).reshape(taken.shape)
-        parts = _parts(taken)
-        if parts is None:
-            return taken
-        given = [self.give(part) for part in parts]
-        same = all(one is other for one, other in zip(given, parts, strict=True))
-        return taken if same else _made_of(taken, given)
+        return _made_of(taken, [self.give(part) for part in _parts(taken) or ()])
 
     def drop(self, taken: Any) -> None:
         """Drop a snapshot, except for data that others share."""
@@ -132,16 +131,20 @@ class ChunkStore:
         for part in () if isinstance(taken, _Chunked) else _parts(taken) or ():
             self.drop(part)
 
-    def _hold(self, value: Any) -> Any:
+    def _is_whole(self, taken: Any) -> bool:
+        held = self._objects.get(id(taken))
+        return held is None or held.is_whole
+
+    def _hold(self, value: Any, *, is_whole: bool = True) -> Any:
         size = sys.getsizeof(value) + _HELD
         self.size += size
-        self._objects[id(value)] = _Held(value, size, 1)
+        self._objects[id(value)] = _Held(value, size, 1, is_whole)
         return value
 
     def _cut(self, content: bytes, dtype: np.dtype[Any] | None, shape: tuple[int, ...]) -> Any:
         cuts = range(0, len(content), CHUNK)
         chunks = tuple(self._take_chunk(content[cut : cut + CHUNK]) for cut in cuts)
-        return self._hold(_Chunked(dtype, shape, chunks))
+        return self._hold(_Chunked(dtype, shape, chunks), is_whole=False)
 
     def _take_chunk(self, chunk: bytes) -> bytes:
         held = self._chunks.get(chunk)
