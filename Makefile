@@ -10,6 +10,8 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+# Both workers end together: the first to be done takes tests from the other.
+PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
 COUNT ?= 500
 SEED ?= 1
 
@@ -37,18 +39,18 @@ demo: install
 	@echo "The robot's path is drawn in demo.svg."
 
 test: install-dev
-	$(BIN)/python -m pytest -n 2
+	$(PYTEST)
 
 # mypy and the tests share the cores; what mypy says comes after the tests.
 check: install-dev
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	@log=$$(mktemp); echo "$(BIN)/mypy"; $(BIN)/mypy >"$$log" 2>&1 & types=$$!; \
-	echo "$(BIN)/python -m pytest -n 2 --quick"; $(BIN)/python -m pytest -n 2 --quick; tests=$$?; \
+	echo "$(PYTEST) --quick"; $(PYTEST) --quick; tests=$$?; \
 	wait $$types; types=$$?; cat "$$log"; rm "$$log"; [ $$types = 0 ] && [ $$tests = 0 ]
 
 times: install-dev
-	$(BIN)/python -m pytest -n 2 --update-times
+	$(PYTEST) --update-times
 
 fuzz: install-dev
 	$(BIN)/python -m tests.fuzz --count $(COUNT) --seed $(SEED)
