@@ -22,9 +22,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, Int64Array
 
 SONAR: Final = 0
-LASER: Final = 3
 ROLLING: Final = 4
-CAMERA: Final = 6
 MESSAGES: Final = 20
 DEGRADATION: Final = 100
 """Keys of the sensors."""

@@ -35,12 +35,6 @@ def device_request(
 
 DEVICE_REQUESTS: Final = (
     device_request(
-        "CAMERA", 201, "int crs_camera(struct crs_pixel *row, int most)",
-        "takes a picture and keeps it for READINGS",
-        fields(("blobs", "i[0]", "1", "0 for pixels, 1 for blobs")),
-        results=fields(("count", "i[0]", "1", "number of readings available from READINGS")),
-    ),
-    device_request(
         "READINGS", 202, "int crs_camera(struct crs_pixel *row, int most)",
         "returns a page of the readings that an earlier reply announced",
         fields(
@@ -53,11 +47,6 @@ DEVICE_REQUESTS: Final = (
             ("readings", "data", "0.1 in, 0.1 deg, 0xRRGGBB", "the numbers", "int32"),
         ),
         link="none",  # they came with the reply
-    ),
-    device_request(
-        "LASER", 204, "int crs_laser(int *ranges, int most)",
-        "scans with the laser and keeps the ranges for READINGS",
-        results=fields(("count", "i[0]", "1", "number of ranges available from READINGS")),
     ),
     device_request(
         "PERIOD", 205, "int crs_period(int sensor, int ms)",

@@ -3,7 +3,7 @@
 `docs/crs-h.md` is generated from it; a test compares it with the header and the library.
 
 >>> [function.name for group in DEVICE_GROUPS for function in group.functions][0]
-'crs_camera'
+'crs_period'
 """
 
 from __future__ import annotations
@@ -13,25 +13,6 @@ from typing import Final
 from crs_cc.robot_api.row import OURS, Function, Group
 
 SENSORS: Final = Group("Sensors", (
-    Function(
-        "int crs_camera(struct crs_pixel *row, int most)",
-        "takes a picture, and copies colour and range of its columns, from left to right; returns"
-        " the number of columns copied, at most `most`",
-        units="0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
-    ),
-    Function(
-        "int crs_blobs(struct crs_blob *blobs, int most)",
-        "takes a picture, and copies angle, width, colour and range of the blobs of one colour,"
-        " from left to right; returns the number of blobs copied, at most `most`",
-        units="0.1 deg, 0.1 deg, 0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
-    ),
-    Function(
-        "int crs_laser(int *ranges, int most)",
-        "takes a scan, and copies the range in each direction, from right to left, -1 for nothing"
-        " in range; returns the number of ranges copied, at most `most`, 0 also while the laser is"
-        " off",
-        units="0.1 in", posts=("LASER", "READINGS"), source=(OURS,),
-    ),
     Function(
         "int crs_period(int sensor, int ms)",
         "sets the period of a sensor (`CRS_SENSOR_GPS`, ...), starting now; 0: measure on"

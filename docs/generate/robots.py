@@ -50,7 +50,7 @@ def _others(model: RobotModel) -> str:
         f"{len(switches_of(model))} bumpers": bool(switches_of(model)),
         "infrared": model.device("infrared") is not None,
         "compass": model.device("compass") is not None,
-        "laser": model.laser is not None,
+        "laser": model.device("laser") is not None,
         "heat": model.device("heat") is not None,
     }
     return ", ".join(name for name, has in devices.items() if has) or "none"

@@ -173,7 +173,7 @@ def placed(tmp_path, *places: str, camera: str = "<camera columns='3'/>") -> Pat
 
 def test_report_sensor_element_places_camera(tmp_path):
     """A cone as wide as it is long to each side is 90 degrees; 1.570796 rad is to the left."""
-    camera = load_robot(placed(tmp_path, PLACED.format("1.570796"))).camera
+    camera = load_robot(placed(tmp_path, PLACED.format("1.570796"))).device("camera")
     assert camera.field_of_view_rad == pytest.approx(math.pi / 2)
     assert camera.direction_rad == pytest.approx(math.pi / 2, abs=1e-6)
     assert (camera.range_m, camera.x_m, camera.y_m) == pytest.approx((4.0, 0.127, 0.0762))

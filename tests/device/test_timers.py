@@ -14,7 +14,6 @@ from crs_cc.sim.files.world_xml import empty_world, load_robot, parse_world
 from crs_cc.sim.model.attribute import attributes_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices, sensor_count
-from crs_cc.sim.state import timers
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver
@@ -25,25 +24,25 @@ def _rate(device: Device) -> str:
     return "rate='100Hz'" if has_rate else ""
 
 
-OTHERS = {"CAMERA": 1, "LASER": 3}
-GIVEN = {"compass": "on='yes'", "infrared": "step='1in' order='0'", "heat": "range='3m'"}
+GIVEN = {
+    "compass": "on='yes'",
+    "heat": "range='3m'",
+    "infrared": "step='1in' order='0'",
+    "laser": "field-of-view='90deg' range='5m' mode='51'",
+}
 ROWS = [device for device in devices() if device.number is not None]
-SENSORS = {**OTHERS, **{device.name.upper(): device.number for device in ROWS}}
+SENSORS = {device.name.upper(): device.number for device in ROWS}
 GPS_10_HZ = '<gps rate="10Hz" period="0.1s"/>'
 REGISTERED = "".join(f"<{each.element} {_rate(each)} {GIVEN.get(each.name, '')}/>" for each in ROWS)
-ALL = (
-    "<laser field-of-view='90deg' range='5m' rate='100Hz' mode='51'/>"
-    f"{REGISTERED}<camera columns='4' rate='100Hz'/>"
-)
 
 
 def test_header_and_simulator_use_same_sensor_numbers():
     text = (HEADERS / "crs.h").read_text() + device_headers()[0][1]
     defined = re.findall(r"#define CRS_SENSOR_(\w+) (\d+)", text)
     assert {name: int(number) for name, number in defined} == SENSORS
-    assert {name: getattr(timers, name) for name in OTHERS} == OTHERS
     assert sorted(SENSORS.values()) == list(range(sensor_count()))
-    assert (SENSORS["GPS"], SENSORS["TILT"]) == (0, 6)
+    fixed = ("GPS", "CAMERA", "HEAT", "LASER", "INFRARED", "COMPASS", "TILT")
+    assert [SENSORS[name] for name in fixed] == list(range(7))
     assert (SENSORS["LIGHT"], SENSORS["SOUND"], SENSORS["ALTITUDE"]) == (7, 8, 9)
 
 
@@ -109,7 +108,7 @@ def test_timer_of_every_sensor_can_be_set_and_cleared(tmp_path, sensor):
     printf("%d\\n", crs_age(sensor));
     """
     path = Path(scout_with(tmp_path))
-    text = path.read_text().replace('<heat range="3m"/>', ALL)
+    text = path.read_text().replace('<heat range="3m"/>', REGISTERED)
     path.write_text(text)
     before, first, age, second, old = drive(program, robot=str(path)).numbers
     assert (before, first, second) == (-1, 1, 1)

@@ -119,13 +119,14 @@ def test_nothing_is_measured_without_request():
     state = environment.state
     assert not rings(state).count.any()
     assert not compasses(state).count.any()
-    assert not state.laser.count.any()
+    assert not state.devices.laser.readings.count.any()
     assert len(state.pos_data.told) == 0
 
 
 def test_scouts_have_no_state_for_missing_devices():
     state = Environment(world_of('<robot x="2m" y="2m"/>' * 1), 0).state
-    for array in (rings(state).level, compasses(state).reading, state.laser.seen):
+    laser = state.devices.laser.readings.value
+    for array in (rings(state).level, compasses(state).reading, laser):
         assert array.size == 0
 
 
@@ -154,4 +155,4 @@ def test_no_request_breaks_instruments(code, content, clock_s):
     state = environment.state
     assert np.isfinite(rings(state).level).all()
     assert ((compasses(state).reading >= 0) & (compasses(state).reading < 3600)).all()
-    assert ((state.laser.wanted >= 1) & (state.laser.wanted <= 482)).all()
+    assert ((state.devices.laser.wanted >= 1) & (state.devices.laser.wanted <= 482)).all()

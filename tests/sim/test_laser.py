@@ -9,6 +9,7 @@ from crs_cc.core.errors import WorldError
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.devices.vendor_state import LASER
 from crs_cc.sim.geometry.split_and_merge import segments
+from crs_cc.sim.model.registry import device
 from tests.sim.driver import INCH, Driver, open_world, own_world, world_of
 
 NOMAD = '<robot definition="nomad200" x="0" y="0"/>'
@@ -219,6 +220,26 @@ def test_excess_segments_are_dropped(tmp_path):
     driver.ask("CONF_LS", 33, 20, 20, 482, 1)
     driver.ask("CONF_SG", 0, 0, -1)
     assert len(readings(driver, "GET_SG")) == 241  # four numbers each, of the 964 in Laser
+
+
+def test_large_errors_make_no_negative_range(tmp_path):
+    """-1 is no object in range; at 2 m the deviation is 20 m here."""
+    noisy = (EXACT, EXACT.replace('noise="0mm"', 'noise="5m"'))
+    things = '<robot x="0" y="0"/>' + WALL
+    driver = Driver.of(own_world(tmp_path, noisy, things=things, robot="nomad200"))
+    driver.ask("CONF_LS", 51, 20, 20, 60, 1)
+    assert driver.post("LASER")[0]["i"][0] == 60
+    page, _ = driver.post("READINGS", 3)
+    ranges = page["data"][: 4 * 60].view("<i4")
+    assert (ranges >= 0).all()
+    assert (ranges == 0).any()
+
+
+def test_inspector_shows_nearest_range_of_laser():
+    driver, inspect = laser(WALL), device("laser").inspect
+    assert inspect(driver.state, 0).startswith("nearest 1.80")
+    driver.post("CONF_LS", 0)
+    assert inspect(driver.state, 0) == "no reading"
 
 
 def test_scout_has_no_laser():

@@ -9,22 +9,19 @@ from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, LASER
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
-DEVICES = "<camera/><computer-battery"
+DEVICES = "<gripper/><arm/><computer-battery"
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
     <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
            acceleration="1m/s2"/></robot-definition>"""
 
 HAS = {
-    "laser": lambda model: model.laser is not None,
     **{
         device.name: lambda model, name=device.name: model.device(name) is not None
         for device in devices()
     },
-    "camera": lambda model: model.camera is not None,
 }
 
 REQUIRED = {"heat": 'range="3m"'}
@@ -38,8 +35,8 @@ ASKED = (
     ("bumper", "GET_BP"),
     ("infrared", "GET_IR"), ("infrared", "CONF_IR"), ("compass", "GET_CP"),
     ("compass", "CONF_CP", 1), ("laser", "CONF_LS", 51), ("laser", "CONF_SG"), ("laser", "GET_LS"),
-    ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
-    ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
+    ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "READINGS", 3),
+    ("camera", "READINGS", 1),
     *(
         (device.name, request.name, *WITH.get(request.name, ()))
         for device in devices() for request in device.requests
@@ -48,8 +45,7 @@ ASKED = (
     *((device, request, number)
       for request in ("PERIOD", "AGE")
       for device, number in (
-          *((each.name, each.number) for each in devices() if each.number is not None),
-          ("camera", CAMERA), ("laser", LASER),
+          (each.name, each.number) for each in devices() if each.number is not None
       )),
 )  # fmt: skip
 

@@ -32,7 +32,10 @@ def told(tmp_path, first: str) -> list:
         state = driver.state
         driver.post("CAMERA", robot=1)
         driver.post("LASER", robot=1)
-        found += [state.camera.range[-1].tolist(), state.laser.ranges[-1].tolist()]
+        found += [
+            state.devices.camera.readings.value[-1].tolist(),
+            state.devices.laser.readings.value[-1].tolist(),
+        ]
     return found
 
 

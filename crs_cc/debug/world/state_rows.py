@@ -45,6 +45,6 @@ def _devices(model: RobotModel) -> dict[str, object]:
     return {
         "STATE_IR_": model.device("infrared"),
         "_TURRET": model.drive.turret,
-        "STATE_LASER": model.laser,
+        "STATE_LASER": model.device("laser"),
         "STATE_COMPASS": model.device("compass"),
     }

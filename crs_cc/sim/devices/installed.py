@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.paged_reply import PagedReply
 
 Read: TypeAlias = "Callable[[EnvState, RobotConstants, RayCaster, IndexArray, FloatArray], None]"
 """The function that measures with sensors of the given robots at the given times."""
@@ -42,10 +43,13 @@ class Installed:
         handlers: the handlers of its requests, by their names.
         timed: how it measures by a timer; None if it has none.
         fans: the beams that it casts.
+        announced: from the state: the readings that the last reply announced, for READINGS; None
+            if all its readings fit into a reply.
         device: the object behind these, for devices that work together.
     """
 
     handlers: Mapping[str, Handler] = field(default_factory=dict)
     timed: Timed | None = None
     fans: Sequence[Fan] = ()
+    announced: Callable[[EnvState], PagedReply] | None = None
     device: Any = None

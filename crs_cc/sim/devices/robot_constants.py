@@ -8,7 +8,7 @@ from typing import Self
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
 from crs_cc.sim.devices.degradation.filter import Degradations
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.geometry.scene import Scene
@@ -26,10 +26,7 @@ class RobotConstants:
         timestep_s: the world's timestep [s].
         drives: the drives.
         vendor_model: the vendor's number of the model.
-        laser: number of each robot among those with a laser, -1 for the others.
-        camera: the same for cameras.
         numbers: the same for each device of `registry.devices()`, by its name.
-        laser_points: maximum number of points of the laser.
         radius_m: the radius of the body.
         degradations: the filter of values from and to devices.
         world: the world before the first cycle.
@@ -41,10 +38,7 @@ class RobotConstants:
     timestep_s: float
     drives: Drives
     vendor_model: Int64Array
-    laser: IndexArray
-    camera: IndexArray
     numbers: Mapping[str, IndexArray]
-    laser_points: Int32Array
     radius_m: FloatArray
     degradations: Degradations
     world: WorldModel
@@ -61,19 +55,10 @@ class RobotConstants:
             timestep_s=world.timestep_s,
             drives=Drives.of(world),
             vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
-            laser=_numbers([model.laser is not None for model in models]),
-            camera=_numbers([model.camera is not None for model in models]),
             numbers={
-                "camera": _numbers([model.camera is not None for model in models]),
-                "laser": _numbers([model.laser is not None for model in models]),
-                **{
-                    each.name: _numbers([model.device(each.name) is not None for model in models])
-                    for each in devices()
-                },
+                each.name: _numbers([model.device(each.name) is not None for model in models])
+                for each in devices()
             },
-            laser_points=np.array(
-                [model.laser.points if model.laser else 0 for model in models], np.int32
-            ),
             radius_m=np.array([model.radius_m for model in models]),
             degradations=Degradations(seed),
             world=world,

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.device import Device
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.paged_reply import PagedReply
 
 _NOISE: Final = ("noise_m", "noise_rad", "noise")
 
@@ -63,6 +64,9 @@ Measure: TypeAlias = Callable[[Measurement], FloatArray]
 Returns the true values [SI unit], without noise and degradation, in an array of shape (k, values).
 """
 
+Errors: TypeAlias = Callable[[Measurement, FloatArray, FloatArray], FloatArray]
+"""Returns values with errors from the true ones and standard normal deviates, each (k, values)."""
+
 
 @dataclass(slots=True)
 class Readings:
@@ -90,6 +94,7 @@ class Sensor:
     Attributes:
         row: the device.
         settings: the fields of the row's model, by name, (n,) each.
+        readings: returns the last measurements in a state.
     """
 
     def __init__(
@@ -101,6 +106,9 @@ class Sensor:
         width: int,
         *,
         missing: float = np.nan,
+        errors: Errors | None = None,
+        is_on: Callable[[EnvState], BoolArray] | None = None,
+        readings: Callable[[EnvState], Readings] | None = None,
     ) -> None:
         """Make the sensors of a world's robots.
 
@@ -111,9 +119,14 @@ class Sensor:
             measure: the measuring function.
             width: number of values with noise and degradations; what else it measures follows them.
             missing: the reading for a missing value.
+            errors: adds the errors; by default they have the definition's standard deviation.
+            is_on: returns which sensors are on, (n,); by default all are.
+            readings: returns the readings in a state; by default all of the device's state.
         """
         self.row = row
         self._measure, self._width, self._missing = measure, width, missing
+        self._errors, self._is_on = errors, is_on
+        self.readings = readings or (lambda state: state.device(row.name, Readings))
         models = [robot.model.device(row.name) for robot in world.robots]
         found = [model for model in models if model is not None]
         self.settings = {
@@ -129,14 +142,23 @@ class Sensor:
         robots = len(models) if self._sigma is not None else 0
         self._noise = Noise(seed, row.stream, width, robots)
 
-    def installed(self, handlers: Mapping[str, Handler], fans: Sequence[Fan] = ()) -> Installed:
-        """Return the sensors with the handlers of their requests and the beams that they cast."""
-        timed = Timed(self.read, lambda state: self.readings(state).at_s, self._interval_s)
-        return Installed(handlers=handlers, timed=timed, fans=fans, device=self)
+    def installed(
+        self,
+        handlers: Mapping[str, Handler],
+        fans: Sequence[Fan] = (),
+        announced: Callable[[EnvState], PagedReply] | None = None,
+    ) -> Installed:
+        """Return the sensors with the handlers of their requests and the beams that they cast.
 
-    def readings(self, state: EnvState) -> Readings:
-        """Return the last measurements."""
-        return state.device(self.row.name, Readings)
+        Args:
+            handlers: the handlers, by the names of the requests.
+            fans: the beams.
+            announced: the readings for READINGS, see `Installed`.
+        """
+        timed = Timed(self.read, lambda state: self.readings(state).at_s, self._interval_s)
+        return Installed(
+            handlers=handlers, timed=timed, fans=fans, announced=announced, device=self
+        )
 
     def read(
         self,
@@ -157,16 +179,22 @@ class Sensor:
         """
         readings, mine = self.readings(state), constants.numbers[self.row.name][rows]
         due = is_due(readings.at_s[mine], at_s, self._interval_s[mine])
+        if self._is_on is not None:
+            due &= self._is_on(state)[mine]
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         if not len(rows):
             return
         settings = {name: column[mine] for name, column in self.settings.items()}
-        measurement = Measurement(state, constants, rays, rows, at_s, settings)
-        value = measured(self.row, self._measure, measurement, (len(rows), readings.value.shape[1]))
+        now = Measurement(state, constants, rays, rows, at_s, settings)
+        value = measured(self.row, self._measure, now, (len(rows), readings.value.shape[1]))
         value, extra = value[:, : self._width], value[:, self._width :]
         if self._sigma is not None:
-            error = self._noise.rows(rows, readings.count[mine]) * self._sigma[mine, None]
-            value = value * (1.0 + error) if self._is_relative else value + error
+            deviates = self._noise.rows(rows, readings.count[mine])
+            if self._errors is not None:
+                value = self._errors(now, value, deviates)
+            else:
+                error = deviates * self._sigma[mine, None]
+                value = value * (1.0 + error) if self._is_relative else value + error
         value = constants.degradations.alter(state, self.row.name, rows, value, at_s)
         value = np.where(np.isnan(value), self._missing, value)
         readings.value[mine] = np.column_stack([value, extra])

@@ -12,15 +12,14 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
-from crs_cc.requests import CODES, NUM_STATE
+from crs_cc.requests import NUM_STATE
 from crs_cc.requests.request import ALL_SENSORS, LASER
-from crs_cc.sim.devices import laser, pos_data
+from crs_cc.sim.devices import pos_data
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.devices.infrared import MAX_INFRARED, InfraredRing, rings
-from crs_cc.sim.devices.installed import Timed
-from crs_cc.sim.devices.laser import Lasers
+from crs_cc.sim.devices.laser.model import laser_state
 from crs_cc.sim.devices.sonar.model import MAX_SONARS
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.timers import read_on_request
@@ -37,7 +36,7 @@ from crs_cc.sim.devices.vendor_state import (
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.model import registry
-from crs_cc.sim.state import mask, timers
+from crs_cc.sim.state import mask
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
@@ -45,18 +44,15 @@ if TYPE_CHECKING:
 
     from crs_cc.sim.devices.battery import Batteries
     from crs_cc.sim.devices.installed import Installed
+    from crs_cc.sim.devices.laser.lasers import Lasers
     from crs_cc.sim.devices.ray_caster import RayCaster
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
 
-_LASER_WIDTHS: Final = {CODES["GET_LS"]: laser.POINTS, CODES["GET_SG"]: laser.SEGMENTS}
-"""Numbers per reading in the replies with laser readings, in any mode."""
-
-_GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS}
+_GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": mask.LASER}
 """The bits of masks that select a device of the registry."""
 
 _BITS: Final = np.array([1, 2, 4])
@@ -68,44 +64,28 @@ class SensorBoard:
 
     Attributes:
         batteries: the robots' batteries.
-        lasers: their lasers.
     """
 
-    def __init__(self, world: WorldModel, seed: int, installed: Mapping[str, Installed]) -> None:
+    def __init__(self, world: WorldModel, installed: Mapping[str, Installed]) -> None:
         """Make the boards.
 
         Args:
             world: the world.
-            seed: decides the noise.
             installed: the devices of the registry, by their names.
         """
         self.batteries: Batteries = installed["motor_battery"].device
         self._clock = BoardClock(world)
         self._infrared: InfraredRing = installed["infrared"].device
-        self.lasers = Lasers(world, seed)
         models = [robot.model for robot in world.robots]
-        self._has_lasers = any(model.laser is not None for model in models)
         self._instruments = [
-            (registry.device(name).number, timed.read, group)
+            (registry.device(name), timed.read, group)
             for name, group in _GROUPS.items()
             if (timed := installed[name].timed) is not None
             and any(model.device(name) is not None for model in models)
         ]
-
-    @property
-    def fans(self) -> list[Fan]:
-        """Return the beams of the sensors that measure distances."""
-        return self.lasers.fans
-
-    @property
-    def timed(self) -> dict[int, tuple[str, Timed]]:
-        """Return the sensors that can have a timer, by their numbers in `crs.h`."""
-        lasers = self.lasers
-        return {
-            timers.LASER: ("laser", Timed(
-                lasers.read, lambda state: state.laser.measured.at_s, lasers.interval_s
-            )),
-        }  # fmt: skip
+        self._lasers: Lasers | None = None
+        if any(model.device("laser") is not None for model in models):
+            self._lasers = installed["laser"].device
 
     def reply(self, context: RequestContext, good: BoolArray) -> Int32Array:
         """Write `State` into replies, with batteries, clock, laser readings and positions.
@@ -126,8 +106,9 @@ class SensorBoard:
         if status is not None:
             states[:, MOTOR_STATUS] |= status
         context["laser_count"] = 0
-        if self._has_lasers and request.sensors & LASER:
-            context["laser_count"] = _keep_laser(context)
+        if self._lasers is not None and request.sensors & LASER:
+            masked = _is_requested(context, mask.LASER)
+            context["laser_count"] = self._lasers.reply(context, masked)
         pos_data.keep(state, constants, self._clock, rows, request.sensors)
         computers, motors = self.batteries.voltage_bytes(state, constants, rows, at_s)
         context["computer_battery"], context["motor_battery"] = computers, motors
@@ -137,15 +118,10 @@ class SensorBoard:
 
     def _measure(self, context: RequestContext, good: BoolArray) -> None:
         """Measure with the instruments that the programs' masks select."""
-        for has, read, sensor, group in (
-            (self._has_lasers, self.lasers.read, timers.LASER, mask.LASER),
-        ):
-            if has:
-                requested = good & _is_requested(context, group)
-                read_on_request(context, read, sensor, requested)
-        for number, measure, group in self._instruments:
-            requested = good & _is_requested(context, group)
-            read_on_request(context, measure, number, requested)
+        for row, measure, group in self._instruments:
+            has = context.constants.numbers[row.name][context.rows] >= 0
+            requested = good & has & _is_requested(context, group)
+            read_on_request(context, measure, row.number, requested)
 
     def look(
         self,
@@ -173,14 +149,8 @@ class SensorBoard:
             look = self._infrared.look
             infrared[has] = look(state, constants, rays, rows[has], poses[has])
         counts = np.zeros(len(rows), dtype=np.int32)
-        has = constants.laser[rows] >= 0
-        if has.any():
-            mine, kept = constants.laser[rows[has]], state.laser
-            points, seen, _ = self.lasers.look(state, constants, rays, rows[has], poses[has])
-            points = np.where(laser.is_on(kept.mode[mine]), points, 0)
-            width = laser.widths(kept.mode[mine])
-            laser.keep(state, kept.predicted, mine, width, (points, seen))
-            counts[has] = kept.predicted.count[mine]
+        if self._lasers is not None:
+            counts = self._lasers.predict(state, constants, rays, rows, poses)
         return infrared, counts
 
 
@@ -194,9 +164,11 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
         numbers = constants.numbers["infrared"][rows]
         has = numbers >= 0
         vector[has, IR_0:SONAR_0] = np.rint(level[numbers[has]])
-    if len(state.laser.mode):
-        has = constants.laser[rows] >= 0
-        vector[has, LASER_MODE] = state.laser.mode[constants.laser[rows[has]]]
+    mode = laser_state(state).mode
+    if len(mode):
+        numbers = constants.numbers["laser"][rows]
+        has = numbers >= 0
+        vector[has, LASER_MODE] = mode[numbers[has]]
     reading = compasses(state).reading
     if len(reading):
         numbers = constants.numbers["compass"][rows]
@@ -207,23 +179,6 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
     works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
     vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
     return vector
-
-
-def _keep_laser(context: RequestContext) -> Int32Array:
-    """Store the lasers' scans for the pages; return the number of readings of each, (k,)."""
-    laser_state, mine = context.state.laser, context.constants.laser[context.rows]
-    width = _LASER_WIDTHS.get(context.request.code)
-    requested = mine >= 0
-    if width is None:
-        requested &= _is_requested(context, mask.LASER)
-    mine = mine[requested]
-    mode = laser_state.mode[mine]
-    widths = laser.widths(mode) if width is None else np.full(len(mine), width, np.int32)
-    points = np.where(laser.is_on(mode), laser_state.points[mine], 0)
-    laser.keep(context.state, laser_state.told, mine, widths, (points, laser_state.seen[mine]))
-    counts = np.zeros(len(context), dtype=np.int32)
-    counts[requested] = laser_state.told.count[mine]
-    return counts
 
 
 def _is_requested(context: RequestContext, group: slice) -> BoolArray:

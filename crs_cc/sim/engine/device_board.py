@@ -10,22 +10,19 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper import Bumpers
-from crs_cc.sim.devices.camera import Cameras
 from crs_cc.sim.devices.handling import Handling
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.sensor_board import SensorBoard
 from crs_cc.sim.devices.sonar import SonarRing
 from crs_cc.sim.devices.timers import Timers
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.state.timers import CAMERA, LASER
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
-    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.model.world import WorldModel
@@ -46,7 +43,6 @@ class DeviceBoard:
         sensor_board: the devices read by the vendor's sensor board.
         handling: the grippers and arms.
         messenger: the communication between robots.
-        cameras: the cameras.
         installed: the devices of the registry, by their names.
         timers: the timers of all sensors that can have one.
     """
@@ -60,38 +56,29 @@ class DeviceBoard:
             log: receives their events.
         """
         self.log = log
-        self.cameras = Cameras(world, seed)
         self.messenger = Messenger(world, seed)
         self.installed: dict[str, Installed] = {
             row.name: row.install(row, world, seed, log) for row in _REGISTERED
         }
         self.sonars: SonarRing = self.installed["sonar"].device
         self.bumpers: Bumpers = self.installed["bumper"].device
-        self.sensor_board = SensorBoard(world, seed, self.installed)
+        self.sensor_board = SensorBoard(world, self.installed)
         self.handling = Handling(self.installed["gripper"].device, self.installed["arm"].device)
         self.timers = Timers(self._timed())
 
     def _timed(self) -> dict[int, tuple[str, Timed]]:
         """Return the sensors that can have a timer, by their numbers in `crs.h`."""
-        timed = {
-            CAMERA: ("camera", Timed(
-                self.cameras.read, lambda state: state.camera.at_s, self.cameras.interval_s
-            )),
-            **self.sensor_board.timed,
-        }  # fmt: skip
-        for row in _REGISTERED:
-            found = self.installed[row.name].timed
-            if row.number is not None and found is not None:
-                timed[row.number] = row.name, found
-        return timed
+        found = {row: self.installed[row.name].timed for row in _REGISTERED}
+        return {
+            row.number: (row.name, timed)
+            for row, timed in found.items()
+            if row.number is not None and timed is not None
+        }
 
     @property
     def fans(self) -> list[Fan]:
         """Return the beams of the devices that measure distances."""
-        own = [*self.cameras.fans]
-        for each in self.installed.values():
-            own += each.fans
-        return [*self.sensor_board.fans, *own]
+        return [fan for each in self.installed.values() for fan in each.fans]
 
     def begin(
         self,
@@ -155,20 +142,3 @@ class DeviceBoard:
             to_s: its end.
         """
         self.messenger.end_cycle(state, constants, self.log, from_s=from_s, to_s=to_s)
-
-
-def page(context: RequestContext) -> BoolArray:
-    """Answer READINGS with a page of what an earlier reply announced; refuse other sensors."""
-    state, constants = context.state, context.constants
-    sensor, first = context["sensor"].copy(), context["first"].tolist()
-    good = np.zeros(len(context), dtype=np.bool_)
-    tables = (
-        (CAMERA, state.camera.told, constants.camera),
-        (LASER, state.laser.told, constants.laser),
-    )
-    for number, told, numbers in tables:
-        mine = numbers[context.rows]
-        for place in np.flatnonzero((sensor == number) & (mine >= 0)).tolist():
-            told.page(mine[place], first[place], context.messages[place])
-            good[place] = True
-    return good

@@ -25,13 +25,12 @@ from crs_cc.requests import CODES
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
     drive,
-    laser,
     odometry,
+    pages,
     pos_data,
     serial_link,
 )
 from crs_cc.sim.devices.waits import Wait
-from crs_cc.sim.engine import device_board
 from crs_cc.sim.engine.server import drawing, world
 from crs_cc.sim.engine.server.motion import motion_check
 from crs_cc.sim.engine.server.place import place_robot
@@ -111,11 +110,6 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "GET_RV": acknowledge,
         "CT": ct,
         "GET_RA": acknowledge,
-        "GET_LS": board.lasers.get_laser,
-        "GET_SG": board.lasers.get_laser,
-        "CONF_LS": laser.conf_ls,
-        "CONF_SG": laser.conf_sg,
-        "LASER_PAGE": laser.page,
         "POS_DATA": pos_data.page,
         "TK": acknowledge,
         "CONF_SER": serial_link.conf_ser,
@@ -135,9 +129,7 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "QUIT_SERVER": disconnect,
         "CREATE": create,
         "SPECIAL": refuse,
-        "CAMERA": devices.cameras.take_picture,
-        "READINGS": device_board.page,
-        "LASER": board.lasers.get_ranges,
+        "READINGS": partial(pages.page, installed=devices.installed),
         "PERIOD": devices.timers.set_period,
         "AGE": devices.timers.get_age,
         "SEND": messages.send,

@@ -15,9 +15,9 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.units import tenths_inch_to_m
+from crs_cc.sim.devices.camera import Camera, camera_state, picture
 from crs_cc.sim.devices.sonar.model import Sonar, sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
-from crs_cc.sim.model.sensors import Camera
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 
@@ -54,7 +54,7 @@ def sights(
     camera_row = 0
     for number, robot in enumerate(world.robots):
         if only not in {None, number}:
-            camera_row += robot.model.camera is not None
+            camera_row += robot.model.device("camera") is not None
             continue
         place = np.array([state.x_m[number], state.y_m[number]])
         angle_rad = float(state.mount_rad[number])
@@ -63,12 +63,12 @@ def sights(
             echo_m = float(sonar_state(state).echo_m[number, sonar.id])
             if math.isfinite(echo_m):
                 found.append(Beam(_turned(_cone(sonar, echo_m), angle_rad) + place))
-        camera = robot.model.camera
+        camera = robot.model.device("camera")
         if camera is not None:
-            is_fresh = time_s - state.camera.at_s[camera_row] <= FRESH_S
-            colours = state.camera.colour[camera_row, : camera.columns].tolist()
-            ranges_m = tenths_inch_to_m(state.camera.range[camera_row].astype(np.float64))
-            for column, colour in enumerate(colours):
+            is_fresh = time_s - camera_state(state).readings.at_s[camera_row] <= FRESH_S
+            colours, ranges = picture(state, camera, camera_row).T
+            ranges_m = tenths_inch_to_m(ranges.astype(np.float64))
+            for column, colour in enumerate(colours.tolist()):
                 if is_fresh and ranges_m[column] >= 0.0:
                     line = _turned(_line(camera, column, float(ranges_m[column])), angle_rad)
                     found.append(Beam(line + place, f"#{colour:06x}"))

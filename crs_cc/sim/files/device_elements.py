@@ -7,17 +7,20 @@ from typing import Any
 
 from lxml import etree
 
+from crs_cc.core.quantity import Kind
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import period_s
 from crs_cc.sim.model.attribute import (
     Attribute,
     Choice,
+    Colour,
     Count,
     Fraction,
     Numbers,
     Voltages,
     attributes_of,
 )
+from crs_cc.sim.model.colours import rgb
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
 
@@ -66,12 +69,28 @@ def _value(row: Attribute, element: Element, reader: Reader) -> Any:
     if isinstance(values, Count):
         least = 0 if row.default is None else int(row.default)
         return reader.whole(element, row.name, values.least, values.most, absent=least)
-    absent = values.parse(row.default) if row.default else 1.0
-    if row.positive:
-        return reader.positive(element, row.name, values, absent)
-    if row.signed:
-        return reader.quantity(element, row.name, values, absent)
-    return reader.not_negative(element, row.name, values, absent)
+    if isinstance(values, Colour):
+        return _colour(element, row.name, reader)
+    return _quantity(row, values, element, reader)
+
+
+def _quantity(row: Attribute, kind: Kind, element: Element, reader: Reader) -> float:
+    absent = kind.parse(row.default) if row.default else 1.0
+    read = reader.not_negative
+    if row.positive or row.signed:
+        read = reader.positive if row.positive else reader.quantity
+    value = read(element, row.name, kind, absent)
+    if row.most and value > kind.parse(row.most):
+        reader.refuse(element, f"{row.name}: must be {row.most} or less")
+    return value
+
+
+def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]:
+    try:
+        return rgb(element.attributes[name])
+    except ValueError as wrong:
+        reader.refuse(element, f"{name}: {wrong}")
+        return 0, 0, 0
 
 
 def add_to_schema(schema: etree._Element) -> None:
@@ -124,7 +143,7 @@ def _restrict(attribute: etree._Element, row: Attribute) -> None:
         listed = etree.SubElement(bounded, f"{_XS}simpleType")
         etree.SubElement(listed, f"{_XS}list", itemType="xs:unsignedByte")
         etree.SubElement(bounded, f"{_XS}maxLength", value=str(row.values.most))
-    elif isinstance(row.values, Count):
+    elif isinstance(row.values, Count | Colour):
         attribute.set("type", "xs:string")
     elif isinstance(row.values, Voltages):
         kind = etree.SubElement(attribute, f"{_XS}simpleType")

@@ -32,7 +32,6 @@ from crs_cc.sim.model.robot import Drive, Link, Odometry, RobotModel
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
 
-_ROUNDING_M: Final = 1e-4  # resolution of the positions of sensors on the shell
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
 _NETWORK_S: Final = 1e-3  # default of `robot.xsd`
@@ -47,7 +46,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     body = root.first("body")
     vendor = root.attributes.get("model", "scout")
     radius_m = reader.positive(body, "radius", LENGTH)
-    _check_places(root, radius_m, reader)
     _check_duplicates(root, reader)
     return RobotModel(
         root.attributes["name"],
@@ -55,8 +53,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         drive=_drive(root.first("drive"), reader),
         odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
-        laser=sensor_elements.laser(root, reader),
-        camera=sensor_elements.camera(root, reader),
         board=sensor_elements.sensor_board(root, reader),
         link=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
@@ -64,19 +60,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         height_m=reader.positive(body, "height", LENGTH, math.inf),
         devices=device_elements.models(root, reader),
     )
-
-
-def _check_places(root: Element, radius_m: float, reader: Reader) -> None:
-    """Report sensors outside of the body."""
-    for tag in ("laser", "camera"):
-        element = root.first(tag)
-        if abs(reader.quantity(element, "forward", LENGTH)) > radius_m + _ROUNDING_M:
-            reader.error(element, f"the {tag} is outside of the body")
-    for element in root.sensors("camera"):
-        place = element.first("position")
-        x_m = reader.quantity(place, "x-relative", LENGTH)
-        if math.hypot(x_m, reader.quantity(place, "y-relative", LENGTH)) > radius_m + _ROUNDING_M:
-            reader.error(element, "the camera is outside of the body")
 
 
 def _check_duplicates(root: Element, reader: Reader) -> None:

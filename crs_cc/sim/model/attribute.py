@@ -14,13 +14,16 @@ from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
 from crs_cc.core.quantity import FREQUENCY, LENGTH, TIME, Kind
+from crs_cc.sim.model.colours import rgb
 
 __all__ = [
+    "COLOUR",
     "FRACTION",
     "LENGTH",
     "SHARE",
     "Attribute",
     "Choice",
+    "Colour",
     "Count",
     "Numbers",
     "Voltages",
@@ -107,7 +110,22 @@ class Voltages:
         return tuple(float(volts) for volts in text.split())
 
 
-Values: TypeAlias = Kind | Count | Choice | Fraction | Numbers | Voltages
+@dataclass(frozen=True, slots=True)
+class Colour:
+    """Colours: names, or #rrggbb."""
+
+    def parse(self, text: str) -> tuple[int, int, int]:
+        """Return red, green and blue, 0 to 255.
+
+        Raises:
+            ValueError: the text is not a colour.
+        """
+        return rgb(text)
+
+
+COLOUR: Final = Colour()
+
+Values: TypeAlias = Kind | Count | Choice | Fraction | Numbers | Voltages | Colour
 """Which values an attribute can have."""
 
 
@@ -123,6 +141,7 @@ class Attribute:
         meaning: description in whole sentences, shown in the schema and its docs.
         positive: whether a quantity must be greater than 0.
         signed: whether a quantity may be less than 0.
+        most: largest value of a quantity, as written in the file; empty for no limit.
     """
 
     name: str
@@ -131,6 +150,7 @@ class Attribute:
     meaning: str
     positive: bool = False
     signed: bool = False
+    most: str = ""
 
 
 def attribute(
@@ -141,6 +161,7 @@ def attribute(
     *,
     positive: bool = False,
     signed: bool = False,
+    most: str = "",
 ) -> Any:
     """Return a dataclass field that is set by an attribute of the device's element [SI unit].
 
@@ -152,8 +173,9 @@ def attribute(
         meaning: description in whole sentences.
         positive: whether a quantity must be greater than 0.
         signed: whether a quantity may be less than 0.
+        most: largest value of a quantity, as written in the file; empty for no limit.
     """
-    metadata = {"attribute": Attribute(name, values, default, meaning, positive, signed)}
+    metadata = {"attribute": Attribute(name, values, default, meaning, positive, signed, most)}
     if not default:
         return dataclasses.field(metadata=metadata)
     return dataclasses.field(default=values.parse(default), metadata=metadata)

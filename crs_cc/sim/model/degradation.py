@@ -32,7 +32,6 @@ from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.model.degradable import Degradable, numbered
 from crs_cc.sim.model.registry import devices
-from crs_cc.sim.model.sensors import MAX_COLUMNS, NUM_LASER
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
@@ -124,16 +123,6 @@ def _axes(model: RobotModel) -> tuple[str, ...]:
 _OTHERS: Final = {
     device.name: device
     for device in (
-        Degradable(
-            "laser", "distance of a point, from right to left", LENGTH,
-            lambda model: numbered(model.laser.points if model.laser else 0), NUM_LASER,
-            "no point",
-        ),
-        Degradable(
-            "camera", "range of a column, from left to right", LENGTH,
-            lambda model: numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
-            "background colour",
-        ),
         Degradable(
             "odometry", "speed of an axis as counted by its encoder", SPEED, _axes, AXES,
             "does not count",

@@ -17,8 +17,6 @@ from typing import Any, Final, Self
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.sensors import (
     USUAL_BOARD,
-    Camera,
-    Laser,
     SensorBoard,
 )
 
@@ -132,8 +130,6 @@ class RobotModel:
         drive: its drive.
         odometry: its encoders and odometry errors.
         mass_kg: its mass.
-        laser: its laser, or None.
-        camera: its camera, or None.
         board: the computer that reads its sensors.
         link: the link between host and robot.
         host_speed_hz: IR instructions that the host computer executes per second.
@@ -148,8 +144,6 @@ class RobotModel:
     drive: Drive
     odometry: Odometry = Odometry()
     mass_kg: float = 20.0
-    laser: Laser | None = None
-    camera: Camera | None = None
     board: SensorBoard = USUAL_BOARD
     link: Link = IDEAL_LINK
     host_speed_hz: float = 5e7

@@ -27,13 +27,11 @@ from crs_cc.core.arrays import BoolArray, ByteArray, FloatArray, Int64Array
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.bodies import Bodies
-from crs_cc.sim.state.camera import CameraState
 from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
 from crs_cc.sim.state.heat import HeatState
-from crs_cc.sim.state.laser import LaserState
 from crs_cc.sim.state.link import LinkState
 from crs_cc.sim.state.mask import first_mask
 from crs_cc.sim.state.messages import MessageState
@@ -64,9 +62,7 @@ class EnvState:
             drive, which never turns.
         drive: the motion of the axes.
         odometry: the estimated pose of each robot.
-        laser: the lasers' scans, and the reported ones.
         devices: the state of each device of `registry.devices()`, by its name.
-        camera: the cameras' images, and the reported ones.
         timers: the timers of sensors.
         degradation: the degradations of these devices, and of the drive.
         mask: the parts of `State` that the program requests (`Smask`), (robots, 44).
@@ -93,9 +89,7 @@ class EnvState:
     base_rad: FloatArray
     drive: DriveState
     odometry: OdometryState
-    laser: LaserState
     devices: Any
-    camera: CameraState
     timers: TimerState
     degradation: DegradationState
     mask: ByteArray
@@ -128,9 +122,7 @@ class EnvState:
             base_rad=heading_rad.copy(),
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),
-            laser=LaserState.at_start(world),
             devices=device_states(world),
-            camera=CameraState.at_start(world),
             timers=TimerState.at_start(world),
             degradation=DegradationState.at_start(world),
             mask=first_mask(count),

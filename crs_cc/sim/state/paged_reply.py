@@ -46,7 +46,7 @@ class PagedReply:
             np.zeros((count, room), dtype=np.int32),
         )
 
-    def keep(self, row: int, width: int, numbers: npt.NDArray[np.integer]) -> None:
+    def keep(self, row: int, width: int, numbers: npt.NDArray[np.number]) -> None:
         """Replace the readings of a device, as many as there is space for."""
         count = min(numbers.size, self.numbers.shape[1]) // width
         self.width[row], self.count[row] = width, count

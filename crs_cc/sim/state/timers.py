@@ -12,8 +12,7 @@ from crs_cc.sim.model.registry import devices, sensor_count
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-CAMERA, LASER = 1, 3
-"""Numbers in `crs.h` of sensors that can have a timer; the others are those of the registry."""
+_ROUNDING: Final = 1e-6
 
 
 @dataclass(slots=True)
@@ -72,15 +71,8 @@ class TimerState:
         self.soonest_s[rows] = self.next_s[rows].min(axis=1)
 
 
-_ROUNDING: Final = 1e-6
-
-
 def _periods_s(model: RobotModel) -> list[float]:
     """Return the periods of a robot's sensors, in the order of their numbers; 0 for none."""
-    numbered = {
-        CAMERA: model.camera,
-        LASER: model.laser,
-        **{each.number: model.device(each.name) for each in devices() if each.number is not None},
-    }
+    numbered = {each.number: model.device(each.name) for each in devices()}
     have = [numbered.get(number) for number in range(sensor_count())]
     return [0.0 if device is None else device.period_s for device in have]

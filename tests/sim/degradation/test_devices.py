@@ -178,6 +178,7 @@ def test_the_laser(tmp_path):
     farther = laser_points(tmp_path, 'element="2" bias="10in"')
     assert farther[2][0] == sound[2][0] + 100
     assert farther[:2] == sound[:2]
+    assert len(laser_points(tmp_path, 'stuck="1m"')) == 5  # as requested, of 482
 
 
 def gps(tmp_path, attributes: str) -> Driver:

@@ -47,7 +47,7 @@ def found_with(row: object, monkeypatch: pytest.MonkeyPatch) -> tuple[Device, ..
     [
         ("a text", "not a crs_cc.sim.model.device.Device"),
         (replace(ROW, name="tilt"), "duplicate device name"),
-        (number_sensor(**FIELDS | {"name": "camera"}), "duplicate request name"),
+        (number_sensor(**FIELDS | {"name": "age"}), "duplicate request name"),
         (replace(ROW, element="gps"), "duplicate device element"),
         (replace(ROW, number=6), "duplicate sensor number"),
         (replace(ROW, name="Depth"), "must be lower-case words"),

@@ -6,39 +6,8 @@
 #ifndef _CRS_H
 #define _CRS_H
 
-/* GPS receiver, inclinometer, and other sensors that measure a few numbers. */
+/* Devices, and the numbers CRS_SENSOR_... of those that can measure periodically. */
 #include <crs/registered.h>
-
-/* A column of a camera picture: the colour of the visible object, 0xRRGGBB, and its distance in
-   0.1 inch, -1 if no object is in range. */
-struct crs_pixel {
-    int colour;
-    int range;
-};
-
-/* Adjacent columns of one colour: the angle of their centre from the optical axis, positive to the
-   left, and their angular width, both in 0.1 degree; the colour, 0xRRGGBB; the distance of the
-   nearest column in 0.1 inch. */
-struct crs_blob {
-    int angle;
-    int width;
-    int colour;
-    int range;
-};
-
-/* Take a picture; store its columns, or its blobs, from left to right, at most `most`. Return the
-   number stored. */
-int crs_camera(struct crs_pixel *row, int most);
-int crs_blobs(struct crs_blob *blobs, int most);
-
-/* Take a laser scan; store the range in each direction, from right to left, in 0.1 inch, -1 if no
-   object is in range, at most `most`. Return the number stored, 0 also while the laser is switched
-   off, see conf_ls(). */
-int crs_laser(int *ranges, int most);
-
-/* Sensors that can measure periodically. */
-#define CRS_SENSOR_CAMERA 1
-#define CRS_SENSOR_LASER 3
 
 /* Set the period at which a sensor measures, starting now; functions that read it then return the
    last measurement. With a period of 0 it measures on request. The period is limited by the rate

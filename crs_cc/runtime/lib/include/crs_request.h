@@ -82,9 +82,7 @@ struct __crs_message {
 #define CRS_SONAR 160
 #define CRS_HEAT 161
 #define CRS_TAG 162
-#define CRS_CAMERA 201
 #define CRS_READINGS 202
-#define CRS_LASER 204
 #define CRS_PERIOD 205
 #define CRS_AGE 206
 #define CRS_SEND 240

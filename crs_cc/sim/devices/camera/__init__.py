@@ -21,132 +21,224 @@ chosen by us: the CRS report (6.2) suggests such a device without specifying it.
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core import random_streams
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
-from crs_cc.core.time_grid import is_due
+from crs_cc.core.arrays import BoolArray, FloatArray, Int32Array
+from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
+from crs_cc.requests import device_request
+from crs_cc.requests.request import fields
+from crs_cc.robot_api.row import OURS, Function
+from crs_cc.sim.devices import range_scan
 from crs_cc.sim.devices.camera.blobs import blobs
+from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.mount import mount_poses
-from crs_cc.sim.devices.timers import read_on_request
-from crs_cc.sim.geometry.rays import NO_THING, Fan
+from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor
+from crs_cc.sim.files.body import is_outside
+from crs_cc.sim.files.device_elements import read_attributes
+from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.surfaces import packed
-from crs_cc.sim.model.sensors import MAX_COLUMNS
-from crs_cc.sim.state.timers import CAMERA
+from crs_cc.sim.model.attribute import COLOUR, Count, attribute, period, rate
+from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
+from crs_cc.sim.model.device import Device
+from crs_cc.sim.state.paged_reply import PagedReply
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import RayCaster
+    from collections.abc import Sequence
+
     from crs_cc.sim.devices.request_context import RequestContext
-    from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.model.sensors import Camera
+    from crs_cc.sim.files.document import Element, Reader
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
 
+
+MAX_COLUMNS: Final = 320
+"""Maximum number of columns of a camera; our choice."""
 
 _PIXEL: Final = 2
 _BLOB: Final = 4
+"""Numbers per reading."""
 
 
-class Cameras:
-    """The cameras of all robots that have one.
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """A camera on the mount that measures a row of colours and ranges.
 
     Attributes:
-        fans: the beams of each kind of camera.
-        interval_s: minimum time between two pictures of each.
+        columns: pixels in the row.
+        field_of_view_rad: the angle that they cover, half of it to each side.
+        range_m: maximum range.
+        x_m: its position ahead of the mount's centre.
+        y_m: its position to the left of the mount's centre.
+        direction_rad: direction of its axis.
+        rate_hz: maximum measuring rate.
+        noise_m: standard deviation of a range's error at a distance of 1 m.
+        background: red, green and blue of a column without an object, 0 to 255.
+        z_m: height of its beams above the ground.
+        period_s: measuring period by timer; 0 for on request only.
     """
 
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        self._models = [camera for robot in world.robots if (camera := robot.model.camera)]
-        self._kinds = list(dict.fromkeys(self._models))
-        self._kind = np.array([self._kinds.index(each) for each in self._models], dtype=np.intp)
-        self.fans = [_fan(camera) for camera in self._kinds]
-        self.interval_s = np.array([1.0 / camera.rate_hz for camera in self._models])
-        self._noise_per_m = np.array([camera.noise_m for camera in self._models])
-        noisy = len(world.robots) if self._noise_per_m.any() else 0
-        self._noise = random_streams.Noise(seed, random_streams.CAMERA, MAX_COLUMNS, noisy)
+    columns: int = attribute(
+        "columns", Count(1, MAX_COLUMNS), "160", f"Number of pixels in the row, 1 to {MAX_COLUMNS}."
+    )
+    field_of_view_rad: float = range_scan.field_of_view("60deg")
+    range_m: float = attribute("range", LENGTH, "10m", "Range.", positive=True)
+    x_m: float = range_scan.forward()
+    y_m: float = attribute("left", LENGTH, "0m", "Position to the left of the centre.", signed=True)
+    direction_rad: float = attribute(
+        "direction", ANGLE, "0deg", "Direction, counter-clockwise from the front.", signed=True
+    )
+    rate_hz: float = rate("30Hz")
+    noise_m: float = attribute(
+        "noise", LENGTH, "0m",
+        "Standard deviation of a range at 1 m; it grows with the square of the range.",
+    )  # fmt: skip
+    background: tuple[int, int, int] = attribute(
+        "background", COLOUR, "black",
+        "Colour of empty columns: #rrggbb, or a name such as silver.",
+    )  # fmt: skip
+    z_m: float = range_scan.height()
+    period_s: float = period()
 
-    def read(
-        self,
-        state: EnvState,
-        constants: RobotConstants,
-        rays: RayCaster,
-        rows: IndexArray,
-        at_s: FloatArray,
-    ) -> None:
-        """Take pictures with the cameras that may take one again.
 
-        Args:
-            state: changed in place.
-            constants: the robots' constants.
-            rays: casts rays.
-            rows: robots that have a camera, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
-        """
-        camera, mine = state.camera, constants.camera[rows]
-        due = is_due(camera.at_s[mine], at_s, self.interval_s[mine])
-        rows, mine, at_s = rows[due], mine[due], at_s[due]
-        kinds = self._kind[mine]
-        for kind in np.unique(kinds).tolist():
-            some = kinds == kind
-            self._look(state, constants, rays, rows[some], kind=kind, at_s=at_s[some])
-        camera.at_s[mine] = at_s
-        camera.count[mine] += 1
+def read(root: Element, reader: Reader) -> Camera | None:
+    """Return the camera of a robot definition, None for a robot without one.
 
-    def _look(
-        self,
-        state: EnvState,
-        constants: RobotConstants,
-        rays: RayCaster,
-        rows: IndexArray,
-        *,
-        kind: int,
-        at_s: FloatArray,
-    ) -> None:
-        """Take pictures with the cameras of one kind."""
-        camera, mine = state.camera, constants.camera[rows]
-        model, fan = self._kinds[kind], self.fans[kind]
-        poses = mount_poses(state, constants, rows)
-        range_m, thing = rays.seen(state, fan, poses, own=rows)
-        if model.noise_m:
-            deviates = self._noise.rows(rows, camera.count[mine])[:, : model.columns]
-            spread_m = model.noise_m * np.where(thing == NO_THING, 0.0, range_m) ** 2
-            range_m = np.maximum(range_m + deviates * spread_m, 0.0)
-        range_m = constants.degradations.alter(state, "camera", rows, range_m, at_s)
-        seen = np.isfinite(range_m)
-        colour = rays.surfaces.colour[thing]
-        background = packed(model.background)
-        camera.colour[mine, : model.columns] = np.where(seen, colour, background)
-        tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
-        camera.range[mine, : model.columns] = np.where(seen, tenths, -1)
+    The report's `<sensor>` of this type, if there is one, sets its pose, field of view and range.
+    """
+    element, places = root.maybe("camera"), list(root.sensors("camera"))
+    for place in places[1:]:
+        reader.error(place, "duplicate camera: a robot has at most one")
+    for place in places:
+        position = place.first("position")
+        x_m, y_m = (reader.quantity(position, f"{axis}-relative", LENGTH) for axis in "xy")
+        if is_outside(root, x_m, y_m, reader):
+            reader.error(place, "the camera is outside of the body")
+    if element is None:
+        for place in places[:1]:
+            hint = "add <camera/> before <computer-battery>"
+            reader.error(place, "missing <camera>, which sets the camera's columns and rate", hint)
+        return None
+    camera: Camera = read_attributes(Camera, element, reader)
+    if is_outside(root, camera.x_m, 0.0, reader):
+        reader.error(element, "the camera is outside of the body")
+    return _placed(camera, places[0].first("position"), reader) if places else camera
+
+
+def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
+    """Return a camera with the pose, field of view and range of the report's `<sensor>`."""
+    range_m = reader.positive(place, "range", LENGTH)
+    radius_m = reader.positive(place, "radius", LENGTH)
+    return dataclasses.replace(
+        camera,
+        field_of_view_rad=2 * math.atan2(radius_m, range_m),
+        range_m=range_m,
+        x_m=reader.quantity(place, "x-relative", LENGTH),
+        y_m=reader.quantity(place, "y-relative", LENGTH),
+        direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
+        z_m=reader.not_negative(place, "z-relative", LENGTH),
+    )
+
+
+@dataclass(slots=True)
+class CameraState:
+    """The cameras; arrays have a row for each robot with a camera, n of them.
+
+    Attributes:
+        readings: the range of each column [m], from left to right, not finite if no object is in
+            range; then the colour of each, 0xRRGGBB.
+        told: contents of the last reply.
+    """
+
+    readings: Readings
+    told: PagedReply
+
+
+def state_at_start(models: Sequence[Camera]) -> CameraState:
+    """Return cameras without an image."""
+    return CameraState(
+        Readings.never(len(models), 2 * MAX_COLUMNS),
+        PagedReply.nothing(len(models), _PIXEL * MAX_COLUMNS),
+    )
+
+
+def camera_state(state: EnvState) -> CameraState:
+    """Return the state of the cameras."""
+    return state.device("camera", CameraState)
+
+
+def picture(state: EnvState, camera: Camera, number: int) -> Int32Array:
+    """Return colour, 0xRRGGBB, and range [0.1 in] of each column, -1 for no range, (columns, 2).
+
+    Args:
+        state: the state.
+        camera: the camera's constants.
+        number: its number among all cameras.
+    """
+    value = camera_state(state).readings.value[number]
+    range_m, colour = value[: camera.columns], value[MAX_COLUMNS : MAX_COLUMNS + camera.columns]
+    seen = np.isfinite(range_m)
+    tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
+    shown = np.where(seen, colour, packed(camera.background))
+    return np.column_stack([shown, np.where(seen, tenths, -1)]).astype(np.int32)
+
+
+class _Cameras:
+    """The cameras of all robots that have one."""
+
+    def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
+        found = [robot.model.device(row.name) for robot in world.robots]
+        self._models: list[Camera] = [camera for camera in found if camera is not None]
+        fans = {camera: _fan(camera) for camera in self._models}
+        self._fans = [fans[camera] for camera in self._models]
+        self._sensor = Sensor(
+            row, world, seed, self._measure, MAX_COLUMNS, errors=range_scan.triangulated,
+            readings=lambda state: camera_state(state).readings,
+        )  # fmt: skip
+        self.installed = self._sensor.installed(
+            {"CAMERA": self.take_picture}, list(fans.values()),
+            announced=lambda state: camera_state(state).told,
+        )  # fmt: skip
+
+    def _measure(self, now: Measurement) -> FloatArray:
+        """Return the range of each column [m], then its colour, (k, 640)."""
+        numbers = now.constants.numbers["camera"][now.rows]
+        poses = mount_poses(now.state, now.constants, now.rows)
+        range_m = np.full((len(numbers), MAX_COLUMNS), np.inf)
+        colour = np.zeros((len(numbers), MAX_COLUMNS))
+        for fan, some in range_scan.distinct([self._fans[number] for number in numbers]):
+            seen_m, thing = now.rays.seen(now.state, fan, poses[some], own=now.rows[some])
+            range_m[some, : len(fan)] = seen_m
+            colour[some, : len(fan)] = now.rays.surfaces.colour[thing]
+        return np.hstack([range_m, colour])
 
     def take_picture(self, context: RequestContext) -> BoolArray:
         """Answer CAMERA with the number of pixels or blobs; refuse robots without a camera."""
-        camera, mine = context.state.camera, context.constants.camera[context.rows]
-        has = np.asarray(mine >= 0)
-        read_on_request(context, self.read, CAMERA, has)
-        for place in np.flatnonzero(has).tolist():
-            number = mine[place]
-            model = self._models[number]
-            colour = camera.colour[number, : model.columns]
-            range_ = camera.range[number, : model.columns]
+        has, mine = self._sensor.asked(context)
+        told = camera_state(context.state).told
+        for place, number in zip(np.flatnonzero(has).tolist(), mine.tolist(), strict=True):
+            camera = self._models[number]
+            row = picture(context.state, camera, number)
             if context["blobs"][place]:
-                camera.told.keep(number, _BLOB, _blob_rows(model, colour, range_))
+                told.keep(number, _BLOB, _blob_rows(camera, row))
             else:
-                camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
-            context.put("count", camera.told.count[number], place)
+                told.keep(number, _PIXEL, row)
+            context.put("count", told.count[number], place)
         return has
 
 
-def _blob_rows(model: Camera, colour: Int32Array, range_: Int32Array) -> Int32Array:
+def _blob_rows(camera: Camera, row: Int32Array) -> Int32Array:
     """Return angle and width [0.1 deg], colour and range [0.1 in] of blobs, (blobs, 4)."""
-    found = blobs(colour, range_)
-    step = float(rad_to_tenths_deg(model.field_of_view_rad / model.columns))
+    found = blobs(row[:, 0], row[:, 1])
+    step = float(rad_to_tenths_deg(camera.field_of_view_rad / camera.columns))
     first, after = found[:, 0], found[:, 1]
-    angle = np.rint((model.columns - first - after) / 2 * step)
+    angle = np.rint((camera.columns - first - after) / 2 * step)
     width = np.rint((after - first) * step)
     return np.column_stack([angle, width, found[:, 2], found[:, 3]]).astype(np.int32)
 
@@ -159,3 +251,75 @@ def _fan(camera: Camera) -> Fan:
         for column in range(camera.columns)
     )
     return Fan.of(beams, camera.z_m)
+
+
+def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
+    """Return the cameras of a world's robots."""
+    return _Cameras(row, world, seed).installed
+
+
+DEVICE = Device(
+    name="camera",
+    title="Camera",
+    element="camera",
+    summary="A camera on the turret (or the body) that measures one row of colours and ranges:"
+    " crs_camera() and crs_blobs() of crs.h.",
+    model=Camera,
+    read=read,
+    state=state_at_start,
+    install=install,
+    requests=(
+        device_request(
+            "CAMERA", 201, "int crs_camera(struct crs_pixel *row, int most)",
+            "takes a picture and keeps it for READINGS",
+            fields(("blobs", "i[0]", "1", "0 for pixels, 1 for blobs")),
+            results=fields(("count", "i[0]", "1", "number of readings available from READINGS")),
+        ),
+    ),
+    functions=(
+        Function(
+            "int crs_camera(struct crs_pixel *row, int most)",
+            "takes a picture, and copies colour and range of its columns, from left to right;"
+            " returns the number of columns copied, at most `most`",
+            units="0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
+        ),
+        Function(
+            "int crs_blobs(struct crs_blob *blobs, int most)",
+            "takes a picture, and copies angle, width, colour and range of the blobs of one colour,"
+            " from left to right; returns the number of blobs copied, at most `most`",
+            units="0.1 deg, 0.1 deg, 0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"),
+            source=(OURS,),
+        ),
+    ),
+    declarations="""\
+/* A column of a camera picture: the colour of the visible object, 0xRRGGBB, and its distance in
+   0.1 inch, -1 if no object is in range. */
+struct crs_pixel {
+    int colour;
+    int range;
+};
+
+/* Adjacent columns of one colour: the angle of their centre from the optical axis, positive to the
+   left, and their angular width, both in 0.1 degree; the colour, 0xRRGGBB; the distance of the
+   nearest column in 0.1 inch. */
+struct crs_blob {
+    int angle;
+    int width;
+    int colour;
+    int range;
+};
+""",
+    degradables=(
+        Degradable(
+            "camera", "range of a column, from left to right", LENGTH,
+            elements_of("camera", lambda camera: numbered(camera.columns)), MAX_COLUMNS,
+            "background colour",
+        ),
+    ),
+    inspect=lambda state, number: range_scan.nearest_text(
+        camera_state(state).readings, number, MAX_COLUMNS
+    ),
+    number=1,
+    stream=6,
+    source=__file__,
+)  # fmt: skip

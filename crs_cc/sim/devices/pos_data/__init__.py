@@ -23,6 +23,7 @@ from crs_cc.requests.request import BUMPER, INFRARED, LASER, SONAR
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.devices.infrared import rings
+from crs_cc.sim.devices.laser.model import last_scan
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.state.mask import POS_DATA
 from crs_cc.sim.state.pos_data import NUMBERS, PLACES
@@ -86,7 +87,7 @@ def _read(
     if kind == INFRARED:
         return _last(rings(state).measured, constants.numbers["infrared"][robots])
     if kind == LASER:
-        return _last(state.laser.measured, constants.laser[robots])
+        return _last(last_scan(state), constants.numbers["laser"][robots])
     return _last(compasses(state).measured, constants.numbers["compass"][robots])
 
 

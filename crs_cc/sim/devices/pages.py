@@ -1,0 +1,36 @@
+"""Pages of readings that do not fit into one reply, which programs request with READINGS."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from crs_cc.core.arrays import BoolArray
+from crs_cc.sim.model.registry import devices
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.installed import Installed
+    from crs_cc.sim.devices.request_context import RequestContext
+
+
+def page(context: RequestContext, *, installed: Mapping[str, Installed]) -> BoolArray:
+    """Answer READINGS with a page of what an earlier reply announced; refuse other sensors.
+
+    Args:
+        context: the requests.
+        installed: the devices, by their names.
+    """
+    sensor, first = context["sensor"].copy(), context["first"].tolist()
+    good = np.zeros(len(context), dtype=np.bool_)
+    for row in devices():
+        announced = installed[row.name].announced
+        if announced is None:
+            continue
+        mine = context.constants.numbers[row.name][context.rows]
+        for place in np.flatnonzero((sensor == row.number) & (mine >= 0)).tolist():
+            told = announced(context.state)
+            told.page(mine[place], first[place], context.messages[place])
+            good[place] = True
+    return good
