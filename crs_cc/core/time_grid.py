@@ -24,4 +24,4 @@ def is_due(last_s: FloatArray, at_s: FloatArray, interval_s: FloatArray) -> Bool
         at_s: time of each next measurement, (k,).
         interval_s: the minimum time between two measurements, (k,).
     """
-    return np.asarray(at_s - last_s >= interval_s - ROUNDING_S)
+    return np.asarray((last_s < 0.0) | (at_s - last_s >= interval_s - ROUNDING_S))

@@ -36,3 +36,9 @@ def test_noise_has_standard_deviation_of_definition(tmp_path):
     assert readings.std(axis=0) == pytest.approx([10, 10], rel=0.06)
     assert abs(readings.mean(axis=0)).max() < 1.0
     assert abs(np.corrcoef(readings.T)[0, 1]) < 0.08
+
+
+def test_slow_receiver_measures_at_its_first_request(tmp_path):
+    """Not 10 s later, until when it would report 0, 0."""
+    robot = scout_with(tmp_path, '<gps rate="0.1Hz"/>')
+    assert drive(ASK, robot=robot, things='<robot x="30in" y="-4in"/>').numbers == [1, 300, -40]
