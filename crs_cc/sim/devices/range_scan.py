@@ -1,4 +1,4 @@
-"""What sensors have in common that measure ranges along many beams: laser and camera."""
+"""What sensors have in common that measure ranges along beams: laser, camera, infrared ring."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ def forward() -> Any:
     )
 
 
-def height() -> Any:
+def height(default: str = "30cm") -> Any:
     """Return the field `z_m` of a sensor: the height of its beams above the ground."""
     return attribute(
-        "height", LENGTH, "30cm", "Height above the ground: beams pass over lower objects."
+        "height", LENGTH, default, "Height above the ground: beams pass over lower objects."
     )
 
 

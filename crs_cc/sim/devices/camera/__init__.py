@@ -195,7 +195,7 @@ class _Cameras:
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         found = [robot.model.device(row.name) for robot in world.robots]
         self._models: list[Camera] = [camera for camera in found if camera is not None]
-        fans = {camera: _fan(camera) for camera in self._models}
+        fans = {camera: _fan(camera) for camera in dict.fromkeys(self._models)}
         self._fans = [fans[camera] for camera in self._models]
         self._sensor = Sensor(
             row, world, seed, self._measure, MAX_COLUMNS, errors=range_scan.triangulated,

@@ -33,6 +33,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.random_streams import Noise
+from crs_cc.sim.devices import range_scan
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
@@ -100,9 +101,7 @@ class Infrared:
         "order", Numbers(MAX_INFRARED), _ALL,
         "Active sensors before the program calls conf_ir().",
     )  # fmt: skip
-    z_m: float = attribute(
-        "height", LENGTH, "20cm", "Height above the ground: beams pass over lower objects."
-    )
+    z_m: float = range_scan.height("20cm")
     period_s: float = period()
 
 
@@ -171,11 +170,10 @@ class InfraredRing:
             for robot in world.robots
             if (ring := robot.model.device(row.name)) is not None
         ]
-        kinds, brightest = list(dict.fromkeys(pairs)), _brightest(world)
-        found = [ring for ring, _ in pairs]
+        brightest, found = _brightest(world), [ring for ring, _ in pairs]
+        fans = {pair: _fan(*pair, brightest) for pair in dict.fromkeys(pairs)}
         self._row = row
-        self.fans = [_fan(ring, radius_m, brightest) for ring, radius_m in kinds]
-        self._kind = np.array([kinds.index(pair) for pair in pairs], dtype=np.intp)
+        self.fans, self._fans = list(fans.values()), [fans[pair] for pair in pairs]
         self._interval_s = np.array([1.0 / ring.rate_hz for ring in found])
         self._step_m = np.array([ring.step_m for ring in found])[:, None]
         self._reflectance = np.array([ring.reflectance for ring in found])[:, None]
@@ -292,16 +290,13 @@ class InfraredRing:
         mine = constants.numbers[self._row.name][rows]
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
-        kinds, own = self._kind[mine], rays.surfaces.infrared
-        for kind, fan in enumerate(self.fans):
-            some = np.flatnonzero(kinds == kind)
-            if len(some):
-                if own is None:
-                    seen_m = rays.distances_m(state, fan, poses[some], own=rows[some])
-                else:
-                    seen_m, thing = rays.seen(state, fan, poses[some], own=rows[some])
-                    shine[some] = np.where(np.isnan(own[thing]), shine[some], own[thing])
-                distance_m[some] = seen_m
+        own = rays.surfaces.infrared
+        for fan, some in range_scan.distinct([self._fans[number] for number in mine]):
+            if own is None:
+                distance_m[some] = rays.distances_m(state, fan, poses[some], own=rows[some])
+            else:
+                distance_m[some], thing = rays.seen(state, fan, poses[some], own=rows[some])
+                shine[some] = np.where(np.isnan(own[thing]), shine[some], own[thing])
         return distance_m, self._step_m[mine] * np.sqrt(shine)
 
 
