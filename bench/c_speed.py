@@ -6,7 +6,7 @@ processor time less that of an empty program compiled the same way. All ways of 
 several times, and the least times are compared, which a busy machine disturbs least; so the ratios
 mean something on any machine, the times do not.
 
-    python bench/c_speed.py [--repeat N] [KERNEL ...]
+    python bench/c_speed.py [--repeat N] [--compiler NAME] [KERNEL ...]
 """
 
 from __future__ import annotations
@@ -48,6 +48,14 @@ NATIVE = {
 SANDBOX = {"crs": True, "crs unchecked": False}
 BASE = "gcc -O2"
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
+
+LIMITS = [
+    ("geometric mean", "", "crs", 2.6),
+    ("geometric mean", "", "crs unchecked", 2.0),
+    ("recursive calls", "fib", "crs unchecked", 5.0),
+    ("structs by value", "structs", "crs unchecked", 4.0),
+]
+"""What is aimed at: (what, kernel or all, way of running, most times as slow as the base)."""
 
 Way = Callable[[], tuple[float, bytes]]
 """Run a kernel; gives its processor time [s] and what it printed."""
@@ -122,13 +130,13 @@ def ways_to_run(source: Path, folder: Path, starts_s: dict[str, float]) -> dict[
     return ways
 
 
-def process_starts(folder: Path, repeat: int) -> dict[str, float]:
+def process_starts(compilers: list[str], folder: Path, repeat: int) -> dict[str, float]:
     """Return the processor time of an empty program of each compiler that works here [s]."""
     source = folder / "empty.c"
     source.write_text("int main(void) { return 0; }\n")
     starts_s = {}
-    for name, command in NATIVE.items():
-        program = compile_native(source, command, folder)
+    for name in compilers:
+        program = compile_native(source, NATIVE[name], folder)
         if program is not None:
             empty = AsProcess(program)
             starts_s[name] = min(empty()[0] for _ in range(repeat))
@@ -162,8 +170,13 @@ def print_table(results: dict[str, dict[str, float]]) -> None:
             ratios[name].append(row[name] / row[base])
             line += f"{ratios[name][-1]:15.2f}"
         print(line + f"{row[base] * 1000:16.0f}")
-    means = [statistics.geometric_mean(rows) for rows in ratios.values()]
-    print(f"{'mean':16}" + "".join(f"{mean:15.2f}" for mean in means))
+    means = {name: statistics.geometric_mean(rows) for name, rows in ratios.items()}
+    print(f"{'mean':16}" + "".join(f"{mean:15.2f}" for mean in means.values()))
+    print()
+    for what, kernel, name, most in LIMITS:
+        if not kernel or kernel in results:
+            reached = results[kernel][name] / results[kernel][base] if kernel else means[name]
+            print(f"{what}, {name}: {reached:.2f} times {base}, aim {most}")
     print("Only the ratios mean something on another machine.")
 
 
@@ -171,6 +184,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("kernels", nargs="*", help="names of kernels; all by default")
     parser.add_argument("--repeat", type=int, default=7, help="runs of each (default 7)")
+    parser.add_argument(
+        "--compiler", action="append", choices=NATIVE, help="compare with this one; repeatable"
+    )
     options = parser.parse_args()
     sources = sorted(KERNELS.glob("*.c"))
     if options.kernels:
@@ -179,7 +195,7 @@ def main() -> None:
         parser.error(f"no such kernel in {KERNELS}")
     results = {}
     with tempfile.TemporaryDirectory() as folder:
-        starts_s = process_starts(Path(folder), options.repeat)
+        starts_s = process_starts(options.compiler or list(NATIVE), Path(folder), options.repeat)
         for source in sources:
             print(f"{source.stem} ...", file=sys.stderr)
             ways = ways_to_run(source, Path(folder), starts_s)
