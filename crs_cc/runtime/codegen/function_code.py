@@ -38,7 +38,7 @@ from crs_cc.ir.program import (
     Switch,
 )
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
-from crs_cc.runtime.codegen import frame_states, jumps, spill_slots
+from crs_cc.runtime.codegen import failing, frame_states, jumps, spill_slots
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
@@ -49,7 +49,6 @@ from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     BEGUN_GLOBAL,
     CALL_TYPE,
-    FAULT,
     FP,
     FUEL,
     LABEL,
@@ -202,7 +201,7 @@ class _FunctionCode:
             entry.exit, entry.targets = "branch", [resumption, start]
         else:
             entry.jump(start)
-        fault: list[Instr] = [("local.get", SITE), ("local.get", ADDRESS), ("call", FAULT)]
+        fault = failing.note(("local.get", SITE), ("local.get", ADDRESS))
         fault += [("local.set", STATUS), ("i32.const", 0), ("local.set", LABEL)]
         body = emit(entry, fault) + self.epilogue()
         code = Code(self.function.name, TYPE_CALL, self.writer.local_types, body)
@@ -230,7 +229,7 @@ class _FunctionCode:
     def overflow(self) -> list[Instr]:
         """Fail without the epilogue, which would write to the frame."""
         number = self.names.number(Site("stack overflow", self.function.location))
-        note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
+        note = failing.note(("i32.const", number), ("local.get", FP))
         return [*note, ("local.get", FUEL), ("return",)]
 
     def resumption(self, start: Node) -> Node:

@@ -14,11 +14,11 @@ SLOT_GLOBAL, MARKS_GLOBAL, BEGUN_GLOBAL, WATCHED_GLOBAL, SPAN_GLOBAL = range(5)
 statements, and number of statements begun; in watching builds, start and size of the bounds
 of the watched ranges."""
 
-FAULT, OUTSIDE = range(2)
-"""The runtime functions of the module, which precede those of the program."""
+OUTSIDE: Final = 0
+"""The runtime function of unchecked builds, which precedes the functions of the program."""
 
-INACCESSIBLE, CALLERS, PRODUCT_FITS = range(1, 4)
-"""Those of checked builds, which have no `OUTSIDE`."""
+INACCESSIBLE, CALLERS, PRODUCT_FITS = range(3)
+"""Those of checked builds."""
 
 CALL_TYPE: Final = 1
 """The type of C functions."""

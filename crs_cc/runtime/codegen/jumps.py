@@ -12,7 +12,8 @@ from typing import Final
 
 from crs_cc.ir.value_type import ValueType
 from crs_cc.requests import SUSPENDED
-from crs_cc.runtime.codegen.indices import FAULT, FUEL, LABEL, MEMORY, SP, STATUS
+from crs_cc.runtime.codegen import failing
+from crs_cc.runtime.codegen.indices import FUEL, LABEL, MEMORY, SP, STATUS
 from crs_cc.runtime.wasm import Instr
 
 JUMPED: Final = 3
@@ -75,7 +76,7 @@ def call_root(root: int, fp: int, *, fuel: int, status: int) -> list[Instr]:
         ("i32.const", fp), ("local.get", fuel), ("call", root),
         ("local.set", fuel), ("local.tee", status), ("i32.const", JUMPED), ("i32.eq",), ("if",),
         ("global.get", ACTIVATION), ("if",),
-        ("global.get", JUMP_SITE), ("i32.const", 0), ("call", FAULT), ("local.set", status),
+        *failing.note(("global.get", JUMP_SITE), ("i32.const", 0)), ("local.set", status),
         ("else",),
         ("i32.const", SUSPENDED), ("local.set", status),
         ("local.get", fuel), ("i64.const", 0), ("i64.ge_s",), ("br_if", 2),

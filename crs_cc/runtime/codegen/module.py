@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Final
 
 from crs_cc.ir.program import ByteState, Data, Program
-from crs_cc.requests import FAILED, slot_offset
+from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import jumps, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
@@ -72,7 +72,7 @@ def compile_program(
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
     checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
-    own = [_fault(), *(checks if checked else [_outside()])]
+    own = checks if checked else [_outside()]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
     names = Symbols(
         addresses,
@@ -209,18 +209,6 @@ def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[I
     module.data.append((-1, 0, bytes(states)))
     code: list[Instr] = [("i32.const", start), ("i32.const", 0), ("i32.const", len(states))]
     return [*code, ("memory.init", segment, SHADOW)]
-
-
-def _fault() -> Code:
-    """`fault(site, value) -> FAILED`: stores the failure in the slot."""
-    body = [
-        ("global.get", SLOT_GLOBAL), ("local.get", 0),
-        ("i32.store", MAILBOX, slot_offset("error_site")),
-        ("global.get", SLOT_GLOBAL), ("local.get", 1),
-        ("i32.store", MAILBOX, slot_offset("error_address")),
-        ("i32.const", FAILED),
-    ]  # fmt: skip
-    return Code("fault", _TWO_I32, [], body)
 
 
 def _outside() -> Code:
