@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.runtime.codegen.flow_graph import LANDING, Landing, Node
+from crs_cc.runtime.codegen.fuel_charges import charge
 
 MOST_NESTED_LOOPS: Final = 16
 """Loops nested deeper, which only irreducible jumps create, become one flat dispatcher.
@@ -120,7 +121,8 @@ class _Loops:
         for side in (True, False):
             jumping = [source for source in sources if (source in inside) is side]
             if jumping:
-                setter = Node([(LANDING, landing), ("local.set", self.label)])
+                code = [*charge(-landing.prepaid), (LANDING, landing), ("local.set", self.label)]
+                setter = Node(code)
                 self.predecessors[setter] = []
                 self._redirect(head, setter, jumping)
                 setter.jump(dispatcher.node)
@@ -160,7 +162,8 @@ def _finish(root: _Dispatcher, label: int) -> None:
         numbers: list[int] = []
         for child in dispatcher.children:
             if isinstance(child, Landing):
-                targets.append(Node([("i32.const", 0), ("local.set", label)], "jump", [child.node]))
+                code = [("i32.const", 0), ("local.set", label), *charge(child.prepaid)]
+                targets.append(Node(code, "jump", [child.node]))
                 numbers.append(child.number)
             else:
                 targets.extend([child.node] * len(below[child]))

@@ -49,7 +49,10 @@ class Landing:
     Attributes:
         node: the node.
         number: its number, from 1; known once `add_dispatchers` has run.
+        prepaid: the fuel that must have been paid for the node when it is reached, see
+            `fuel_charges`; a function that is resumed there pays it again.
     """
 
     node: Node
     number: int = 0
+    prepaid: int = 0

@@ -40,11 +40,13 @@ from crs_cc.ir.program import (
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.codegen import failing, frame_states, jumps, spill_slots
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
+from crs_cc.runtime.codegen.call_checks import NO_VALUE, check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
+from crs_cc.runtime.codegen.fuel_charges import charge, early_charges, exact_charges
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     BEGUN_GLOBAL,
@@ -62,8 +64,8 @@ from crs_cc.runtime.codegen.indices import (
 )
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
+from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.signatures import call_shape
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.symbols import Symbols
@@ -88,7 +90,6 @@ RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignor
 MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
 MOST_WAYS: Final = 250_000
 """Limit on registers times landings of a function; at 160,000 compiling takes half a gigabyte."""
-NO_VALUE: Final = -1  # in place of the number of a function that ended without a value
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +122,7 @@ class _FunctionCode:
         self.shadowed = checked and not function.trusted
         liveness = Liveness(function)
         more: list[Register] = []
-        charge = 0
+        spilled = 0
         self.flags: dict[Register, Register] = {}
         self.unset: dict[Instruction, frozenset[Register]] = {}
         if self.shadowed:
@@ -129,11 +130,10 @@ class _FunctionCode:
             self.flags, self.unset = assigned.flags, assigned.unset
             deferred = DeferredChecks(function, liveness, keep=debug)
             more = [*self.flags.values(), *(deferred.registers if debug else [])]
-            charge = 0 if debug else deferred.charge
+            spilled = 0 if debug else deferred.charge
         self.registers = Registers(function, liveness, more, debug=debug)
         self.saved = self.registers.saved
-        charge += self.registers.charge
-        sizes = self._arguments_size(), charge
+        sizes = self._arguments_size(), spilled + self.registers.charge
         self.stamped = debug and not function.trusted
         self.frame = lay_out(function, self.saved, *sizes, checked=checked, stamped=self.stamped)
         self.writer = writer = Writer(names, self.frame)
@@ -142,14 +142,22 @@ class _FunctionCode:
         if self.shadowed:
             self.memory = CheckedMemory(writer, deferred, assigned)
             arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
-        self.watching: Watchpoints | None = None
-        if build.watch and not function.trusted:
-            library = in_library(function.location)
-            self.watching = Watchpoints(writer, build.watch, self.marks, library=library)
+        self.watching = self._watchpoints(build.watch)
         self.selector = Selector(writer, self.memory, arithmetic, self.watching)
         self.nodes = {block: Node() for block in function.blocks}
+        headers = self.registers.headers
+        self.fuel = exact_charges(function) if debug else early_charges(function, headers)
+        self.latches = {} if debug else rotated_loops(function, headers)
+        self.bottoms = {header: Node() for header in self.latches}
+        self.here = function.blocks[0]
         self.landings: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
+
+    def _watchpoints(self, watch: int) -> Watchpoints | None:
+        if not watch or self.function.trusted:
+            return None
+        library = in_library(self.function.location)
+        return Watchpoints(self.writer, watch, self.marks, library=library)
 
     def _arguments_size(self) -> int:
         """Return the maximum size of the arguments of all calls; -1 if there are no calls.
@@ -299,15 +307,26 @@ class _FunctionCode:
     # -- blocks -------------------------------------------------------------------------------
 
     def block(self, block: Block) -> None:
-        node = self.nodes[block]
+        self.here = block
+        if block not in self.registers.headers:
+            self.body(block, self.nodes[block], [])
+            return
+        landing = self.add_landing(self.nodes[block], all_instructions(block)[0])
+        landing.prepaid = prepaid = self.fuel.received[block]
+        test: list[Instr] = [("local.get", FUEL), ("i64.const", -prepaid), ("i64.lt_s",), UNLIKELY]
+        test += [*charge(-prepaid), *self.suspend(landing), ("end",)]
+        self.body(block, self.nodes[block], test)
+        if block in self.bottoms:
+            self.body(block, self.bottoms[block], test)
+
+    def body(self, block: Block, node: Node, test: list[Instr]) -> None:
+        """Write a block, after a test whether the function must be suspended."""
         selector, writer = self.selector, self.writer
         selector.forget()
         code = writer.code = node.code
-        if block in self.registers.headers:
-            landing = self.add_landing(node, all_instructions(block)[0])
-            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
-            code += [*self.suspend(landing), ("end",)]
-        code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
+        code += test
+        code += charge(self.fuel.charges[block])
+        writer.prepaid = self.fuel.prepaid[block]
         last = self.registers.last_uses(block)
         for number, instruction in enumerate(block.instructions):
             if not isinstance(instruction, Statement):
@@ -336,14 +355,18 @@ class _FunctionCode:
         self.writer.code = following.code
         return following
 
+    def target(self, block: Block) -> Node:
+        """Return the node of a successor: at a rotated loop's end, the copy of its header there."""
+        return (self.bottoms if self.here in self.latches.get(block, ()) else self.nodes)[block]
+
     def terminator(self, node: Node, block: Block) -> None:
         match block.terminator:
             case Jump(target=target):
-                node.jump(self.nodes[target])
+                node.jump(self.target(target))
             case Branch() as branch:
                 self.writer.push(branch.condition)
                 node.exit = "branch"
-                node.targets = [self.nodes[branch.then], self.nodes[branch.otherwise]]
+                node.targets = [self.target(branch.then), self.target(branch.otherwise)]
             case Switch() as switch:
                 lower_switch(self.writer, node, switch, self.nodes)
             case Return(value=value):
@@ -405,7 +428,7 @@ class _FunctionCode:
         landing = self.add_landing(after, call)
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
-            self._check_pointer(call, call.callee)
+            check_pointer(writer, call, call.callee, shapes=self.shadowed)
         after.code += [("local.get", SP), ("local.get", FUEL)]
         if isinstance(call.callee, Register):
             writer.push(call.callee)
@@ -416,32 +439,11 @@ class _FunctionCode:
         after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
         if call.result is not None:
             if self.shadowed:
-                self._check_value(call)
+                check_value(writer, call)
             writer.load_at(SP, RESULT, call.result.type)
             writer.pop(call.result)
             selector.follow(call)
-        after.jump(self.nodes[call.then])
-
-    def _check_pointer(self, call: Call, pointer: Register) -> None:
-        """Check that a function pointer is valid, and its function compatible with the call."""
-        writer, code = self.writer, self.writer.code
-        push = writer.value(pointer)
-        code += [push, ("i32.const", 1), ("i32.sub",)]
-        code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
-        writer.fail_if(Site("bad function pointer", call.location), [push])
-        table = self.names.tables.get(call_shape(call))
-        if table is not None and self.shadowed:
-            code += [push, ("i32.load8_u", MEMORY, table), ("i32.eqz",)]
-            writer.fail_if(Site("mismatched call", call.location), [push])
-
-    def _check_value(self, call: Call) -> None:
-        """Check that the callee has returned a value, see `leave`."""
-        callee, without = call.callee, self.names.without_value
-        if callee in without or (isinstance(callee, Register) and without):
-            self.writer.load_at(SP, FUNCTION, "i32")
-            self.writer.code += [("i32.const", NO_VALUE), ("i32.eq",)]
-            site = Site("no value returned", call.location)
-            self.writer.fail_if(site, [("i32.const", 0)])
+        after.jump(self.target(call.then))
 
     def request(self, node: Node, request: Request) -> None:
         """Copy the message to the slot and suspend; copy the reply back when resumed."""
@@ -467,12 +469,12 @@ class _FunctionCode:
         self.memory.set_states(request.message, MESSAGE_SIZE, ByteState.WITH_VALUE)
         after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
         writer.pop(request.result)
-        after.jump(self.nodes[request.then])
+        after.jump(self.target(request.then))
 
     def set_jump(self, node: Node, jump: SetJump) -> None:
         """Store the landing to return to; `longjmp` passes the value in the frame."""
         selector, writer = self.selector, self.writer
-        landed, after = Node(), self.nodes[jump.then]
+        landed, after = Node(), self.target(jump.then)
         landing = self.add_landing(landed, jump)
         zero = Constant("i32", 0)
         self.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))

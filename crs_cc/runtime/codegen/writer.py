@@ -18,6 +18,7 @@ from crs_cc.ir.program import (
     ValueType,
 )
 from crs_cc.runtime.codegen.flow_graph import FAULTED
+from crs_cc.runtime.codegen.fuel_charges import charge
 from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import Frame
@@ -44,6 +45,7 @@ class Writer:
         frame: the layout of the function's slots and registers.
         locals: the local of each register that has one.
         local_types: the types of the locals after the parameters.
+        prepaid: the fuel paid for later blocks, which a failure gives back.
     """
 
     def __init__(self, names: Symbols, frame: Frame) -> None:
@@ -52,6 +54,7 @@ class Writer:
         self.code: list[Instr] = []
         self.local_types: list[ValueType] = list(FIXED_LOCALS)
         self.locals: dict[Register, int] = {}
+        self.prepaid = 0
         self._released: set[Register] = set()
         self._free: dict[ValueType, list[int]] = {"i32": [], "i64": [], "f32": [], "f64": []}
 
@@ -93,6 +96,7 @@ class Writer:
     def fail(self, site: Site, value: list[Instr]) -> None:
         """Stop the program with a failure; `value` pushes the address or number to report."""
         number = self.names.number(site)
+        self.code += charge(-self.prepaid)
         self.code += [*value, ("local.set", ADDRESS)]
         self.code += [("i32.const", number), ("local.set", SITE), (FAULTED,)]
 

@@ -1,0 +1,36 @@
+"""Checks around a call: a function pointer that is valid, a callee that has returned a value."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import Call, Register
+from crs_cc.runtime.codegen.indices import MEMORY, SP
+from crs_cc.runtime.codegen.signatures import call_shape
+from crs_cc.runtime.codegen.writer import Writer
+from crs_cc.runtime.layout import FUNCTION
+from crs_cc.runtime.sites import Site
+
+NO_VALUE: Final = -1  # in place of the number of a function that ended without a value
+
+
+def check_pointer(writer: Writer, call: Call, pointer: Register, *, shapes: bool) -> None:
+    """Check that a function pointer is valid; with `shapes`, that its function fits the call."""
+    names, code = writer.names, writer.code
+    push = writer.value(pointer)
+    code += [push, ("i32.const", 1), ("i32.sub",)]
+    code += [("i32.const", names.pointers), ("i32.ge_u",)]
+    writer.fail_if(Site("bad function pointer", call.location), [push])
+    table = names.tables.get(call_shape(call))
+    if table is not None and shapes:
+        code += [push, ("i32.load8_u", MEMORY, table), ("i32.eqz",)]
+        writer.fail_if(Site("mismatched call", call.location), [push])
+
+
+def check_value(writer: Writer, call: Call) -> None:
+    """Check that the callee has returned a value."""
+    callee, without = call.callee, writer.names.without_value
+    if callee in without or (isinstance(callee, Register) and without):
+        writer.load_at(SP, FUNCTION, "i32")
+        writer.code += [("i32.const", NO_VALUE), ("i32.eq",)]
+        writer.fail_if(Site("no value returned", call.location), [("i32.const", 0)])

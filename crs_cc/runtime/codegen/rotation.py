@@ -1,0 +1,79 @@
+"""Which loops are tested at the bottom: `while (c) body` as `if (c) do body while (c)`.
+
+The header of such a loop is generated twice, before the loop and at its end, so that an iteration
+takes one jump fewer. The copy before the loop is also where the function resumes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Final
+
+from crs_cc.ir.program import Block, Branch, Function, Switch
+
+MOST_COPIED: Final = 12
+"""A header with more instructions is not copied."""
+MOST_BLOCKS: Final = 400
+"""A loop of more blocks is not examined, which keeps the work linear."""
+
+
+def rotated_loops(function: Function, headers: Iterable[Block]) -> dict[Block, set[Block]]:
+    """Return the header of each loop to be tested at the bottom, with the blocks that jump back."""
+    candidates = [block for block in headers if _is_test(block)]
+    if not candidates:
+        return {}
+    back, predecessors = _edges(function)
+    found = {}
+    for header in candidates:
+        latches = back[header]
+        inside = _natural_loop(header, latches, predecessors)
+        stays = sum(target in inside for target in header.successors())
+        jumps = not any(isinstance(each.terminator, Switch) for each in latches)
+        if stays == 1 and jumps and function.blocks[0] not in inside - {header}:
+            found[header] = latches
+    return found
+
+
+def _is_test(block: Block) -> bool:
+    is_short = len(block.instructions) <= MOST_COPIED
+    return is_short and isinstance(block.terminator, Branch) and block not in block.successors()
+
+
+def _edges(function: Function) -> tuple[dict[Block, set[Block]], dict[Block, list[Block]]]:
+    """Return the sources of the back edges to each block, and of all edges."""
+    back: dict[Block, set[Block]] = {block: set() for block in function.blocks}
+    predecessors: dict[Block, list[Block]] = {block: [] for block in function.blocks}
+    entry = function.blocks[0]
+    open_blocks, seen = {entry}, {entry}
+    work = [(entry, iter(entry.successors()))]
+    while work:
+        block, rest = work[-1]
+        for target in rest:
+            predecessors[target].append(block)
+            if target in open_blocks:
+                back[target].add(block)
+            elif target not in seen:
+                seen.add(target)
+                open_blocks.add(target)
+                work.append((target, iter(target.successors())))
+                break
+        else:
+            open_blocks.discard(block)
+            work.pop()
+    return back, predecessors
+
+
+def _natural_loop(
+    header: Block, latches: set[Block], predecessors: dict[Block, list[Block]]
+) -> set[Block]:
+    """Return the header and the blocks that lead to a latch without it; none of a large loop."""
+    inside = {header, *latches}
+    work = list(latches)
+    while work:
+        if len(inside) > MOST_BLOCKS:
+            return set()
+        for source in predecessors[work.pop()]:
+            if source not in inside:
+                inside.add(source)
+                work.append(source)
+    return inside
