@@ -32,7 +32,7 @@ from crs_cc.ir.program import (
     Store,
 )
 from crs_cc.requests import slot_offset
-from crs_cc.runtime.codegen import indices, shadow
+from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
@@ -283,6 +283,12 @@ class CheckedMemory(PlainMemory):
                 return
             self.proved.add(where, length, valued=False)
         writer = self.writer
+        few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
+        if few:
+            push = writer.value(address)
+            writer.code += shadow.some_inaccessible(push, few)
+            writer.fail_if(Site("memory", location, access, few), [push])
+            return
         writer.code += [writer.value(address), writer.value(size)]
         writer.code += [("call", indices.INACCESSIBLE), ("local.tee", WIDE_STATES)]
         writer.code += [("i64.const", shadow.FINE), ("i64.ne",), UNLIKELY]

@@ -12,11 +12,12 @@ from typing import Final
 from crs_cc.ir.program import ByteState, Function, Lifetime, Slot
 from crs_cc.runtime.codegen import shadow
 from crs_cc.runtime.codegen.indices import FP, MEMORY, SHADOW, SP, STATES
+from crs_cc.runtime.codegen.inline_ranges import MOST_FILLED
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
 from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
 from crs_cc.runtime.wasm import Instr
 
-MOST_STORES: Final = 12
+MOST_STORES: Final = 32
 """Slots that need more stores than this are made inaccessible by one `memory.fill`."""
 
 _SP: Final[Instr] = ("local.get", SP)
@@ -46,10 +47,11 @@ def leave(function: Function, frame: Frame) -> list[Instr]:
     code: list[Instr] = []
     for slot in function.slots:
         code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)
-    if len(code) > 3 * MOST_STORES:
+    if function.slots:  # together with the red zones between them, if that is shorter
         start = min(frame.offsets[slot] for slot in function.slots)
         end = max(frame.offsets[slot] + slot.size for slot in function.slots)
-        code = shadow.fill(_SP, start, max(end - start, shadow.MOST_INLINE + 1), gone)
+        if end - start <= MOST_FILLED or len(code) > 3 * MOST_STORES:
+            code = min(code, shadow.fill(_SP, start, end - start, gone), key=len)
     for slot in _parameters(function):
         code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)
     return code + _rest(function, frame, gone)

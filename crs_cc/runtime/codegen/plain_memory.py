@@ -23,8 +23,9 @@ from crs_cc.ir.program import (
     State,
     Store,
 )
-from crs_cc.runtime.codegen import indices
+from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
+from crs_cc.runtime.codegen.inline_ranges import short
 from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
@@ -83,7 +84,12 @@ class PlainMemory:
         """Write a `memmove`."""
         writer = self.writer
         writer.charge(it.size)
+        size = short(it.size, inline_ranges.MOST_COPIED)
+        target, source = writer.value(it.target), writer.value(it.source)
         for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
+            if size:
+                writer.code += inline_ranges.copy(memory, target, source, size)
+                continue
             writer.code += [writer.value(each) for each in (it.target, it.source, it.size)]
             writer.code.append(("memory.copy", memory, memory))
 
@@ -91,8 +97,13 @@ class PlainMemory:
         """Write a `memset`."""
         writer = self.writer
         writer.charge(it.size)
-        writer.code += [writer.value(each) for each in (it.target, it.value, it.size)]
-        writer.code.append(("memory.fill", MEMORY))
+        size = short(it.size, inline_ranges.MOST_FILLED)
+        if size and isinstance(it.value, Constant):
+            target, value = writer.value(it.target), int(it.value.value)
+            writer.code += inline_ranges.fill(MEMORY, target, 0, size, value)
+        else:
+            writer.code += [writer.value(each) for each in (it.target, it.value, it.size)]
+            writer.code.append(("memory.fill", MEMORY))
         self.set_states(it.target, it.size, ByteState.WITH_VALUE)
 
     def argument(self, value: Operand, offset: int, size: Operand, location: Location) -> None:
@@ -100,6 +111,11 @@ class PlainMemory:
         writer = self.writer
         self.check_range(value, size, location, "read")
         writer.charge(size)
+        few = short(size, inline_ranges.MOST_COPIED)
+        if few:
+            sp, source = ("local.get", SP), writer.value(value)
+            writer.code += inline_ranges.copy(MEMORY, sp, source, few, offset)
+            return
         writer.code += [("local.get", SP), ("i32.const", offset), ("i32.add",)]
         writer.code += [writer.value(value), writer.value(size)]
         writer.code.append(("memory.copy", MEMORY, MEMORY))
@@ -117,7 +133,10 @@ class PlainMemory:
 
     def set_states(self, address: Operand, size: Operand, state: int) -> None:
         """Set the states of bytes, if there is a shadow memory."""
-        if self.shadowed:
+        few = short(size, inline_ranges.MOST_FILLED)
+        if self.shadowed and few:
+            self.writer.code += shadow.fill(self.writer.value(address), 0, few, state)
+        elif self.shadowed:
             writer = self.writer
             writer.code += [writer.value(address), ("i32.const", state), writer.value(size)]
             writer.code.append(("memory.fill", SHADOW))

@@ -18,18 +18,13 @@ from __future__ import annotations
 from typing import Final
 
 from crs_cc.ir.program import ByteState, ValueType
+from crs_cc.runtime.codegen import inline_ranges
 from crs_cc.runtime.codegen.indices import MEMORY, SHADOW
 from crs_cc.runtime.layout import RESULT
 from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
 
 PAGES: Final = 65536
-
-MOST_INLINE: Final = 64
-"""More bytes than this are set by `memory.fill`, which is a call into the host."""
-
-_LOADS: Final = {1: "i32.load8_s", 2: "i32.load16_s", 4: "i32.load", 8: "i64.load"}
-_STORES: Final = {1: "i32.store8", 2: "i32.store16", 4: "i32.store", 8: "i64.store"}
 
 
 def kind(size: int) -> ValueType:
@@ -39,12 +34,12 @@ def kind(size: int) -> ValueType:
 
 def load(size: int, offset: int) -> Instr:
     """Replace an address on the stack by the states of its bytes, sign-extended."""
-    return (_LOADS[size], SHADOW, offset)
+    return (inline_ranges.LOADS[size], SHADOW, offset)
 
 
 def store(size: int, offset: int) -> Instr:
     """Set the states of the bytes at an address; address and states are on the stack."""
-    return (_STORES[size], SHADOW, offset)
+    return (inline_ranges.STORES[size], SHADOW, offset)
 
 
 def repeated(state: int, size: int) -> Instr:
@@ -65,15 +60,19 @@ def not_accessible(size: int) -> list[Instr]:
 
 def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
     """Set the states of `size` bytes at `base + offset`; `base` is an instruction that pushes."""
-    if size > MOST_INLINE:
+    if size > inline_ranges.MOST_FILLED:
         at = [base, ("i32.const", offset), ("i32.add",)]
         return [*at, ("i32.const", state), ("i32.const", size), ("memory.fill", SHADOW)]
-    code: list[Instr] = []
-    while size > 0:
-        step = next(each for each in (8, 4, 2, 1) if each <= size)
-        code += [base, repeated(state, step), store(step, offset)]
-        offset, size = offset + step, size - step
-    return code
+    return inline_ranges.fill(SHADOW, base, offset, size, state) if size else []
+
+
+def some_inaccessible(base: Instr, size: int) -> list[Instr]:
+    """Push whether some of `size` bytes at an address, pushed by `base`, is inaccessible."""
+    step, offsets = inline_ranges.words(size)
+    code = [base, load(step, offsets[0])]
+    for at in offsets[1:]:
+        code += [base, load(step, at), (f"{kind(step)}.and",)]
+    return [*code, *not_accessible(step)]
 
 
 # Runtime functions called by checked code

@@ -1,0 +1,68 @@
+"""Short ranges of memory, of constant size, copied and filled without a call into the host.
+
+Ranges are taken in words, the last of which may overlap the one before it.
+
+>>> words(20)
+(8, [0, 8, 12])
+>>> words(3)
+(2, [0, 1])
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import Constant, Operand
+from crs_cc.runtime.wasm import Instr
+
+MOST_COPIED: Final = 64
+"""Larger ranges are copied by `memory.copy` [bytes]."""
+MOST_FILLED: Final = 256
+"""Larger ranges are filled by `memory.fill` [bytes]."""
+
+LOADS: Final = {1: "i32.load8_s", 2: "i32.load16_s", 4: "i32.load", 8: "i64.load"}
+STORES: Final = {1: "i32.store8", 2: "i32.store16", 4: "i32.store", 8: "i64.store"}
+
+
+def short(size: Operand, most: int) -> int:
+    """Return the size of a short range; 0 if it is empty, long or unknown."""
+    if isinstance(size, Constant) and 0 < size.value <= most:
+        return int(size.value)
+    return 0
+
+
+def words(size: int) -> tuple[int, list[int]]:
+    """Return the size of the words of a range, and their offsets."""
+    step = next(each for each in (8, 4, 2, 1) if each <= size)
+    offsets = list(range(0, size - step + 1, step))
+    if size % step:
+        offsets.append(size - step)
+    return step, offsets
+
+
+def copy(memory: int, target: Instr, source: Instr, size: int, offset: int = 0) -> list[Instr]:
+    """Copy a range, which may overlap itself: all of it is loaded first.
+
+    Args:
+        memory: index of the memory.
+        target: pushes the address to copy to, less `offset`.
+        source: pushes the address to copy from.
+        size: number of bytes.
+        offset: added to the target's address.
+    """
+    step, offsets = words(size)
+    code: list[Instr] = []
+    for at in offsets:
+        code += [target, source, (LOADS[step], memory, at)]
+    return code + [(STORES[step], memory, offset + at) for at in reversed(offsets)]
+
+
+def fill(memory: int, target: Instr, offset: int, size: int, byte: int) -> list[Instr]:
+    """Set all bytes of a range at `target` + `offset` to a constant."""
+    step, offsets = words(size)
+    kind = "i64" if step == 8 else "i32"
+    word = (f"{kind}.const", int.from_bytes([byte & 0xFF] * step, "little", signed=True))
+    code: list[Instr] = []
+    for at in offsets:
+        code += [target, word, (STORES[step], memory, offset + at)]
+    return code

@@ -1,0 +1,75 @@
+"""Short ranges are copied and filled inline, with the same result and the same checks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.core.source import Diagnostics
+from crs_cc.runtime.codegen.inline_ranges import MOST_COPIED, words
+from crs_cc.session.build import build_executable
+from tests.c.execution import Run
+
+SIZES = [1, 2, 3, 5, 7, 8, 9, 15, 16, 17, 31, 63, 64, 65, 255, 256, 257]
+
+
+@pytest.mark.parametrize("size", [*range(1, 70), 255, 256])
+def test_words_cover_a_range_and_nothing_else(size: int) -> None:
+    step, offsets = words(size)
+    covered = {at + byte for at in offsets for byte in range(step)}
+    assert covered == set(range(size))
+
+
+def _exit_status(folder: Path, body: str, *, checked: bool = True) -> int | None:
+    source = folder / "ranges.c"
+    source.write_text(f"#include <string.h>\nint main(void) {{ {body} }}\n")
+    outcome = Run(build_executable([source], Diagnostics(), checked=checked)).to_end()
+    assert outcome.failure is None
+    return outcome.status
+
+
+@pytest.mark.parametrize("checked", [True, False])
+def test_a_range_that_overlaps_itself_is_moved_as_a_whole(tmp_path: Path, checked: bool) -> None:
+    moves = "".join(
+        f"for (i = 0; i < 600; i++) a[i] = b[i] = i * 7;"
+        f"memmove(a + {by}, a, {size});"
+        f"for (i = 0; i < {size}; i++) bad += a[i + {by}] != b[i];"
+        for size in SIZES
+        for by in (1, 3, 8)
+    )
+    body = f"static unsigned char a[600], b[600]; int i, bad = 0; {moves} return bad != 0;"
+    assert _exit_status(tmp_path, body, checked=checked) == 0
+
+
+@pytest.mark.parametrize("checked", [True, False])
+def test_a_fill_sets_its_range_and_nothing_else(tmp_path: Path, checked: bool) -> None:
+    fills = "".join(
+        f"for (i = 0; i < 300; i++) a[i] = 1; memset(a + 5, -2, {size});"
+        f"for (i = 0; i < 300; i++) bad += a[i] != (i >= 5 && i < 5 + {size} ? 254 : 1);"
+        for size in SIZES
+    )
+    body = f"static unsigned char a[300]; int i, bad = 0; {fills} return bad != 0;"
+    assert _exit_status(tmp_path, body, checked=checked) == 0
+
+
+@pytest.mark.parametrize("size", [size for size in SIZES if size <= MOST_COPIED])
+@pytest.mark.parametrize("access", ["read", "write"])
+def test_a_copy_names_the_first_byte_outside(tmp_path: Path, size: int, access: str) -> None:
+    source = tmp_path / "outside.c"
+    order = "good, bad" if access == "write" else "bad, good"
+    source.write_text(f"""
+        #include <stdlib.h>
+        struct part {{ char bytes[{size}]; }};
+        int main(void)
+        {{
+            struct part *good = calloc(2, {size}), *bad = malloc({size});
+            bad = (struct part *) ((char *) bad + {size} / 2 + 1);
+            *{order.split(", ")[1]} = *{order.split(", ", maxsplit=1)[0]};
+            return 0;
+        }}""")
+    failure = Run(build_executable([source], Diagnostics())).to_end().failure
+    assert failure is not None
+    assert (failure.kind, failure.access, failure.size) == ("out of bounds", access, size)
+    assert failure.object is not None
+    assert failure.value == failure.object.address + size
