@@ -10,6 +10,7 @@ A value that is loaded only to be stored elsewhere is not checked: its state is 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -19,6 +20,7 @@ from crs_cc.ir.program import (
     MEMORY_SIZE,
     VARARGS,
     Base,
+    Block,
     ByteState,
     Constant,
     Copy,
@@ -50,6 +52,9 @@ from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
+Known: TypeAlias = tuple[ValueNumbers, KnownBytes]
+"""The facts known at one point."""
+
 _At: TypeAlias = tuple[Instr, int]
 """An instruction that pushes an address, and the static offset to use with it."""
 
@@ -80,20 +85,42 @@ class CheckedMemory(PlainMemory):
     Attributes:
         deferred: the loads whose states are copied, and their targets.
         assignments: the variables in registers that may be uninitialised.
+        sole: the only predecessor of each block that inherits what is known at the end of that.
     """
 
-    def __init__(self, writer: Writer, deferred: DeferredChecks, assignments: Assignments) -> None:
+    def __init__(
+        self,
+        writer: Writer,
+        deferred: DeferredChecks,
+        assignments: Assignments,
+        sole: Mapping[Block, Block],
+    ) -> None:
         super().__init__(writer, shadowed=True)
         self.deferred = deferred
         self.assignments = assignments
-        self.places = ValueNumbers()
-        self.proved = KnownBytes()
+        self.sole = sole
+        self._inherited = set(sole.values())
+        self._at_end: dict[Block, Known] = {}
+        self.places, self.proved = ValueNumbers(), KnownBytes()
         self._taken: set[Register] = set()
 
     def forget(self) -> None:
         """Discard known facts at a join of control flow."""
-        self.places.forget()
-        self.proved.forget()
+        self.places, self.proved = ValueNumbers(), KnownBytes()
+
+    def begin(self, block: Block) -> None:
+        """Recall what is known at the start of a block: all that was at the end of the one before.
+
+        It is not if that has not been written yet.
+        """
+        known = self._at_end.get(self.sole.get(block))  # type: ignore[arg-type]
+        if known is not None:
+            self.places, self.proved = known[0].copy(), known[1].copy()
+
+    def end(self, block: Block) -> None:
+        """Note what is known at the end of a block."""
+        if block in self._inherited:
+            self._at_end[block] = self.places, self.proved
 
     def follow(self, it: Instruction) -> None:
         """Update known facts after an instruction."""

@@ -10,9 +10,7 @@ spill slots in the frame. When it is called again it reloads them and jumps to t
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
 
-from crs_cc.core.errors import CompileError
 from crs_cc.ir.definite_assignment import Assignments
 from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.names import in_library
@@ -43,6 +41,7 @@ from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.call_checks import NO_VALUE, check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
+from crs_cc.runtime.codegen.complexity import check_complexity
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
@@ -69,6 +68,7 @@ from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.symbols import Symbols
+from crs_cc.runtime.codegen.value_numbering import sole_predecessors
 from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
@@ -88,8 +88,6 @@ from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
 MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
-MOST_WAYS: Final = 250_000
-"""Limit on registers times landings of a function; at 160,000 compiling takes half a gigabyte."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +138,7 @@ class _FunctionCode:
         self.memory = PlainMemory(writer, shadowed=checked)
         arithmetic = None
         if self.shadowed:
-            self.memory = CheckedMemory(writer, deferred, assigned)
+            self.memory = CheckedMemory(writer, deferred, assigned, self._sole_predecessors())
             arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
         self.watching = self._watchpoints(build.watch)
         self.selector = Selector(writer, self.memory, arithmetic, self.watching)
@@ -152,6 +150,10 @@ class _FunctionCode:
         self.here = function.blocks[0]
         self.landings: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
+
+    def _sole_predecessors(self) -> dict[Block, Block]:
+        """Return the blocks that inherit what is known; none if memory changes at statements."""
+        return {} if self.debug else sole_predecessors(self.function, self.registers.headers)
 
     def _watchpoints(self, watch: int) -> Watchpoints | None:
         if not watch or self.function.trusted:
@@ -175,21 +177,6 @@ class _FunctionCode:
 
     # -- the whole ----------------------------------------------------------------------------
 
-    def check_complexity(self) -> None:
-        """Reject a function that would take gigabytes to compile.
-
-        Each landing is an entry into the middle of the function, and each lasting register has to
-        be merged at all of them.
-        """
-        if len(self.landings) * len(self.registers.lasting) > MOST_WAYS:
-            raise CompileError.at(
-                self.function.location,
-                f"'{self.function.name}' is too complex: {len(self.registers.lasting)} values"
-                f" are live across {len(self.landings)} calls and loops",
-                "split the function, or the expression with many calls",
-                "linking",
-            )
-
     def run(self) -> tuple[Code, FunctionInfo]:
         """Return the code and its debug information."""
         if self.frame.size > STACK_SIZE:  # its offsets might not fit an instruction
@@ -199,7 +186,7 @@ class _FunctionCode:
             self.writer.take_local(register)
         for block in self.function.blocks:
             self.block(block)
-        self.check_complexity()
+        check_complexity(self.function, len(self.landings), len(self.registers.lasting))
         entry, start = self.entry(), self.start()
         if self.landings:
             resumption = self.resumption(start)
@@ -323,6 +310,7 @@ class _FunctionCode:
         """Write a block, after a test whether the function must be suspended."""
         selector, writer = self.selector, self.writer
         selector.forget()
+        self.memory.begin(block)
         code = writer.code = node.code
         code += test
         code += charge(self.fuel.charges[block])
@@ -338,6 +326,7 @@ class _FunctionCode:
                 writer.release(register)
         if block.terminator is not None:
             selector.before(block.terminator)
+        self.memory.end(block)
         self.terminator(node, block)
         for register in last[-1]:
             writer.release(register)

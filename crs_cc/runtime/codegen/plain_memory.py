@@ -9,6 +9,7 @@ from __future__ import annotations
 from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     Base,
+    Block,
     ByteState,
     Callers,
     Constant,
@@ -45,6 +46,12 @@ class PlainMemory:
 
     def forget(self) -> None:
         """Discard known facts at a join of control flow."""
+
+    def begin(self, block: Block) -> None:
+        """Recall what is known at the start of a block."""
+
+    def end(self, block: Block) -> None:
+        """Note what is known at the end of a block."""
 
     def before(self, it: Instruction) -> None:
         """Check the registers that an instruction reads."""

@@ -16,6 +16,7 @@ True
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import Final, TypeAlias
 
 from crs_cc.ir.liveness import writes
@@ -23,12 +24,17 @@ from crs_cc.ir.program import (
     Address,
     Base,
     Binary,
+    Block,
+    Branch,
     Constant,
+    Function,
     Instruction,
+    Jump,
     Move,
     Operand,
     Register,
     Slot,
+    Switch,
 )
 
 Root: TypeAlias = "int | Slot | str"
@@ -45,10 +51,12 @@ class ValueNumbers:
         self._computed: dict[tuple[object, ...], int] = {}
         self._count = 0
 
-    def forget(self) -> None:
-        """Discard all at a join of control flow."""
-        self._origins.clear()
-        self._computed.clear()
+    def copy(self) -> ValueNumbers:
+        """Return the same values, to go on from at another point."""
+        same = ValueNumbers()
+        same._origins, same._computed = self._origins.copy(), self._computed.copy()
+        same._count = self._count
+        return same
 
     def of(self, base: Base, offset: int) -> tuple[Root | None, int]:
         """Return the root and offset of an address; a constant has no root."""
@@ -106,9 +114,11 @@ class KnownBytes:
     def __init__(self) -> None:
         self._ranges: dict[tuple[Root | None, bool], list[tuple[int, int]]] = {}
 
-    def forget(self) -> None:
-        """Discard all."""
-        self._ranges.clear()
+    def copy(self) -> KnownBytes:
+        """Return the same ranges, to go on from at another point."""
+        same = KnownBytes()
+        same._ranges = self._ranges.copy()
+        return same
 
     def forget_values(self) -> None:
         """Discard the initialised bytes; keep the accessible ones."""
@@ -126,17 +136,29 @@ class KnownBytes:
             self._add(root, start, start + size, valued=True)
 
     def _add(self, root: Root | None, start: int, end: int, *, valued: bool) -> None:
-        rows = self._ranges.setdefault((root, valued), [])
         kept = []
-        for low, high in rows:
+        for low, high in self._ranges.get((root, valued), ()):
             if high < start or end < low:
                 kept.append((low, high))
             else:
                 start, end = min(low, start), max(high, end)
-        rows[:] = [*kept, (start, end)]
+        self._ranges[root, valued] = [*kept, (start, end)]
 
     def has(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> bool:
         """Return whether `size` bytes at a location are known to be accessible, or initialised."""
         root, start = place
         rows = self._ranges.get((root, valued), ())
         return any(low <= start and start + size <= high for low, high in rows)
+
+
+def sole_predecessors(function: Function, headers: Container[Block]) -> dict[Block, Block]:
+    """Return the only predecessor of each block at whose start no more can have happened.
+
+    Nothing happens on an edge but in a loop header, where a program may stop, and behind calls.
+    """
+    found: dict[Block, Block | None] = {function.blocks[0]: None}
+    for block in function.blocks:
+        only = block if isinstance(block.terminator, Jump | Branch | Switch) else None
+        for target in block.successors():
+            found[target] = None if target in found or target in headers else only
+    return {block: only for block, only in found.items() if only is not None}
