@@ -13,6 +13,7 @@ b'asm'
 
 from __future__ import annotations
 
+import functools
 import struct
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -53,6 +54,8 @@ _INDEX: Final = {
     "local.tee": 0x22, "global.get": 0x23, "global.set": 0x24,
 }  # fmt: skip
 
+_FLOATING: Final = {"f32.const": (b"\x43", "<f"), "f64.const": (b"\x44", "<d")}
+
 
 def unsigned(value: int) -> bytes:
     """Encode an unsigned LEB128 number."""
@@ -92,6 +95,15 @@ def _section(number: int, content: bytes) -> bytes:
 
 def encode(instr: Instr) -> bytes:
     """Encode one instruction."""
+    floating = _FLOATING.get(instr[0])
+    if floating is None:
+        return _encode(instr)
+    opcode, form = floating  # not cached: 0.0 and -0.0 are equal
+    return opcode + struct.pack(form, instr[1])
+
+
+@functools.lru_cache(2**16)
+def _encode(instr: Instr) -> bytes:
     name = instr[0]
     if name in _PLAIN:
         return _PLAIN[name]
@@ -110,10 +122,6 @@ def _encode_rare(instr: Instr) -> bytes:
             return b"\x41" + signed((value + 2**31) % 2**32 - 2**31)
         case ("i64.const", value):
             return b"\x42" + signed((value + 2**63) % 2**64 - 2**63)
-        case ("f32.const", value):
-            return b"\x43" + struct.pack("<f", value)
-        case ("f64.const", value):
-            return b"\x44" + struct.pack("<d", value)
         case ("br_table", targets, default):
             return b"\x0e" + _vector(map(unsigned, targets)) + unsigned(default)
         case ("call_indirect", type_index, table):

@@ -32,6 +32,7 @@ class Registers:
         self, function: Function, liveness: Liveness, more: Sequence[Register], *, debug: bool
     ) -> None:
         self.headers = loop_headers(function)
+        self._last: dict[Block, list[list[Register]]] = {}
         alive = 0
         for block in function.blocks:
             if block in self.headers:
@@ -72,6 +73,8 @@ class Registers:
 
     def last_uses(self, block: Block) -> list[list[Register]]:
         """Return, for each instruction, the short-lived registers whose last use it is."""
+        if block in self._last:
+            return self._last[block]
         instructions = all_instructions(block)
         last: list[list[Register]] = [[] for _ in instructions]
         seen: set[Register] = set()
@@ -81,4 +84,5 @@ class Registers:
                 if register not in seen and register not in self.lasting:
                     seen.add(register)
                     last[number].append(register)
+        self._last[block] = last
         return last

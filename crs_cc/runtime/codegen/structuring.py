@@ -8,9 +8,12 @@ break out of.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, UNWIND, Node
 from crs_cc.runtime.wasm import Instr
+
+_SPECIAL: Final = frozenset({UNWIND, FAULTED, LANDING, "if", "end"})
 
 
 @dataclass(slots=True)
@@ -123,7 +126,10 @@ class _Emitter:
             self.block_depth[child] = self.open("block")
             self.work += [child, ("end",)]
         for instr in node.code:
-            self.instruction(instr)
+            if instr[0] in _SPECIAL:
+                self.instruction(instr)
+            else:
+                self.out.append(instr)
         match node.exit:
             case "jump":
                 self._jump(node)
@@ -133,7 +139,7 @@ class _Emitter:
                 self._table(node)
 
     def instruction(self, instr: Instr) -> None:
-        """Write an instruction, expanding pseudo-instructions."""
+        """Write an instruction that is a pseudo-instruction or changes the depth."""
         if instr[0] is UNWIND:
             self.out.append(("br", self.depth - 1))
         elif instr[0] is FAULTED:
@@ -180,4 +186,4 @@ class _Emitter:
 
     def _table(self, node: Node) -> None:
         depths = [self.label(node, target) for target in node.targets]
-        self.out.append(("br_table", depths[:-1], depths[-1]))
+        self.out.append(("br_table", tuple(depths[:-1]), depths[-1]))
