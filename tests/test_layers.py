@@ -54,7 +54,7 @@ CONFINED = {
     "wasmtime": ("runtime/",),
     "pymunk": ("sim/physics/",),
     "PIL": ("sim/files/image.py",),
-    "lxml": ("sim/files/xml_document.py", "sim/files/device_elements.py", "cli/svg.py"),
+    "lxml": ("sim/files/xml_document.py", "sim/files/device_schema.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
     "textual": ("debug/tui/",),

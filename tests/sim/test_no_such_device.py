@@ -12,7 +12,6 @@ from crs_cc.sim.model.registry import devices
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
-DEVICES = "<gripper/><arm/><computer-battery"
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
     <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
            acceleration="1m/s2"/></robot-definition>"""
@@ -73,7 +72,9 @@ def driver(tmp_path_factory) -> Driver:
     registered = "".join(
         f"<{element} {REQUIRED.get(element, '')}/>" for element in lacks if element
     )
-    (folder / "full.xml").write_text(nomad.replace("<computer-battery", registered + DEVICES))
+    (folder / "full.xml").write_text(
+        nomad.replace("<computer-battery", f"{registered}<computer-battery")
+    )
     names = [*(path.stem for path in ROBOTS), "bare.xml", "full.xml"]
     robots = "".join(
         f'<robot definition="{name}" x="{2 * place}m" y="0"/>' for place, name in enumerate(names)

@@ -18,7 +18,7 @@ from lxml import etree
 
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
-from crs_cc.sim.files import device_elements
+from crs_cc.sim.files import device_schema
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.files.schema_messages import explain
 from crs_cc.sim.files.schema_names import UnknownName, unknown_names
@@ -185,7 +185,7 @@ def schema_document(name: str) -> etree._ElementTree:
     """Return a schema; that of robot definitions includes the elements of all devices."""
     document = etree.parse(_HERE / name)
     if name == ROBOT_SCHEMA:
-        device_elements.add_to_schema(document.getroot())
+        device_schema.add_to_schema(document.getroot())
     return document
 
 
