@@ -313,8 +313,9 @@ class CheckedMemory(PlainMemory):
         few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
         if few:
             push = writer.value(address)
-            writer.code += shadow.some_inaccessible(push, few)
-            writer.fail_if(Site("memory", location, access, few), [push])
+            for test in shadow.some_inaccessible(push, few):
+                writer.code += test
+                writer.fail_if(Site("memory", location, access, few), [push])
             return
         writer.code += [writer.value(address), writer.value(size)]
         writer.code += [("call", indices.INACCESSIBLE), ("local.tee", WIDE_STATES)]

@@ -73,3 +73,15 @@ def test_a_copy_names_the_first_byte_outside(tmp_path: Path, size: int, access: 
     assert (failure.kind, failure.access, failure.size) == ("out of bounds", access, size)
     assert failure.object is not None
     assert failure.value == failure.object.address + size
+
+
+@pytest.mark.parametrize("distance", [8, 12, 64])
+def test_a_copy_from_the_last_addresses_names_its_first_byte(tmp_path: Path, distance: int) -> None:
+    source = tmp_path / "last.c"
+    source.write_text(f"""
+        struct part {{ char bytes[64]; }} all;
+        int main(int argc, char **argv) {{ all = *(struct part *) (-{distance} * argc); return 0; }}
+        """)
+    failure = Run(build_executable([source], Diagnostics())).to_end().failure
+    assert failure is not None
+    assert (failure.kind, failure.value) == ("pointer outside memory", 2**32 - distance)
