@@ -1,4 +1,4 @@
-/* Small functions that take and return structs by value: fractions, points and rectangles. */
+/* Small functions that take and return structs by value: points and rectangles. */
 #include <stdio.h>
 
 struct point { int x, y; };
