@@ -179,7 +179,7 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
     for _ in range(WARM_UP):
         session.step()
     state, times = session.environment.state, []
-    readings, way_m = state.infrared.count.sum(), state.distance_m.sum()
+    readings, way_m = state.devices.infrared.count.sum(), state.distance_m.sum()
     while not times or sum(times) < seconds or len(times) % REBUILD:
         start = time.process_time()
         session.step()
@@ -191,7 +191,7 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
         robots,
         step_s=statistics.fmean(times),
         rays_s=rays_s(session),
-        readings=(state.infrared.count.sum() - readings) / robot_steps,
+        readings=(state.devices.infrared.count.sum() - readings) / robot_steps,
         speed_mps=(state.distance_m.sum() - way_m) / (robot_steps * world.timestep_s),
         load_s=load_s,
         make_s=make_s,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.gc_pause import without_collector
-from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.frontend.preprocess.regular_file import digest
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.executable import (
@@ -86,6 +86,8 @@ def build_executable(
     Raises:
         CompileError: the files are not a valid program.
     """
+    if not paths:
+        raise CompileError.at(Location(""), "no C files", "name at least one")
     names = " ".join(map(str, paths)), command_name(paths[0])
     flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
     key = cache.key(

@@ -341,3 +341,8 @@ def test_a_device_whose_c_side_changes_makes_programs_new(
     monkeypatch.setattr(build_module, "device_sources", lambda: "other devices")
     build_executable([program], Diagnostics())
     assert set((tmp_path / "cache").iterdir()) > entries
+
+
+def test_a_program_of_no_files_is_an_error() -> None:
+    with pytest.raises(CompileError, match="no C files"):
+        build_executable([], Diagnostics())
