@@ -2,9 +2,11 @@
 
 The program is made of modules as control programs have them, with other names and numbers in each:
 structs, tables, loops, a state machine, floating point, strings. With the C library compiled
-before, it runs once as new and once as known; the stages of the compiler are timed apart.
+before, it runs once as new and once as known; the stages of the compiler are timed apart. Programs
+of one huge function, as generators write them, are compiled at half and at full size: time
+must grow with the size, not with its square.
 
-    python bench/compile.py [--lines N] [--repeat N] [--stages]
+    python bench/compile.py [--lines N] [--repeat N] [--stages] [--huge]
 """
 
 from __future__ import annotations
@@ -111,6 +113,28 @@ def program(lines: int) -> str:
     return f"{HEAD}{modules}int main(void)\n{{\n    long total = 0;\n{calls}{end}"
 
 
+def switch(size: int) -> str:
+    """Return a program with a `switch` of so many cases."""
+    cases = "".join(f"case {3 * i}: x += {i}; break;\n" for i in range(size))
+    return f"int f(int x) {{ switch (x) {{\n{cases}}} return x; }}\nint main(void) {{ f(3); }}\n"
+
+
+def statements(size: int) -> str:
+    """Return a program with a function of so many statements."""
+    rows = "".join(f"a = a * b + {i};\nb ^= a;\n" for i in range(size // 2))
+    return f"int f(int a, int b) {{\n{rows} return b; }}\nint main(void) {{ f(3, 4); }}\n"
+
+
+def branches(size: int) -> str:
+    """Return a program with a function of so many branches."""
+    rows = "".join(f"if (a > {i}) b += a; else b -= {i};\n" for i in range(size))
+    return f"int f(int a, int b) {{\n{rows} return b; }}\nint main(void) {{ f(3, 4); }}\n"
+
+
+HUGE = {switch: 60_000, statements: 60_000, branches: 5000}
+"""Makers of programs of one huge function, and the size."""
+
+
 def run(source: Path, environment: dict[str, str]) -> tuple[float, float]:
     """Return the wall time and the processor time of a run [s]."""
     command = [sys.executable, "-m", "crs_cc", "run", "--quiet", str(source)]
@@ -156,11 +180,23 @@ def stages(source: Path) -> dict[str, float]:
     return times
 
 
+def print_huge(source: Path, environment: dict[str, str]) -> None:
+    """Print the processor time of programs of one huge function, of half and full size."""
+    for make, size in HUGE.items():
+        times_s = []
+        for count in (size // 2, size):
+            source.write_text(make(count))
+            times_s.append(run(source, environment)[1])
+        name, growth = f"{size} {make.__name__}", times_s[1] / times_s[0]
+        print(f"{name:16}{times_s[1]:8.2f} s of processor time, {growth:.1f} times that of half")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("--lines", type=int, default=3000, help="of the program (default 3000)")
     parser.add_argument("--repeat", type=int, default=3, help="runs of each (default 3)")
     parser.add_argument("--stages", action="store_true", help="time the stages of the compiler too")
+    parser.add_argument("--huge", action="store_true", help="compile huge functions, too")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "CRS_CACHE": str(Path(folder) / "cache")}
@@ -177,6 +213,8 @@ def main() -> None:
         for name, rows in (("new program", new), ("known program", known)):
             wall_s, processor_s = (min(column) for column in zip(*rows, strict=True))
             print(f"{name:16}{wall_s:8.2f} s{processor_s:8.2f} s of processor time")
+        if options.huge:
+            print_huge(source, environment)
         if options.stages:
             os.environ["CRS_CACHE"] = environment["CRS_CACHE"]
             for name, seconds in stages(source).items():

@@ -41,7 +41,6 @@ from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.call_checks import NO_VALUE, check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
-from crs_cc.runtime.codegen.complexity import check_complexity
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
@@ -61,6 +60,7 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
+from crs_cc.runtime.codegen.large_functions import homes_of, move_locals
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
@@ -133,10 +133,13 @@ class _FunctionCode:
         self.saved = self.registers.saved
         sizes = self._arguments_size(), spilled + self.registers.charge
         self.stamped = debug and not function.trusted
-        self.frame = lay_out(function, self.saved, *sizes, checked=checked, stamped=self.stamped)
+        self.homes = homes_of(function, self.registers, checked=self.shadowed, steps=self.steps)
+        self.frame = lay_out(
+            function, [*self.saved, *self.homes.values()], *sizes,
+            checked=checked, stamped=self.stamped,
+        )  # fmt: skip
         self.writer = writer = Writer(names, self.frame)
-        self.memory = PlainMemory(writer, shadowed=checked)
-        arithmetic = None
+        self.memory, arithmetic = PlainMemory(writer, shadowed=checked), None
         if self.shadowed:
             self.memory = CheckedMemory(writer, deferred, assigned, self._sole_predecessors())
             arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
@@ -186,7 +189,6 @@ class _FunctionCode:
             self.writer.take_local(register)
         for block in self.function.blocks:
             self.block(block)
-        check_complexity(self.function, len(self.landings), len(self.registers.lasting))
         entry, start = self.entry(), self.start()
         if self.landings:
             resumption = self.resumption(start)
@@ -199,8 +201,16 @@ class _FunctionCode:
         fault = failing.note(("local.get", SITE), ("local.get", ADDRESS))
         fault += [("local.set", STATUS), ("i32.const", 0), ("local.set", LABEL)]
         body = emit(entry, fault) + self.epilogue()
+        if self.homes:
+            body = self.in_frame(body)
         code = Code(self.function.name, TYPE_CALL, self.writer.local_types, body)
         return code, self.info()
+
+    def in_frame(self, body: list[Instr]) -> list[Instr]:
+        """Return the code of a large function with its registers in the frame."""
+        offsets, local_of = self.frame.offsets, self.writer.locals
+        homes = {local_of[each]: (each.type, offsets[home]) for each, home in self.homes.items()}
+        return move_locals(body, homes, self.writer.local_types)
 
     def info(self) -> FunctionInfo:
         places = {0: self.function.location}
@@ -249,6 +259,7 @@ class _FunctionCode:
         if self.stamped:
             code += [("local.get", SP), ("global.get", BEGUN_GLOBAL)]
             code.append(("i64.store", MEMORY, self.frame.entered))
+        code += spill_slots.clear(self.frame, list(self.homes.values()))
         for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
         if self.debug and self.landings:

@@ -12,7 +12,7 @@ from typing import Final
 
 from crs_cc.ir.program import ByteState, Data, Program
 from crs_cc.requests import slot_offset
-from crs_cc.runtime.codegen import jumps, shadow
+from crs_cc.runtime.codegen import jumps, large_functions, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
 from crs_cc.runtime.codegen.function_code import Build
@@ -104,6 +104,7 @@ def compile_program(
             ("i32", 0),
             ("i32", 0),
             *jumps.GLOBALS,
+            *large_functions.GLOBALS,
             ("i32", heap),
         ],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],

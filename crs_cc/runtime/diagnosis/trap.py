@@ -15,6 +15,7 @@ import wasmtime
 
 from crs_cc.core.arrays import ByteArray
 from crs_cc.runtime.codegen.indices import SITE
+from crs_cc.runtime.codegen.large_functions import REPLACED
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import HEADER_SIZE, RESUME, STACK_TOP
 from crs_cc.runtime.sites import call_site
@@ -22,6 +23,8 @@ from crs_cc.runtime.wasm import Code, encode
 
 MOST_FRAMES: Final = 20
 """Maximum number of frames of the host's stack reported by wasmtime."""
+
+_SETS_SITE: Final = (("local.set", SITE), ("global.set", REPLACED[SITE]))
 
 
 def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> int | None:
@@ -42,7 +45,7 @@ def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> i
 def _next_site(code: Code, offset: int) -> int | None:
     at, number = code.start(), None
     for instr in code.body:
-        if instr == ("local.set", SITE) and at > offset:
+        if instr in _SETS_SITE and at > offset:
             return number
         number = instr[1] if instr[0] == "i32.const" else None
         at += len(encode(instr))

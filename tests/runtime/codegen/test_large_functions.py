@@ -1,0 +1,115 @@
+"""Large functions do what small ones do, and compile in time that grows with their size."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import pytest
+import wasmtime
+
+from crs_cc.core.gc_pause import without_collector
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.unit import compile_text
+from crs_cc.runtime.codegen import large_functions
+from crs_cc.runtime.codegen.module import compile_program
+from crs_cc.runtime.diagnosis.report import report
+from crs_cc.runtime.executable import Executable, engine, make_executable
+from crs_cc.runtime.link import link
+from crs_cc.session.library import library
+from tests.c.execution import HERE as CASES
+from tests.c.execution import Run, Stepping, build
+
+
+def again(executable: Executable, *, debug: bool = False) -> Executable:
+    """Return a program with its code generated again."""
+    detail = executable.detail()
+    return make_executable(detail.program, executable.name, lines=detail.lines, debug=debug)
+
+
+@pytest.fixture
+def all_large(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Compile every function as if it were large."""
+    monkeypatch.setattr(large_functions, "MOST_BLOCKS", 0)
+
+
+def test_a_program_of_large_functions_does_the_same_wherever_it_is_suspended(
+    monkeypatch: pytest.MonkeyPatch, subtests: pytest.Subtests
+) -> None:
+    for path in sorted((CASES / "valid").glob("*.c"))[::6]:
+        small = build(path)
+        plain = Run(small).to_end()
+        with monkeypatch.context() as patch, subtests.test(path.stem):
+            patch.setattr(large_functions, "MOST_BLOCKS", 0)
+            large, stepped = again(small), again(small, debug=True)
+            fuel = plain.fuel // 5000 + 1
+            ways = Stepping(), Stepping(fuel), Stepping(fuel * 300, restore_every=3)
+            for outcome in (*(Run(large, way).to_end() for way in ways), Run(stepped).to_end()):
+                assert (outcome.output, outcome.status) == (plain.output, plain.status)
+                assert outcome.fuel == plain.fuel
+            statements = Run(stepped, Stepping(statements=50)).to_end()
+            assert statements.memory == Run(stepped).to_end().memory
+
+
+@pytest.mark.parametrize(
+    "name", ["divide_int", "null_member", "wild_last_bytes", "calls/mismatched_fewer"]
+)
+@pytest.mark.usefixtures("all_large")
+def test_a_large_function_is_reported_like_a_small_one(name: str) -> None:
+    path = CASES / f"errors/{name}.c"
+    small = build(path)
+    failures = [Run(each).to_end().failure for each in (small, again(small))]
+    first, second = (report(each) for each in failures if each)
+    assert first == second
+
+
+def switch(size: int) -> str:
+    """Return a program with a `switch` of so many cases."""
+    cases = "".join(f"case {3 * i}: x += {i}; break;\n" for i in range(size))
+    return (
+        f"int f(int x) {{ switch (x) {{\n{cases}}} return x; }}\nint main(void) {{ return f(3); }}"
+    )
+
+
+def branches(size: int) -> str:
+    """Return a program with a function of so many branches."""
+    rows = "".join(f"if (a > {i}) b += a; else b -= {i};\n" for i in range(size))
+    return f"int f(int a, int b) {{\n{rows} return b; }}\nint main(void) {{ return f(3, 4); }}"
+
+
+def sums(size: int) -> str:
+    """Return a program with a function that adds so many numbers through pointers."""
+    rows = "a = a->next; b += a->number;\n" * size
+    text = "struct list { struct list *next; int number; };\nint f(struct list *a, int b) {\n"
+    return f"{text}{rows} return b; }}\nint main(void) {{ return f(0, 4); }}"
+
+
+def calls(size: int) -> str:
+    """Return a program with a function of so many calls of another."""
+    rows = "".join(f"if (a > {i}) b += g(a); else a = g(b) - {i};\n" for i in range(size))
+    text = f"int g(int x) {{ while (x > 9) x /= 2; return x; }}\nint f(int a, int b) {{\n{rows}"
+    return f"{text} return b; }}\nint main(void) {{ return f(3, 4); }}"
+
+
+@pytest.mark.parametrize(
+    ("text", "size"), [(switch, 15_000), (branches, 2500), (sums, 200), (calls, 1000)]
+)
+def test_time_to_compile_grows_with_size_not_its_square(
+    text: Callable[[int], str], size: int
+) -> None:
+    """Twice the size takes twice the time; with a quadratic part it was four to eight times."""
+    with without_collector():
+        assert least_s(text(2 * size)) < 3 * least_s(text(size)) + 0.05
+
+
+def least_s(text: str) -> float:
+    """Return the least of two processor times of compiling WebAssembly [s]."""
+    unit = compile_text(text, "large.c", Options(), Diagnostics())
+    binary = compile_program(link([unit], library(), Diagnostics())).module.to_binary()
+    times = []
+    for _ in range(2):
+        start = time.process_time()
+        wasmtime.Module(engine(), binary)
+        times.append(time.process_time() - start)
+    return min(times)
