@@ -22,15 +22,16 @@ def page(context: RequestContext, *, installed: Mapping[str, Installed]) -> Bool
         context: the requests.
         installed: the devices, by their names.
     """
-    sensor, first = context["sensor"].copy(), context["first"].tolist()
+    sensor, first = context["sensor"].copy(), context["first"].copy()
     good = np.zeros(len(context), dtype=np.bool_)
     for row in devices():
         announced = installed[row.name].announced
         if announced is None:
             continue
         mine = context.constants.numbers[row.name][context.rows]
-        for place in np.flatnonzero((sensor == row.number) & (mine >= 0)).tolist():
+        places = np.flatnonzero((sensor == row.number) & (mine >= 0))
+        if len(places):
             told = announced(context.state)
-            told.page(mine[place], first[place], context.messages[place])
-            good[place] = True
+            told.page(mine[places], first[places], context.messages, places)
+            good[places] = True
     return good

@@ -196,8 +196,12 @@ class Sensor:
                 error = deviates * self._sigma[mine, None]
                 value = value * (1.0 + error) if self._is_relative else value + error
         value = constants.degradations.alter(state, self.row.name, rows, value, at_s)
-        value = np.where(np.isnan(value), self._missing, value)
-        readings.value[mine] = np.column_stack([value, extra])
+        lost = np.isnan(value)
+        if lost.any():
+            value = np.where(lost, self._missing, value)
+        readings.value[mine, : self._width] = value
+        if extra.size:
+            readings.value[mine, self._width :] = extra
         readings.at_s[mine] = at_s
         readings.count[mine] += 1
 

@@ -1,12 +1,15 @@
 """Readings that are too long for one message: the last reply, kept for its further pages.
 
 >>> from crs_cc.requests import MESSAGE
->>> told = PagedReply.nothing(1, room=6)
->>> told.keep(0, width=2, numbers=np.array([1, 2, 3, 4]))
->>> message = np.zeros(1, MESSAGE)
->>> told.page(0, first=1, message=message[0])
->>> message["result"].tolist(), message["i"][0, 0], message["data"][0, :8].view("<i4").tolist()
-([1], np.int32(2), [3, 4])
+>>> told, robots = PagedReply.nothing(2, room=6), np.array([0, 1])
+>>> readings = np.array([[[1, 2], [3, 4]], [[5, 6], [0, 0]]])   # the second robot has only one
+>>> told.keep(robots, width=2, counts=np.array([2, 1]), numbers=readings)
+>>> messages = np.zeros(2, MESSAGE)
+>>> told.page(robots, np.array([1, 0]), messages, places=robots)
+>>> messages["result"].tolist(), messages["i"][:, 0].tolist()
+([1, 1], [2, 2])
+>>> messages["data"][:, :8].copy().view("<i4").tolist()
+[[3, 4], [5, 6]]
 """
 
 from __future__ import annotations
@@ -17,7 +20,7 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import Int32Array
+from crs_cc.core.arrays import IndexArray, Int32Array, Records
 from crs_cc.requests import DATA_SIZE
 
 _PAGE: Final = DATA_SIZE // 4  # numbers
@@ -46,24 +49,55 @@ class PagedReply:
             np.zeros((count, room), dtype=np.int32),
         )
 
-    def keep(self, row: int, width: int, numbers: npt.NDArray[np.number]) -> None:
-        """Replace the readings of a device, as many as there is space for."""
-        count = min(numbers.size, self.numbers.shape[1]) // width
-        self.width[row], self.count[row] = width, count
-        self.numbers[row, : count * width] = numbers.ravel()[: count * width]
-
-    def page(self, row: int, first: int, message: np.void) -> None:
-        """Write a page to a message: number of readings, numbers in each, and the numbers.
+    def keep(
+        self,
+        rows: IndexArray,
+        width: int,
+        counts: npt.NDArray[np.integer],
+        numbers: npt.NDArray[np.number],
+    ) -> None:
+        """Replace the readings of devices, as many as there is space for.
 
         Args:
-            row: the device.
-            first: the first reading of the page; any number.
-            message: changed in place.
+            rows: the devices, k of them.
+            width: numbers in each reading.
+            counts: number of readings of each device, (k,).
+            numbers: its readings; what follows the last one is ignored, (k, most, width).
         """
-        width = int(self.width[row])
-        left = int(self.count[row]) - first if first >= 0 else 0
-        count = min(max(left, 0), _PAGE // width)
-        part = self.numbers[row, first * width : (first + count) * width] if count else ()
-        size = 4 * len(part)
-        message["data"][:size] = np.array(part, dtype="<i4").view(np.uint8)
-        message["size"], message["result"], message["i"][0] = size, count, width
+        room = self.numbers.shape[1] // width
+        counts, numbers = np.minimum(counts, room), numbers[:, :room]
+        self.width[rows], self.count[rows] = width, counts
+        size = numbers.shape[1] * width
+        inside = np.arange(size) < (counts * width)[:, None]
+        # A row keeps old numbers behind its readings.
+        told = np.where(inside, numbers.reshape(len(rows), size), self.numbers[rows, :size])
+        self.numbers[rows, :size] = told
+
+    def page(
+        self,
+        rows: IndexArray,
+        first: npt.NDArray[np.integer],
+        messages: Records,
+        places: IndexArray,
+    ) -> None:
+        """Write pages to messages: number of readings, numbers in each, and the numbers.
+
+        Args:
+            rows: the devices, k of them.
+            first: the first reading of each page; any numbers, (k,).
+            messages: changed in place.
+            places: the device's message among these, (k,).
+        """
+        width = self.width[rows].astype(np.intp)
+        start = np.maximum(first, 0).astype(np.intp)
+        left = np.where(first >= 0, self.count[rows] - start, 0)
+        count = np.clip(left, 0, _PAGE // width)
+        column, size = np.arange(_PAGE), count * width
+        inside = column < size[:, None]
+        # Behind the last page the messages' data stay.
+        begin = np.where(size, start * width, 0)[:, None]
+        source = np.minimum(begin + column, self.numbers.shape[1] - 1)
+        data = messages["data"].view("<i4")
+        data[places] = np.where(inside, self.numbers[rows[:, None], source], data[places])
+        messages["size"][places], messages["result"][places] = 4 * size, count
+        messages["i"][places, 0] = width

@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import device_request
@@ -173,6 +173,27 @@ def camera_state(state: EnvState) -> CameraState:
     return state.device("camera", CameraState)
 
 
+def pictures(
+    state: EnvState, numbers: IndexArray, columns: IndexArray, background: Int32Array
+) -> tuple[Int32Array, Int32Array]:
+    """Return colour, 0xRRGGBB, and range [0.1 in] of columns, -1 for no range, (k, most) each.
+
+    Args:
+        state: the state.
+        numbers: the cameras' numbers among all cameras, k of them.
+        columns: the number of columns of each, (k,); what follows them is meaningless.
+        background: the colour of its empty columns, 0xRRGGBB, (k,).
+    """
+    most = int(columns.max(initial=0))
+    value = camera_state(state).readings.value
+    range_m = value[numbers, :most]
+    colour = value[numbers, MAX_COLUMNS : MAX_COLUMNS + most]
+    seen = np.isfinite(range_m)
+    tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
+    shown = np.where(seen, colour, background[:, None])
+    return shown.astype(np.int32), np.where(seen, tenths, -1).astype(np.int32)
+
+
 def picture(state: EnvState, camera: Camera, number: int) -> Int32Array:
     """Return colour, 0xRRGGBB, and range [0.1 in] of each column, -1 for no range, (columns, 2).
 
@@ -181,12 +202,9 @@ def picture(state: EnvState, camera: Camera, number: int) -> Int32Array:
         camera: the camera's constants.
         number: its number among all cameras.
     """
-    value = camera_state(state).readings.value[number]
-    range_m, colour = value[: camera.columns], value[MAX_COLUMNS : MAX_COLUMNS + camera.columns]
-    seen = np.isfinite(range_m)
-    tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
-    shown = np.where(seen, colour, packed(camera.background))
-    return np.column_stack([shown, np.where(seen, tenths, -1)]).astype(np.int32)
+    background = np.array([packed(camera.background)], dtype=np.int32)
+    columns = np.array([camera.columns])
+    return np.concatenate(pictures(state, np.array([number]), columns, background)).T
 
 
 class _Cameras:
@@ -194,15 +212,20 @@ class _Cameras:
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         found = [robot.model.device(row.name) for robot in world.robots]
-        self._models: list[Camera] = [camera for camera in found if camera is not None]
-        fans = {camera: _fan(camera) for camera in dict.fromkeys(self._models)}
-        self._fans = [fans[camera] for camera in self._models]
+        models: list[Camera] = [camera for camera in found if camera is not None]
+        self._columns = np.array([camera.columns for camera in models], dtype=np.intp)
+        self._background = np.array(
+            [packed(camera.background) for camera in models], dtype=np.int32
+        )
+        self._step = np.array([_step(camera) for camera in models], dtype=np.float64)
+        kinds, self._kind = range_scan.kinds_of(models)
+        self._fans = [_fan(camera) for camera in kinds]
         self._sensor = Sensor(
             row, world, seed, self._measure, MAX_COLUMNS, errors=range_scan.triangulated,
             readings=lambda state: camera_state(state).readings,
         )  # fmt: skip
         self.installed = self._sensor.installed(
-            {"CAMERA": self.take_picture}, list(fans.values()),
+            {"CAMERA": self.take_picture}, self._fans,
             announced=lambda state: camera_state(state).told,
         )  # fmt: skip
 
@@ -210,37 +233,53 @@ class _Cameras:
         """Return the range of each column [m], then its colour, (k, 640)."""
         numbers = now.constants.numbers["camera"][now.rows]
         poses = mount_poses(now.state, now.constants, now.rows)
-        range_m = np.full((len(numbers), MAX_COLUMNS), np.inf)
-        colour = np.zeros((len(numbers), MAX_COLUMNS))
-        for fan, some in range_scan.distinct([self._fans[number] for number in numbers]):
+        value = np.empty((len(numbers), 2 * MAX_COLUMNS))
+        value[:, :MAX_COLUMNS], value[:, MAX_COLUMNS:] = np.inf, 0.0
+        for kind, some in range_scan.distinct(self._kind[numbers]):
+            fan = self._fans[kind]
             seen_m, thing = now.rays.seen(now.state, fan, poses[some], own=now.rows[some])
-            range_m[some, : len(fan)] = seen_m
-            colour[some, : len(fan)] = now.rays.surfaces.colour[thing]
-        return np.hstack([range_m, colour])
+            value[some, : len(fan)] = seen_m
+            colour = now.rays.surfaces.colour[thing]
+            value[some, MAX_COLUMNS : MAX_COLUMNS + len(fan)] = colour
+        return value
 
     def take_picture(self, context: RequestContext) -> BoolArray:
         """Answer CAMERA with the number of pixels or blobs; refuse robots without a camera."""
         has, mine = self._sensor.asked(context)
+        wants_blobs = context["blobs"] != 0
         told = camera_state(context.state).told
-        for place, number in zip(np.flatnonzero(has).tolist(), mine.tolist(), strict=True):
-            camera = self._models[number]
-            row = picture(context.state, camera, number)
-            if context["blobs"][place]:
-                told.keep(number, _BLOB, _blob_rows(camera, row))
-            else:
-                told.keep(number, _PIXEL, row)
-            context.put("count", told.count[number], place)
+        for are_blobs, keep in ((False, self._keep_pixels), (True, self._keep_blobs)):
+            some = has & (wants_blobs == are_blobs)
+            numbers = mine[some[has]]
+            if len(numbers):
+                keep(context.state, numbers)
+                context.put("count", told.count[numbers], some)
         return has
 
+    def _pictures(self, state: EnvState, numbers: IndexArray) -> tuple[Int32Array, Int32Array]:
+        return pictures(state, numbers, self._columns[numbers], self._background[numbers])
 
-def _blob_rows(camera: Camera, row: Int32Array) -> Int32Array:
-    """Return angle and width [0.1 deg], colour and range [0.1 in] of blobs, (blobs, 4)."""
-    found = blobs(row[:, 0], row[:, 1])
-    step = float(rad_to_tenths_deg(camera.field_of_view_rad / camera.columns))
-    first, after = found[:, 0], found[:, 1]
-    angle = np.rint((camera.columns - first - after) / 2 * step)
-    width = np.rint((after - first) * step)
-    return np.column_stack([angle, width, found[:, 2], found[:, 3]]).astype(np.int32)
+    def _keep_pixels(self, state: EnvState, numbers: IndexArray) -> None:
+        pixels = np.stack(self._pictures(state, numbers), axis=2)
+        camera_state(state).told.keep(numbers, _PIXEL, self._columns[numbers], pixels)
+
+    def _keep_blobs(self, state: EnvState, numbers: IndexArray) -> None:
+        """Keep angle and width [0.1 deg], colour and range [0.1 in] of blobs."""
+        columns = self._columns[numbers]
+        owner, first, after, colour, nearest = blobs(*self._pictures(state, numbers), columns)
+        step = self._step[numbers][owner]
+        angle = np.rint((columns[owner] - first - after) / 2 * step)
+        width = np.rint((after - first) * step)
+        counts = np.bincount(owner, minlength=len(numbers))
+        rows = np.zeros((len(numbers), int(counts.max()), _BLOB), dtype=np.int32)
+        inside = np.arange(rows.shape[1]) < counts[:, None]
+        rows[inside] = np.column_stack([angle, width, colour, nearest])
+        camera_state(state).told.keep(numbers, _BLOB, counts, rows)
+
+
+def _step(camera: Camera) -> float:
+    """Return the angle of a column [0.1 deg]."""
+    return float(rad_to_tenths_deg(camera.field_of_view_rad / camera.columns))
 
 
 def _fan(camera: Camera) -> Fan:

@@ -171,9 +171,9 @@ class InfraredRing:
             if (ring := robot.model.device(row.name)) is not None
         ]
         brightest, found = _brightest(world), [ring for ring, _ in pairs]
-        fans = {pair: _fan(*pair, brightest) for pair in dict.fromkeys(pairs)}
+        kinds, self._kind = range_scan.kinds_of(pairs)
         self._row = row
-        self.fans, self._fans = list(fans.values()), [fans[pair] for pair in pairs]
+        self.fans = [_fan(*pair, brightest) for pair in kinds]
         self._interval_s = np.array([1.0 / ring.rate_hz for ring in found])
         self._step_m = np.array([ring.step_m for ring in found])[:, None]
         self._reflectance = np.array([ring.reflectance for ring in found])[:, None]
@@ -291,7 +291,8 @@ class InfraredRing:
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
         own = rays.surfaces.infrared
-        for fan, some in range_scan.distinct([self._fans[number] for number in mine]):
+        for kind, some in range_scan.distinct(self._kind[mine]):
+            fan = self.fans[kind]
             if own is None:
                 distance_m[some] = rays.distances_m(state, fan, poses[some], own=rows[some])
             else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -18,6 +19,7 @@ from crs_cc.sim.devices.sensor import Measurement, Sensor
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.split_and_merge import segments
+from crs_cc.sim.state.last_measurement import CONFIGURATION
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -49,7 +51,8 @@ class Lasers:
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         found = [robot.model.device(row.name) for robot in world.robots]
-        self._models: list[Laser] = [laser for laser in found if laser is not None]
+        models: list[Laser] = [laser for laser in found if laser is not None]
+        self._kinds, self._kind = range_scan.kinds_of(models)
         self._fans: dict[tuple[Laser, int], Fan] = {}
         self.sensor = Sensor(
             row, world, seed, self._measure, NUM_LASER, errors=_errors,
@@ -64,7 +67,7 @@ class Lasers:
             "LASER_PAGE": page,
             "LASER": self.get_ranges,
         }
-        fans = [self._fan(laser, laser.points) for laser in dict.fromkeys(self._models)]
+        fans = [self._fan(laser, laser.points) for laser in self._kinds]
         installed = self.sensor.installed(handlers, fans, lambda state: laser_state(state).told)
         self.installed = dataclasses.replace(installed, device=self)
 
@@ -79,30 +82,36 @@ class Lasers:
         """Return the ranges [m], their number, and the configuration, (k, 490)."""
         numbers = now.constants.numbers["laser"][now.rows]
         poses = mount_poses(now.state, now.constants, now.rows)
-        return np.column_stack(
-            [
-                self._ranges_m(now.state, now.rays, now.rows, numbers, poses),
-                laser_state(now.state).wanted[numbers],
-                configuration(now.state, now.constants, now.rows),
-            ]
-        )
+        value = np.empty((len(numbers), NUM_LASER + 1 + CONFIGURATION))
+        self._scan(now.state, now.rays, now.rows, numbers, poses,
+                   range_m=value[:, :NUM_LASER])  # fmt: skip
+        value[:, NUM_LASER] = laser_state(now.state).wanted[numbers]
+        value[:, NUM_LASER + 1 :] = configuration(now.state, now.constants, now.rows)
+        return value
 
-    def _ranges_m(
+    def _scan(
         self,
         state: EnvState,
         rays: RayCaster,
         rows: IndexArray,
         numbers: IndexArray,
         poses: FloatArray,
-    ) -> FloatArray:
-        """Return what the lasers of robots see from poses, infinite for nothing, (k, 482)."""
-        pairs = zip(numbers.tolist(), laser_state(state).wanted[numbers].tolist(), strict=True)
-        fans = [self._fan(self._models[number], wanted) for number, wanted in pairs]
-        range_m = np.full((len(rows), NUM_LASER), np.inf)
-        for fan, some in range_scan.distinct(fans):
-            seen_m = rays.distances_m(state, fan, poses[some], own=rows[some])
-            range_m[some, : len(fan)] = seen_m
-        return range_m
+        *,
+        range_m: FloatArray,
+    ) -> None:
+        """Write what the lasers of robots see from poses, infinite for nothing, (k, 482)."""
+        range_m[:] = np.inf
+        for laser, points, some in self._alike(numbers, laser_state(state).wanted[numbers]):
+            seen_m = rays.distances_m(state, self._fan(laser, points), poses[some], own=rows[some])
+            range_m[some, :points] = seen_m
+
+    def _alike(
+        self, numbers: IndexArray, points: npt.NDArray[np.integer]
+    ) -> Iterator[tuple[Laser, int, IndexArray]]:
+        """Yield the places of lasers of one kind with the same number of points."""
+        for key, some in range_scan.distinct(self._kind[numbers] * (NUM_LASER + 1) + points):
+            kind, wanted = divmod(key, NUM_LASER + 1)
+            yield self._kinds[kind], wanted, some
 
     def get_laser(self, context: RequestContext) -> BoolArray:
         """Answer GET_LS and GET_SG: scan, for the pages; refuse robots without a laser.
@@ -120,15 +129,15 @@ class Lasers:
         laser = laser_state(context.state)
         on = _is_on(laser.mode[numbers])
         has[has] = on
-        places = np.flatnonzero(has).tolist()
-        for place, number in zip(places, numbers[on].tolist(), strict=True):
-            wanted = int(laser.wanted[number])
-            range_m = laser.readings.value[number, :wanted]
-            measured = laser.readings.value[number, NUM_LASER]
-            seen = np.isfinite(range_m) & (np.arange(wanted) < measured)
-            tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
-            laser.told.keep(number, 1, np.where(seen, tenths, -1))
-            context.put("count", wanted, place)
+        numbers = numbers[on]
+        wanted, value = laser.wanted[numbers], laser.readings.value
+        range_m = value[numbers, : int(wanted.max(initial=0))]
+        measured = np.arange(range_m.shape[1]) < value[numbers, NUM_LASER, None]
+        seen = np.isfinite(range_m) & measured
+        tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
+        tenths = np.where(seen, tenths, -1).astype(np.int32)
+        laser.told.keep(numbers, 1, wanted, tenths[:, :, None])
+        context.put("count", wanted, has)
         return has
 
     def conf_ls(self, context: RequestContext) -> BoolArray:
@@ -182,7 +191,8 @@ class Lasers:
         numbers = constants.numbers["laser"][rows]
         counts, has = np.zeros(len(rows), dtype=np.int32), numbers >= 0
         laser, mine = laser_state(state), numbers[has]
-        range_m = self._ranges_m(state, rays, rows[has], mine, poses[has])
+        range_m = np.empty((len(mine), NUM_LASER))
+        self._scan(state, rays, rows[has], mine, poses[has], range_m=range_m)
         self._keep(laser, laser.predicted, mine, range_m, laser.wanted[mine])
         counts[has] = laser.predicted.count[mine]
         return counts
@@ -207,24 +217,43 @@ class Lasers:
             counts: number of ranges of each, (k,).
             width: what they report, `_POINT` or `_SEGMENT`; None for what the mode selects.
         """
-        counts = np.where(_is_on(laser.mode[numbers]), counts, 0)
-        for place, number in enumerate(numbers.tolist()):
-            points = _points(self._models[number], range_m[place, : int(counts[place])])
-            has_segments = int(laser.mode[number]) in _SEGMENT_MODES
-            if (width or (_SEGMENT if has_segments else _POINT)) == _POINT:
-                told.keep(number, _POINT, points)
-            else:
-                threshold, min_points, gap = laser.segments[number].tolist()
-                found = segments(points, threshold, min_points, gap)
-                told.keep(number, _SEGMENT, np.rint(found))
+        on, has_segments = _is_on(laser.mode[numbers]), np.isin(laser.mode[numbers], _SEGMENT_MODES)
+        points, counts = self._points(numbers, range_m, np.where(on, counts, 0).astype(np.intp))
+        if width is not None:
+            has_segments[:] = width == _SEGMENT
+        some = np.flatnonzero(~has_segments)
+        told.keep(numbers[some], _POINT, counts[some], points[some])
+        for place in np.flatnonzero(has_segments).tolist():
+            threshold, min_points, gap = laser.segments[numbers[place]].tolist()
+            found = segments(points[place, : counts[place]], threshold, min_points, gap)
+            count = np.array([len(found)])
+            told.keep(numbers[place, None], _SEGMENT, count, np.rint(found)[None])
 
+    def _points(
+        self, numbers: IndexArray, range_m: FloatArray, counts: IndexArray
+    ) -> tuple[FloatArray, IndexArray]:
+        """Return x and y of scans' points [0.1 in], ahead and left of the mount's centre.
 
-def _points(laser: Laser, range_m: FloatArray) -> FloatArray:
-    """Return x and y of a scan's points [0.1 in], ahead and left of the mount's centre, (n, 2)."""
-    hit = np.isfinite(range_m)
-    seen_m, direction = range_m[hit], _directions(laser, len(range_m))[hit]
-    x_m, y_m = laser.forward_m + seen_m * np.cos(direction), seen_m * np.sin(direction)
-    return np.asarray(np.rint(m_to_tenths_inch(np.column_stack([x_m, y_m]))))
+        Args:
+            numbers: which lasers, k of them.
+            range_m: their ranges, (k, 482).
+            counts: number of ranges of each, (k,).
+
+        Returns:
+            the points, from right to left, (k, most, 2), and their numbers, (k,).
+        """
+        range_m = range_m[:, : int(counts.max(initial=0))]
+        hit = np.isfinite(range_m) & (np.arange(range_m.shape[1]) < counts[:, None])
+        points = np.zeros((*hit.shape, _POINT))
+        for laser, count, some in self._alike(numbers, counts):
+            seen_m = np.where(hit[some, :count], range_m[some, :count], 0.0)
+            direction = _directions(laser, count)
+            points[some, :count, 0] = laser.forward_m + seen_m * np.cos(direction)
+            points[some, :count, 1] = seen_m * np.sin(direction)
+        there = np.zeros_like(points)
+        counts = hit.sum(axis=1)
+        there[np.arange(hit.shape[1]) < counts[:, None]] = points[hit]
+        return np.rint(m_to_tenths_inch(there)), counts
 
 
 def _directions(laser: Laser, points: int) -> FloatArray:
@@ -247,13 +276,12 @@ def _is_on(mode: npt.NDArray[np.integer]) -> BoolArray:
 def page(context: RequestContext) -> BoolArray:
     """Answer LASER_PAGE with a page of what a reply announced; refuse robots without a laser."""
     laser, mine = laser_state(context.state), context.constants.numbers["laser"][context.rows]
-    good = np.asarray(mine >= 0)
-    first, predicted = context["first"].tolist(), context["predicted"].tolist()
+    first, predicted = context["first"].copy(), context["predicted"] != 0
     context.clear_data()
-    for place in np.flatnonzero(good).tolist():
-        told = laser.predicted if predicted[place] else laser.told
-        told.page(mine[place], first[place], context.messages[place])
-    return good
+    for told, is_predicted in ((laser.told, False), (laser.predicted, True)):
+        places = np.flatnonzero((mine >= 0) & (predicted == is_predicted))
+        told.page(mine[places], first[places], context.messages, places)
+    return np.asarray(mine >= 0)
 
 
 def conf_sg(context: RequestContext) -> BoolArray:
