@@ -166,8 +166,10 @@ class Lasers:
         requested = (numbers >= 0) & (masked | (width is not None))
         laser, mine = laser_state(context.state), numbers[requested]
         counts = np.zeros(len(context), dtype=np.int32)
-        value = laser.readings.value[mine]
-        self._keep(laser, laser.told, mine, value[:, :NUM_LASER], value[:, NUM_LASER], width=width)
+        value = laser.readings.value
+        points = value[mine, NUM_LASER].astype(np.intp)
+        range_m = value[mine, : int(points.max(initial=0))]
+        self._keep(laser, laser.told, mine, range_m, points, width=width)
         counts[requested] = laser.told.count[mine]
         return counts
 
@@ -213,7 +215,7 @@ class Lasers:
             laser: what the programs have set.
             told: their storage, changed in place.
             numbers: which lasers, k of them.
-            range_m: their ranges, (k, 482).
+            range_m: their ranges, (k, most).
             counts: number of ranges of each, (k,).
             width: what they report, `_POINT` or `_SEGMENT`; None for what the mode selects.
         """
@@ -225,35 +227,42 @@ class Lasers:
         told.keep(numbers[some], _POINT, counts[some], points[some])
         for place in np.flatnonzero(has_segments).tolist():
             threshold, min_points, gap = laser.segments[numbers[place]].tolist()
-            found = segments(points[place, : counts[place]], threshold, min_points, gap)
+            scan = points[place, : counts[place]].astype(np.float64)
+            found = segments(scan, threshold, min_points, gap)
             count = np.array([len(found)])
             told.keep(numbers[place, None], _SEGMENT, count, np.rint(found)[None])
 
     def _points(
         self, numbers: IndexArray, range_m: FloatArray, counts: IndexArray
-    ) -> tuple[FloatArray, IndexArray]:
+    ) -> tuple[Int32Array, IndexArray]:
         """Return x and y of scans' points [0.1 in], ahead and left of the mount's centre.
 
         Args:
             numbers: which lasers, k of them.
-            range_m: their ranges, (k, 482).
+            range_m: their ranges, (k, most).
             counts: number of ranges of each, (k,).
 
         Returns:
             the points, from right to left, (k, most, 2), and their numbers, (k,).
         """
-        range_m = range_m[:, : int(counts.max(initial=0))]
-        hit = np.isfinite(range_m) & (np.arange(range_m.shape[1]) < counts[:, None])
-        points = np.zeros((*hit.shape, _POINT))
-        for laser, count, some in self._alike(numbers, counts):
-            seen_m = np.where(hit[some, :count], range_m[some, :count], 0.0)
-            direction = _directions(laser, count)
-            points[some, :count, 0] = laser.forward_m + seen_m * np.cos(direction)
-            points[some, :count, 1] = seen_m * np.sin(direction)
-        there = np.zeros_like(points)
+        most = int(counts.max(initial=0))
+        range_m = range_m[:, :most]
+        hit = np.isfinite(range_m) & (np.arange(most) < counts[:, None])
+        kind, directions = np.zeros(len(numbers), dtype=np.intp), []
+        for number, (laser, count, some) in enumerate(self._alike(numbers, counts)):
+            kind[some] = number
+            directions.append(np.pad(_directions(laser, count), (0, most - count)))
+        row, column = np.nonzero(hit)
+        direction = np.concatenate([[], *directions])
+        place, seen_m = kind.take(row) * most + column, range_m[hit]
+        forward_m = self.sensor.settings["forward_m"][numbers].take(row)
+        found = np.empty((len(row), _POINT))
+        found[:, 0] = forward_m + seen_m * np.cos(direction).take(place)
+        found[:, 1] = seen_m * np.sin(direction).take(place)
         counts = hit.sum(axis=1)
-        there[np.arange(hit.shape[1]) < counts[:, None]] = points[hit]
-        return np.rint(m_to_tenths_inch(there)), counts
+        points = np.zeros((*hit.shape, _POINT), dtype=np.int32)
+        points[np.arange(most) < counts[:, None]] = np.rint(m_to_tenths_inch(found))
+        return points, counts
 
 
 def _directions(laser: Laser, points: int) -> FloatArray:
