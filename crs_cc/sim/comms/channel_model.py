@@ -30,8 +30,8 @@ import numpy.typing as npt
 from crs_cc.core.arrays import BoolArray, ComplexArray, IndexArray, Records
 from crs_cc.core.keyed_random import KeyedUniform
 from crs_cc.core.random_streams import MESSAGES
-from crs_cc.sim.comms import inbox
 from crs_cc.sim.comms.channels import Channels
+from crs_cc.sim.comms.inbox import Transit
 from crs_cc.sim.comms.loss import burst_states
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.comms.outages import is_shut
@@ -68,15 +68,21 @@ class ChannelModel:
         if scene is not self._scene:
             self._scene, self._sight = scene, Sight(scene)
         place = state.x_m + 1j * state.y_m
+        transit = Transit(state.messages)
         for first in range(0, len(packets), _AT_ONCE):
-            self._transmit_batch(state, place, packets[first : first + _AT_ONCE], end_s)
-        inbox.in_order(state.messages)
+            batch = packets[first : first + _AT_ONCE]
+            packet, receiver = self._reached(state, place, batch, transit.full())
+            transit.add(*self._sent_on(batch, packet, receiver, end_s))
+        transit.set_out()
 
-    def _transmit_batch(
-        self, state: EnvState, place: ComplexArray, packets: Records, end_s: float
-    ) -> None:
+    def _reached(
+        self, state: EnvState, place: ComplexArray, packets: Records, full: BoolArray
+    ) -> tuple[IndexArray, IndexArray]:
+        """Return pairs of message and receiver that it reaches; robots that are `full` do not hear.
+
+        Record the fate of the others.
+        """
         channels, messages = self._channels, state.messages
-        full = inbox.full(messages)
         packet, receiver = self._pairs(state, place, packets, ~full)
         fate = np.full(len(packet), int(Fate.DELIVERED), dtype=np.int8)
         fate[is_shut(messages, packets, packet, receiver)] = Fate.SHUT
@@ -104,7 +110,7 @@ class ChannelModel:
             note(messages, Fate.INBOX, packets[missed], packets["begins_s"][missed])
             unreached &= ~missed
         note(messages, Fate.RANGE, packets[unreached], packets["begins_s"][unreached])
-        self._send_on(state, packets, packet[~lost], receiver[~lost], end_s)
+        return packet[~lost], receiver[~lost]
 
     def _pairs(
         self,
@@ -180,15 +186,10 @@ class ChannelModel:
         loss = np.where(in_burst, channels.burst_loss[channel], channels.loss[channel])
         fate[reached[self._chances.draw(_LOSS, *names) < loss]] = Fate.LOSS
 
-    def _send_on(
-        self,
-        state: EnvState,
-        packets: Records,
-        packet: IndexArray,
-        receiver: IndexArray,
-        end_s: float,
-    ) -> None:
-        """Schedule the arrival of the messages that were not lost."""
+    def _sent_on(
+        self, packets: Records, packet: IndexArray, receiver: IndexArray, end_s: float
+    ) -> tuple[Records, Records]:
+        """Return messages, also corrupted copies, and the arrivals of those that were not lost."""
         channels = self._channels
         channel = packets["channel"][packet]
         sent_s = packets["begins_s"] + channels.duration_s(packets)
@@ -199,8 +200,7 @@ class ChannelModel:
         coming = np.zeros(len(packet), RECEPTION)
         coming["receiver"], coming["packet"] = receiver, packet
         coming["arrives_s"] = np.maximum(arrives_s, end_s)
-        packets = self._corrupted(packets, coming)
-        inbox.expect(state.messages, packets, coming)
+        return self._corrupted(packets, coming), coming
 
     def _corrupted(self, packets: Records, coming: Records) -> Records:
         """Return the messages, followed by the corrupted copies that arrive instead."""

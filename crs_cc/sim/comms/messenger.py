@@ -11,6 +11,7 @@ from crs_cc.requests import DATA_SIZE
 from crs_cc.sim.comms import inbox, outages, outbox
 from crs_cc.sim.comms.channel_model import ChannelModel
 from crs_cc.sim.comms.channels import Channels
+from crs_cc.sim.comms.inbox import Inboxes
 from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.messages import EVERYBODY, GROUPS, NO_GROUP, PACKET
 
@@ -28,6 +29,7 @@ class Messenger:
     def __init__(self, world: WorldModel, seed: int) -> None:
         self._channels = Channels.of(world.communication)
         self._channel_model = ChannelModel(self._channels, seed)
+        self._inboxes = Inboxes()
         self._robots = tuple(robot.id for robot in world.robots)
 
     # -- requests of programs ----------------------------------------------------------------------
@@ -51,8 +53,8 @@ class Messenger:
     def receive(self, context: RequestContext) -> BoolArray:
         """Answer RECEIVE when a message has arrived or the timeout has expired."""
         messages, rows = context.state.messages, context.rows
-        inbox.deliver(messages, rows, context.at_s)
-        have, packets, arrived_s = inbox.take(messages, rows)
+        self._inboxes.deliver(messages, rows, context.at_s)
+        have, packets, arrived_s = self._inboxes.take(messages, rows)
         good = np.zeros(len(rows), dtype=np.bool_)
         good[have] = True
         for name in ("sender", "to", "group", "type", "channel", "sent_s", "size"):
@@ -61,11 +63,17 @@ class Messenger:
         context.put("content", packets["data"], good)
         return good
 
+    def receive_ends_s(self, state: EnvState, rows: IndexArray) -> FloatArray:
+        """Return when the waits for a message end, as far as is known, shape (k,)."""
+        first_s = self._inboxes.first_s(state.messages, rows)
+        first_s = np.minimum(first_s, state.waits.until_s[rows])
+        return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
+
     def count(self, context: RequestContext) -> None:
         """Answer MESSAGE_COUNT."""
         messages = context.state.messages
-        inbox.deliver(messages, context.rows, context.at_s)
-        context["messages"] = inbox.count(messages, context.rows)
+        self._inboxes.deliver(messages, context.rows, context.at_s)
+        context["messages"] = self._inboxes.count(messages, context.rows)
 
     def group(self, context: RequestContext) -> BoolArray:
         """Answer GROUP: join one, or leave it."""
@@ -113,7 +121,7 @@ class Messenger:
             outbox.clear(messages, state.presence.present, from_s)
         if len(messages.receptions):
             rows = np.arange(len(self._robots))
-            inbox.deliver(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
+            self._inboxes.deliver(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
         packets = outbox.depart(messages, self._channels, to_s)
         if len(packets):
             self._channel_model.transmit(state, constants.scene, packets, to_s)
@@ -127,12 +135,6 @@ def wait(context: RequestContext) -> None:
     wait_s = context["timeout_ms"] / 1000.0
     until_s = state.drive.clock_s[rows] + wait_s
     state.waits.until_s[rows] = np.where(wait_s < 0.0, np.inf, until_s)
-
-
-def receive_ends_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    """Return when the waits for a message end, as far as is known, shape (k,)."""
-    first_s = np.minimum(inbox.first_s(state.messages, rows), state.waits.until_s[rows])
-    return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
 
 
 def _look_up(context: RequestContext, names: tuple[str, ...], own: IndexArray) -> BoolArray:

@@ -149,5 +149,5 @@ def waits_of(devices: DeviceBoard) -> Mapping[int, Wait]:
     return {
         CODES["WS"]: Wait(drive.rest_s, acknowledge),
         CODES["ZR"]: Wait(drive.rest_s, drive.zeroed),
-        CODES["RECEIVE"]: Wait(messenger.receive_ends_s, devices.messenger.receive),
+        CODES["RECEIVE"]: Wait(devices.messenger.receive_ends_s, devices.messenger.receive),
     }
