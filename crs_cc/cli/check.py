@@ -15,6 +15,7 @@ from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics
 
 if TYPE_CHECKING:
+    from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.ir.program import Program
 
 _EXAMPLES: Final = """
@@ -40,11 +41,11 @@ Examples:
 def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
     """Check C, world and robot files without running anything.
 
-    For a world, robot definition or included file, also list its contents. Each C file is
-    checked on its own, so that a part of a program can be checked too. If one of the C files
-    defines main (or runcode), they are also linked, as in crs run. The exit status is
-    0 if there are no errors (warnings are allowed), else that of the first error: 121 for C, 122
-    for a world.
+    For a world, robot definition or included file, also list its contents. The programs that a
+    world names for its robots are compiled, as in crs run. Each C file is checked on its own, so
+    that a part of a program can be checked too. If one of the C files defines main (or runcode),
+    they are also linked, as in crs run. The exit status is 0 if there are no errors (warnings are
+    allowed), else that of the first error: 121 for C, 122 for a world.
     """
     status = 0
     messages: list[Diagnostic] = []
@@ -52,12 +53,15 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     sources = Diagnostics()
     contents: list[str] = []
     together = [Path(name) for name in files if not is_world(name)]
+    checked = {path.resolve() for path in together}
     for name in files:
         if is_world(name):
-            found, error_status = _world_messages(Path(name), contents)
+            checked.add(Path(name).resolve())
+            found, error_status = _world_messages(Path(name), contents, compiler, checked)
         else:
             found, error_status = _messages(Path(name), compiler, programs, sources, together)
-        messages += [each for each in found if each.severity == "error" or not quiet]
+        kept = [each for each in found if each.severity == "error" or not quiet]
+        messages = merged(messages, kept)
         status = status or error_status
     if not status and programs:
         sources.messages += messages
@@ -71,7 +75,7 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     if not quiet:
         for line in contents:
             click.echo(line)
-        say(_closing_line(messages, len(files)))
+        say(_closing_line(messages, len(checked)))
     return status
 
 
@@ -82,22 +86,61 @@ def _has_entry(programs: Sequence[Program]) -> bool:
     return sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1
 
 
-def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnostic], int]:
-    """Return the messages about an XML file, and their exit status.
+def _world_messages(
+    path: Path, contents: list[str], compiler: CompilerOptions, checked: set[Path]
+) -> tuple[Sequence[Diagnostic], int]:
+    """Return the messages about an XML file and the programs that it names, and the exit status.
 
     Args:
         path: the file.
         contents: receives lines that describe its contents.
+        compiler: how to compile the programs.
+        checked: receives the paths of the programs.
     """
     from crs_cc.cli.describe import describe
     from crs_cc.sim.files.world_xml import load_any
+    from crs_cc.sim.model.world import WorldModel
 
     try:
         check_readable(path)
-        contents += [f"{path}: {line}" for line in describe(load_any(path))]
+        found = load_any(path)
+        contents += [f"{path}: {line}" for line in describe(found)]
     except WorldError as error:
         return error.diagnostics, error.exit_status
-    return (), 0
+    if not isinstance(found, WorldModel):
+        return (), 0
+    messages: list[Diagnostic] = []
+    status = 0
+    programs = [(robot.program, robot.dialect) for robot in found.robots if robot.program]
+    for program, dialect in dict.fromkeys(programs):
+        checked.add(Path(program).resolve())
+        about, error_status = _program_messages(Path(program), dialect, compiler)
+        messages = merged(messages, about)
+        status = status or error_status
+    return messages, status
+
+
+def _program_messages(
+    path: Path, dialect: Dialect | None, compiler: CompilerOptions
+) -> tuple[Sequence[Diagnostic], int]:
+    """Return the messages about a program of one C file, and their exit status."""
+    from crs_cc.session.build import build_executable
+
+    diagnostics = Diagnostics()
+    try:
+        check_readable(path)
+        build_executable(
+            [path],
+            diagnostics,
+            include_paths=compiler.include_paths,
+            defines=compiler.defines,
+            undefines=compiler.undefines,
+            standard=compiler.standard,
+            dialect=compiler.dialect or dialect,
+        )
+    except CompileError as error:
+        return merged(diagnostics.messages, error.diagnostics), error.exit_status
+    return diagnostics.messages, 0
 
 
 def _messages(

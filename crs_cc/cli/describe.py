@@ -11,6 +11,7 @@ from typing import Final
 from crs_cc.sim.devices.bumper.element import switches_of
 from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import Definitions
+from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import Degradation, described
 from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.robot import RobotModel
@@ -48,6 +49,7 @@ def _world(world: WorldModel) -> Iterator[str]:
         line += f", seed {world.seed}"
     yield line
     yield from _things(world)
+    yield from _communication(world.communication)
     for robot in world.robots[:_MOST]:
         yield _robot(robot)
     if len(world.robots) > _MOST:
@@ -82,6 +84,35 @@ def _things(world: WorldModel) -> Iterator[str]:
     counts = [counted(len(found), noun) for found, noun in more if found]
     if counts:
         yield ", ".join(counts)
+
+
+def _communication(communication: Communication) -> Iterator[str]:
+    """Yield a line for each channel that the world file adds or changes, and one for outages."""
+    for channel in communication.channels:
+        if channel not in PREDEFINED:
+            yield f"channel '{channel.name}': {', '.join(_properties(channel))}"
+    if communication.shuts:
+        yield counted(len(communication.shuts), "outage")
+
+
+def _properties(channel: Channel) -> Iterator[str]:
+    reach = "unlimited range" if math.isinf(channel.range_m) else f"range {channel.range_m:g} m"
+    if channel.walls == 0.0:
+        reach += " in line of sight"
+    elif channel.walls < 1.0:
+        reach += f" times {channel.walls:g} for each object in between"
+    yield reach
+    if math.isfinite(channel.bandwidth_bps):
+        yield f"{channel.bandwidth_bps:g} B/s"
+    if channel.delay_s or channel.jitter_s:
+        varies = f" to {(channel.delay_s + channel.jitter_s) * 1000:g}" if channel.jitter_s else ""
+        yield f"delay {channel.delay_s * 1000:g}{varies} ms"
+    if channel.loss:
+        yield f"loss {100 * channel.loss:g} %"
+    if channel.burst_begin:
+        yield "bursts of losses"
+    if channel.corruption:
+        yield f"corruption {100 * channel.corruption:g} % of bytes"
 
 
 def _robot(robot: Robot) -> str:

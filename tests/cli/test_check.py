@@ -121,3 +121,40 @@ def test_check_accepts_a_large_object_that_the_program_never_uses_as_run_does() 
     Path("main.c").write_text("char a[2000000000];\nint main(void) { return 0; }\n")
     assert main(["run", "main.c"]) == 0
     assert main(["check", "-q", "main.c"]) == 0
+
+
+def test_programs_that_a_world_names_are_compiled(capfd: pytest.CaptureFixture[str]) -> None:
+    """They were not, so that a world passed the check and crs run refused it."""
+    Path("good.c").write_text("int main(void) { return 0; }\n")
+    Path("bad.c").write_text("int main(void)\n{\n    return turn(1);\n}\n")
+    robots = "".join(
+        f'<robot x="{2 * number + 1}m" y="2m" program="{name}.c"/>'
+        for number, name in enumerate(("good", "bad", "bad"))
+    )
+    world = f'<world version="1"><area length="9m" width="9m"/>{robots}</world>'
+    Path("world.xml").write_text(world)
+    assert main(["check", "world.xml"]) == 121
+    shown = capfd.readouterr().err
+    assert shown.count("bad.c:3:12: error: 'turn' is used, but not defined") == 1
+    assert "3 files checked: 1 error" in shown
+    assert main(["check", "good.c", "bad.c", "world.xml"]) == 121
+    assert "3 files checked: " in capfd.readouterr().err
+    Path("bad.c").write_text("int main(void) { return 1; }\n")
+    assert main(["check", "world.xml"]) == 0
+    assert capfd.readouterr().err == "3 files checked: 0 errors, 0 warnings\n"
+
+
+def test_channels_that_a_world_changes_are_described(capfd: pytest.CaptureFixture[str]) -> None:
+    channels = """<communication>
+        <channel name="radio" range="20m" delay="0s" jitter="0s" loss="0.1"/>
+        <channel name="wire" bandwidth="1kB/s" delay="5ms" jitter="5ms" corruption="0.01"/>
+        <shut channel="radio" at="1s" until="2s"/></communication>"""
+    world = f'<world version="1"><area length="9m" width="9m"/>{channels}<robot x="1m" y="1m"/>'
+    Path("world.xml").write_text(f"{world}</world>")
+    assert main(["check", "world.xml"]) == 0
+    lines = [line.split(": ", 1)[1] for line in capfd.readouterr().out.splitlines()]
+    assert lines[1:4] == [
+        "channel 'radio': range 20 m times 0.5 for each object in between, 14400 B/s, loss 10 %",
+        "channel 'wire': unlimited range, 1000 B/s, delay 5 to 10 ms, corruption 1 % of bytes",
+        "1 outage",
+    ]
