@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, TypeVar
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,8 +14,6 @@ from crs_cc.sim.model.attribute import attribute
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.sensor import Measurement, Readings
-
-_Model = TypeVar("_Model", bound=Hashable)
 
 
 def field_of_view(default: str | None) -> Any:
@@ -40,20 +38,14 @@ def height(default: str = "30cm") -> Any:
     )
 
 
-def distinct(kinds: IndexArray) -> Iterator[tuple[int, IndexArray]]:
+def alike(kinds: IndexArray) -> Iterator[tuple[int, IndexArray]]:
     """Yield each kind of several sensors, in ascending order, and the places of its sensors.
 
-    >>> [(kind, places.tolist()) for kind, places in distinct(np.array([5, 2, 5]))]
+    >>> [(kind, places.tolist()) for kind, places in alike(np.array([5, 2, 5]))]
     [(2, [1]), (5, [0, 2])]
     """
     for kind in np.unique(kinds).tolist():
         yield kind, np.flatnonzero(kinds == kind)
-
-
-def kinds_of(models: Sequence[_Model]) -> tuple[list[_Model], IndexArray]:
-    """Return the distinct models of sensors, and the place of each sensor's model among them."""
-    places = {model: place for place, model in enumerate(dict.fromkeys(models))}
-    return list(places), np.array([places[model] for model in models], dtype=np.intp)
 
 
 def triangulated(now: Measurement, range_m: FloatArray, deviates: FloatArray) -> FloatArray:

@@ -14,6 +14,7 @@ from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.inclines import Inclines
 
@@ -56,7 +57,7 @@ class RobotConstants:
             drives=Drives.of(world),
             vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
             numbers={
-                each.name: _numbers([model.device(each.name) is not None for model in models])
+                each.name: _numbers([found is not None for found in devices_of(models, each.name)])
                 for each in devices()
             },
             radius_m=np.array([model.radius_m for model in models]),

@@ -23,6 +23,7 @@ from crs_cc.core.time_grid import is_due
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.measured import measured
 from crs_cc.sim.devices.timers import read_on_request
+from crs_cc.sim.model.robot import devices_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -127,7 +128,7 @@ class Sensor:
         self._measure, self._width, self._missing = measure, width, missing
         self._errors, self._is_on = errors, is_on
         self.readings = readings or (lambda state: state.device(row.name, Readings))
-        models = [robot.model.device(row.name) for robot in world.robots]
+        models = devices_of([robot.model for robot in world.robots], row.name)
         found = [model for model in models if model is not None]
         self.settings = {
             field.name: np.array([getattr(model, field.name) for model in found], np.float64)

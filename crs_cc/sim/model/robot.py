@@ -11,9 +11,11 @@ midway between the wheels.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, Self
 
+from crs_cc.core.distinct import for_each
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.sensors import (
     USUAL_BOARD,
@@ -162,3 +164,8 @@ class RobotModel:
     def device(self, name: str) -> Any | None:
         """Return the model of a device of `registry.devices()`, None if the robot lacks it."""
         return next((model for each, model in self.devices if each == name), None)
+
+
+def devices_of(models: Sequence[RobotModel], name: str) -> list[Any | None]:
+    """Return a device of each robot, None for those that lack it."""
+    return for_each(models, lambda model: model.device(name))

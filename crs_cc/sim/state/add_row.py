@@ -1,8 +1,9 @@
 """Adding a robot to a state: existing rows are kept, the new one has its initial values.
 
 Every part of the state has a row for each robot, or for each that has some device, in the order of
-the robots. So the rows of the new robot are those by which the initial state with it is longer than
-that without it. Arrays that list the robots and then other objects get their row in between.
+the robots. So the rows of the new robot are those by which the initial state of a world with it
+alone is longer than that of an empty one. Arrays that list the robots and then other objects get
+their row in between.
 """
 
 from __future__ import annotations
@@ -24,8 +25,11 @@ def grown(state: EnvState, world: WorldModel) -> EnvState:
         world: the world with it.
     """
     robots, robot = len(world.robots) - 1, world.robots[-1]
-    before = EnvState.at_start(replace(world, robots=world.robots[:-1]))
-    larger: EnvState = _grown(state, before, EnvState.at_start(world))
+    empty = replace(
+        world, robots=(), walls=(), boxes=(), cylinders=(), polygons=(), degradations=()
+    )
+    alone = replace(empty, robots=(robot,))
+    larger: EnvState = _grown(state, EnvState.at_start(empty), EnvState.at_start(alone))
     larger.presence = state.presence.with_another()
     larger.bodies = state.bodies.with_robot(robot.start)
     things = len(state.heat.left)

@@ -12,6 +12,7 @@ from functools import cache
 from typing import Any, Final
 
 from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.model.world import WorldModel
 
 _NAME: Final = "DeviceStates"
@@ -24,7 +25,7 @@ def device_states(world: WorldModel) -> Any:
     for each in devices():
         if each.state is None:
             continue
-        found = [model.device(each.name) for model in models]
+        found = devices_of(models, each.name)
         has = found if each.dense else [model for model in found if model is not None]
         columns[each.name] = each.state(has)
     return _columns()(**columns)

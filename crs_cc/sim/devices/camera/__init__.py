@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.distinct import distinct
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import device_request
@@ -46,6 +47,7 @@ from crs_cc.sim.geometry.surfaces import packed
 from crs_cc.sim.model.attribute import COLOUR, Count, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.paged_reply import PagedReply
 
 if TYPE_CHECKING:
@@ -211,14 +213,14 @@ class _Cameras:
     """The cameras of all robots that have one."""
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
-        found = [robot.model.device(row.name) for robot in world.robots]
+        found = devices_of([robot.model for robot in world.robots], row.name)
         models: list[Camera] = [camera for camera in found if camera is not None]
         self._columns = np.array([camera.columns for camera in models], dtype=np.intp)
         self._background = np.array(
             [packed(camera.background) for camera in models], dtype=np.int32
         )
         self._step = np.array([_step(camera) for camera in models], dtype=np.float64)
-        kinds, self._kind = range_scan.kinds_of(models)
+        kinds, self._kind = distinct(models)
         self._fans = [_fan(camera) for camera in kinds]
         self._sensor = Sensor(
             row, world, seed, self._measure, MAX_COLUMNS, errors=range_scan.triangulated,
@@ -235,7 +237,7 @@ class _Cameras:
         poses = mount_poses(now.state, now.constants, now.rows)
         value = np.empty((len(numbers), 2 * MAX_COLUMNS))
         value[:, :MAX_COLUMNS], value[:, MAX_COLUMNS:] = np.inf, 0.0
-        for kind, some in range_scan.distinct(self._kind[numbers]):
+        for kind, some in range_scan.alike(self._kind[numbers]):
             fan = self._fans[kind]
             seen_m, thing = now.rays.seen(now.state, fan, poses[some], own=now.rows[some])
             value[some, : len(fan)] = seen_m

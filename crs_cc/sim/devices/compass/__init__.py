@@ -37,6 +37,7 @@ from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.model.attribute import Choice, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.last_measurement import LastMeasurement
 
 if TYPE_CHECKING:
@@ -131,7 +132,7 @@ class _Compasses:
     """The compasses of all robots that have one."""
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
-        models = [robot.model.device(row.name) for robot in world.robots]
+        models = devices_of([robot.model for robot in world.robots], row.name)
         found: list[Compass] = [model for model in models if model is not None]
         self._row = row
         self._interval_s = np.array([1.0 / compass.rate_hz for compass in found])

@@ -14,15 +14,17 @@ ways of its axes, each with a weight. So differential and synchro drives share a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from typing import Final, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray
+from crs_cc.core.distinct import distinct
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.model.axis import STILL
-from crs_cc.sim.model.robot import Drive, Odometry
+from crs_cc.sim.model.robot import Drive, Odometry, RobotModel
 from crs_cc.sim.model.world import WorldModel
 
 _FINEST: Final = 1e-12  # resolution of an ideal encoder
@@ -74,8 +76,19 @@ class Drives:
     @classmethod
     def of(cls, world: WorldModel) -> Self:
         """Return the drives of a world's robots."""
-        drives = [robot.model.drive for robot in world.robots]
-        errors = [robot.model.odometry for robot in world.robots]
+        models, kind = distinct([robot.model for robot in world.robots])
+        few = cls._of(models)
+        columns = {each.name: getattr(few, each.name) for each in fields(few)}
+        for name, column in columns.items():
+            if isinstance(column, np.ndarray):
+                columns[name] = column[kind]
+        return cls(**columns)
+
+    @classmethod
+    def _of(cls, models: Sequence[RobotModel]) -> Self:
+        """Return the drives of some models of robots."""
+        drives = [model.drive for model in models]
+        errors = [model.odometry for model in models]
         both = list(zip(drives, errors, strict=True))
         axes = [[axis or STILL for axis in drive.axes] for drive in drives]
         return cls(

@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.distinct import distinct
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.random_streams import Noise
 from crs_cc.sim.devices import range_scan
@@ -171,7 +172,7 @@ class InfraredRing:
             if (ring := robot.model.device(row.name)) is not None
         ]
         brightest, found = _brightest(world), [ring for ring, _ in pairs]
-        kinds, self._kind = range_scan.kinds_of(pairs)
+        kinds, self._kind = distinct(pairs)
         self._row = row
         self.fans = [_fan(*pair, brightest) for pair in kinds]
         self._interval_s = np.array([1.0 / ring.rate_hz for ring in found])
@@ -291,7 +292,7 @@ class InfraredRing:
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
         own = rays.surfaces.infrared
-        for kind, some in range_scan.distinct(self._kind[mine]):
+        for kind, some in range_scan.alike(self._kind[mine]):
             fan = self.fans[kind]
             if own is None:
                 distance_m[some] = rays.distances_m(state, fan, poses[some], own=rows[some])

@@ -22,6 +22,7 @@ from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.model.attribute import attribute
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.robot import devices_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -63,7 +64,7 @@ def brightness(state: EnvState, constants: RobotConstants) -> FloatArray:
 
 def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
     """Return the handler of LIGHT."""
-    found = [robot.model.device(row.name) for robot in world.robots]
+    found = devices_of([robot.model for robot in world.robots], row.name)
     brightest = np.array([lamp.brightest for lamp in found if lamp is not None])
 
     def light(context: RequestContext) -> BoolArray:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.distinct import distinct
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices import range_scan
@@ -19,6 +20,7 @@ from crs_cc.sim.devices.sensor import Measurement, Sensor
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.split_and_merge import segments
+from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.last_measurement import CONFIGURATION
 
 if TYPE_CHECKING:
@@ -50,9 +52,9 @@ class Lasers:
     """
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
-        found = [robot.model.device(row.name) for robot in world.robots]
+        found = devices_of([robot.model for robot in world.robots], row.name)
         models: list[Laser] = [laser for laser in found if laser is not None]
-        self._kinds, self._kind = range_scan.kinds_of(models)
+        self._kinds, self._kind = distinct(models)
         self._fans: dict[tuple[Laser, int], Fan] = {}
         self.sensor = Sensor(
             row, world, seed, self._measure, NUM_LASER, errors=_errors,
@@ -109,7 +111,7 @@ class Lasers:
         self, numbers: IndexArray, points: npt.NDArray[np.integer]
     ) -> Iterator[tuple[Laser, int, IndexArray]]:
         """Yield the places of lasers of one kind with the same number of points."""
-        for key, some in range_scan.distinct(self._kind[numbers] * (NUM_LASER + 1) + points):
+        for key, some in range_scan.alike(self._kind[numbers] * (NUM_LASER + 1) + points):
             kind, wanted = divmod(key, NUM_LASER + 1)
             yield self._kinds[kind], wanted, some
 

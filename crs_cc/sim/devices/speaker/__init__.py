@@ -23,6 +23,7 @@ from crs_cc.sim.model.attribute import attribute
 from crs_cc.sim.model.beacons import TONES
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.robot import devices_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -69,7 +70,7 @@ def sounds(state: EnvState, constants: RobotConstants) -> tuple[FloatArray, Int6
 
 def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
     """Return the handler of SOUND."""
-    found = [robot.model.device(row.name) for robot in world.robots]
+    found = devices_of([robot.model for robot in world.robots], row.name)
     loudest = np.array([speaker.loudest for speaker in found if speaker is not None])
 
     def sound(context: RequestContext) -> BoolArray:

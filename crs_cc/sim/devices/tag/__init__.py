@@ -24,6 +24,7 @@ from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.files.document import Reader
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.robot import devices_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -57,7 +58,7 @@ def read(root: Element, reader: Reader) -> Tag | None:
 
 def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
     """Return the handler of TAG and TAKE_HEAT."""
-    found = [robot.model.device(row.name) for robot in world.robots]
+    found = devices_of([robot.model for robot in world.robots], row.name)
     ranges_m = np.array([tag.range_m for tag in found if tag is not None])
 
     def tag(context: RequestContext) -> BoolArray:
