@@ -17,6 +17,7 @@ SMALLEST = {
     "environment.py": ["--seconds", "0", "--scouts", "1", "1"],
     "fleet.py": ["--rounds", "1", "1"],
     "messages.py": ["4"],
+    "ranges.py": ["1"],
     "start.py": ["--repeat", "1"],
 }
 """Of each script, the arguments with which it measures least."""
@@ -27,7 +28,8 @@ MEASURED = {
     "debug.py": ["run build", "reverse-continue, a minute", "goto the middle"],
     "environment.py": ["\n       1 ", "1 times a scout: ", "1 times a noisy scout: "],
     "fleet.py": ["    bare request ", "      small loop "],
-    "messages.py": ["4 robots, silent: ", "radio: ", "infrared: ", "local: "],
+    "messages.py": ["4 robots, silent: ", "radio: ", "infrared: ", "local: ", "10 m: "],
+    "ranges.py": ["camera, pixels ", "camera, blobs ", "laser, ranges ", "laser, points "],
     "start.py": ["python -c pass ", "crs --help ", "crs run, warm ", "crs run, empty cache "],
 }
 """Of each script, words of what it prints."""

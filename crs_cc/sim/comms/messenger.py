@@ -31,6 +31,8 @@ class Messenger:
         self._channel_model = ChannelModel(self._channels, seed)
         self._inboxes = Inboxes()
         self._robots = tuple(robot.id for robot in world.robots)
+        self._channel_numbers = _numbers(self._channels.names)
+        self._robot_numbers = _numbers(self._robots)
 
     # -- requests of programs ----------------------------------------------------------------------
 
@@ -86,11 +88,11 @@ class Messenger:
 
     def find_channel(self, context: RequestContext) -> BoolArray:
         """Answer CHANNEL: the number of a channel with a name, the name of one with a number."""
-        return _look_up(context, self._channels.names, np.full(len(context), ANY))
+        return _look_up(context, self._channel_numbers, np.full(len(context), ANY))
 
     def find_robot(self, context: RequestContext) -> BoolArray:
         """Answer ROBOT: the number of a robot with a name, the name of one with a number."""
-        return _look_up(context, self._robots, context.rows)
+        return _look_up(context, self._robot_numbers, context.rows)
 
     # -- the passage of time -----------------------------------------------------------------------
 
@@ -137,15 +139,20 @@ def wait(context: RequestContext) -> None:
     state.waits.until_s[rows] = np.where(wait_s < 0.0, np.inf, until_s)
 
 
-def _look_up(context: RequestContext, names: tuple[str, ...], own: IndexArray) -> BoolArray:
+def _numbers(names: tuple[str, ...]) -> dict[str, int]:
+    return {name: number for number, name in enumerate(names)}
+
+
+def _look_up(context: RequestContext, numbers: dict[str, int], own: IndexArray) -> BoolArray:
     """Look up a name, or without one a number, -1 for one's own; reply with both and the count."""
     good = np.zeros(len(context), dtype=np.bool_)
-    sizes, numbers = context["size"].tolist(), context["number"].tolist()
+    names, sizes = list(numbers), context["size"].tolist()
+    asked = context["number"].tolist()
     for row, mine in enumerate(own.tolist()):
-        size, number = sizes[row], numbers[row]
+        size, number = sizes[row], asked[row]
         if size:
             wanted = context["name"][row, : max(0, size)].tobytes().decode("utf-8", "replace")
-            number = names.index(wanted) if wanted in names else ANY
+            number = numbers.get(wanted, ANY)
         elif number == ANY:
             number = mine
         good[row] = 0 <= number < len(names)
