@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from crs_cc.core.source import Location
 from crs_cc.ir.definite_assignment import Assignments
@@ -54,6 +54,9 @@ from crs_cc.runtime.wasm import UNLIKELY, Instr
 
 Known: TypeAlias = tuple[ValueNumbers, KnownBytes]
 """The facts known at one point."""
+
+LAST_BYTES: Final = -8
+"""The first address at which a load of eight states could exceed the shadow memory."""
 
 _At: TypeAlias = tuple[Instr, int]
 """An instruction that pushes an address, and the static offset to use with it."""
@@ -186,6 +189,15 @@ class CheckedMemory(PlainMemory):
         self.writer.code += [*states, *test]
         self.writer.fail_if(site, blamed)
 
+    def _exclude_last_bytes(self, push: Instr, site: Site) -> None:
+        """Leave an inlined call before an access to the shadow memory that would trap.
+
+        A trap is explained from the stack, on which inlined calls are not, see `diagnosis.trap`.
+        """
+        if self.writer.side_exit is not None:
+            self.writer.code += [push, ("i32.const", LAST_BYTES), ("i32.ge_u",)]
+            self.writer.fail_if(site, [])
+
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""
         if not self._valued(it.base, it.offset, MEMORY_SIZE[it.memory]):
@@ -204,6 +216,8 @@ class CheckedMemory(PlainMemory):
         accessible = self._accessible(it.base, it.offset, size)
         at = push, offset = self.place(it.base, it.offset)
         site = Site("memory", it.location, "read", size)
+        if not accessible:
+            self._exclude_last_bytes(push, site)
         found = [push, shadow.load(size, offset)]
         copied, flag = self.deferred.states_of(it), self.deferred.flag_of(it)
         if copied is not None:
@@ -294,9 +308,10 @@ class CheckedMemory(PlainMemory):
         size, code = MEMORY_SIZE[it.memory], self.writer.code
         push, offset = at
         local = WIDE_STATES if size == 8 else STATES
+        site = Site("memory", it.location, "write", size)
+        self._exclude_last_bytes(push, site)
         code += [push, shadow.load(size, offset), ("local.tee", local), *given.joined]
         code += [*shadow.not_readable(size), *given.doubt, UNLIKELY]
-        site = Site("memory", it.location, "write", size)
         self._test([("local.get", local)], shadow.not_accessible(size), site, at)
         code += [push, *given.states, shadow.store(size, offset), ("end",)]
 
@@ -310,6 +325,7 @@ class CheckedMemory(PlainMemory):
                 return
             self.proved.add(where, length, valued=False)
         writer = self.writer
+        self._exclude_last_bytes(writer.value(address), Site("memory", location, access))
         few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
         if few:
             push = writer.value(address)

@@ -138,6 +138,10 @@ class DeferredChecks:
         """Return whether a store is the last use of states or a flag."""
         return not self._keep and self._last[register] is store
 
+    def is_deferred(self, load: Load) -> bool:
+        """Return whether a load is not checked."""
+        return load in self._states or load in self._flags or load in self._unused
+
     def is_unused(self, load: Load) -> bool:
         """Return whether the loaded value is unused."""
         return load in self._unused

@@ -21,6 +21,10 @@ LANDING: Final = "i32.const_landing"
 """Pseudo-instruction `(LANDING, landing)`: push the landing's number."""
 
 
+SIDE_EXIT: Final = "br_side_exit"
+"""Pseudo-instruction `(SIDE_EXIT, node)`: branch to the node's side exit."""
+
+
 @dataclass(slots=True, eq=False)
 class Node:
     """A basic block with its exit.
@@ -31,11 +35,17 @@ class Node:
             "table" to the target of that number, by default the last; "leave": the code
             itself has left the function.
         targets: the successors.
+        side_exit: where `SIDE_EXIT` in its code leads; it has no successors and is no landing.
     """
 
     code: list[Instr] = field(default_factory=list)
     exit: Literal["jump", "branch", "table", "leave"] = "leave"
     targets: list[Node] = field(default_factory=list)
+    side_exit: Node | None = None
+
+    def successors(self) -> list[Node]:
+        """Return all nodes that may follow."""
+        return self.targets if self.side_exit is None else [*self.targets, self.side_exit]
 
     def jump(self, target: Node) -> None:
         """End the node with a jump."""

@@ -14,10 +14,14 @@ from __future__ import annotations
 
 from collections.abc import Container
 from dataclasses import dataclass
+from typing import Final
 
 from crs_cc.ir.program import Block, Branch, Function, Jump, Switch
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.wasm import Instr
+
+FREE_BYTES: Final = 256
+"""Bytes moved per unit of fuel, a power of 2; fewer cost nothing."""
 
 
 @dataclass(frozen=True, slots=True)

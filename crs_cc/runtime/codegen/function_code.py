@@ -9,8 +9,6 @@ spill slots in the frame. When it is called again it reloads them and jumps to t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from crs_cc.ir.definite_assignment import Assignments
 from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.names import in_library
@@ -38,6 +36,7 @@ from crs_cc.ir.program import (
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.codegen import failing, frame_states, jumps, spill_slots
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
+from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.call_checks import NO_VALUE, check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
@@ -60,7 +59,9 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
+from crs_cc.runtime.codegen.inlined_calls import InlinedCalls, all_bodies, inlined_calls
 from crs_cc.runtime.codegen.large_functions import homes_of, move_locals
+from crs_cc.runtime.codegen.passing import arguments_size, pass_arguments
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
@@ -74,33 +75,19 @@ from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.layout import (
     FUNCTION,
-    HEADER_SIZE,
     NULL_SIZE,
     RESULT,
     RESUME,
     STACK_SIZE,
-    argument_offsets,
+    Frame,
     lay_out,
 )
-from crs_cc.runtime.sites import CallSite, Site, StatementSite, call_word
+from crs_cc.runtime.sites import Site, StatementSite
 from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
 MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
-
-
-@dataclass(frozen=True, slots=True)
-class Build:
-    """The build options, see `module.compile_program`.
-
-    `watch` is the index of the function to which accesses are reported, 0 for none.
-    """
-
-    checked: bool
-    debug: bool
-    watch: int
-    trap_overflow: bool
 
 
 def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, FunctionInfo]:
@@ -111,72 +98,74 @@ def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, Fu
 class _FunctionCode:
     def __init__(self, function: Function, names: Symbols, build: Build) -> None:
         self.function = function
-        self.checked = checked = build.checked
-        self.debug = debug = build.debug
-        self.steps = debug and not in_library(function.location)
-        self.marks = SHADOW + 1 if checked else SHADOW
+        self.build = build
+        self.checked, self.debug = build.checked, build.debug
+        self.steps = build.debug and not in_library(function.location)
+        self.stamped = build.debug and not function.trusted
+        self.shadowed = build.checked and not function.trusted
+        self.marks = SHADOW + 1 if build.checked else SHADOW
         self.number = names.functions[function.name]
         self.names = names
-        self.shadowed = checked and not function.trusted
         liveness = Liveness(function)
+        self.assigned = Assignments(function, steps=self.steps) if self.shadowed else None
+        self.deferred = None
         more: list[Register] = []
-        spilled = 0
-        self.flags: dict[Register, Register] = {}
-        self.unset: dict[Instruction, frozenset[Register]] = {}
         if self.shadowed:
-            assigned = Assignments(function, steps=self.steps)
-            self.flags, self.unset = assigned.flags, assigned.unset
-            deferred = DeferredChecks(function, liveness, keep=debug)
-            more = [*self.flags.values(), *(deferred.registers if debug else [])]
-            spilled = 0 if debug else deferred.charge
-        self.registers = Registers(function, liveness, more, debug=debug)
+            self.deferred = DeferredChecks(function, liveness, keep=self.debug)
+            more = self.deferred.registers if self.debug else []
+        self.flags = self.assigned.flags if self.assigned else {}
+        more = [*self.flags.values(), *more]
+        inlined = {} if self.debug else inlined_calls(function.blocks, names.bodies)
+        self.registers = Registers(function, liveness, more, inlined=inlined, debug=self.debug)
         self.saved = self.registers.saved
-        sizes = self._arguments_size(), spilled + self.registers.charge
-        self.stamped = debug and not function.trusted
         self.homes = homes_of(function, self.registers, checked=self.shadowed, steps=self.steps)
-        self.frame = lay_out(
-            function, [*self.saved, *self.homes.values()], *sizes,
-            checked=checked, stamped=self.stamped,
-        )  # fmt: skip
-        self.writer = writer = Writer(names, self.frame)
-        self.memory, arithmetic = PlainMemory(writer, shadowed=checked), None
-        if self.shadowed:
-            self.memory = CheckedMemory(writer, deferred, assigned, self._sole_predecessors())
-            arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
-        self.watching = self._watchpoints(build.watch)
-        self.selector = Selector(writer, self.memory, arithmetic, self.watching)
+        self.frame = self._frame(sum(body.charge for body in all_bodies(inlined).values()))
+        self.writer = Writer(names, self.frame)
+        self.watching = self._watchpoints()
+        self.memory, self.selector = self._selection()
+        self.inlined = InlinedCalls(
+            self.writer, inlined, checked=build.checked, traps_overflow=build.trap_overflow
+        )
         self.nodes = {block: Node() for block in function.blocks}
         headers = self.registers.headers
-        self.fuel = exact_charges(function) if debug else early_charges(function, headers)
-        self.latches = {} if debug else rotated_loops(function, headers)
+        self.fuel = exact_charges(function) if self.debug else early_charges(function, headers)
+        self.latches = {} if self.debug else rotated_loops(function, headers)
         self.bottoms = {header: Node() for header in self.latches}
         self.here = function.blocks[0]
         self.landings: list[tuple[Landing, Instruction]] = []
+        self.failing: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
+
+    def _frame(self, charge: int) -> Frame:
+        """Lay out the frame, with a charge for inlined functions."""
+        charge += self.registers.charge
+        if self.deferred and not self.debug:
+            charge += self.deferred.charge
+        kept = [*self.saved, *self.homes.values()]
+        size = arguments_size(self.function, self.names)
+        return lay_out(
+            self.function, kept, size, charge, checked=self.checked, stamped=self.stamped
+        )
+
+    def _watchpoints(self) -> Watchpoints | None:
+        if not self.build.watch or self.function.trusted:
+            return None
+        library = in_library(self.function.location)
+        return Watchpoints(self.writer, self.build.watch, self.marks, library=library)
+
+    def _selection(self) -> tuple[PlainMemory, Selector]:
+        """Return what accesses memory, and what selects instructions."""
+        writer, arithmetic = self.writer, None
+        memory = PlainMemory(writer, shadowed=self.checked)
+        if self.deferred and self.assigned:
+            sole = self._sole_predecessors()
+            memory = CheckedMemory(writer, self.deferred, self.assigned, sole)
+            arithmetic = CheckedArithmetic(writer, traps_overflow=self.build.trap_overflow)
+        return memory, Selector(writer, memory, arithmetic, self.watching)
 
     def _sole_predecessors(self) -> dict[Block, Block]:
         """Return the blocks that inherit what is known; none if memory changes at statements."""
         return {} if self.debug else sole_predecessors(self.function, self.registers.headers)
-
-    def _watchpoints(self, watch: int) -> Watchpoints | None:
-        if not watch or self.function.trusted:
-            return None
-        library = in_library(self.function.location)
-        return Watchpoints(self.writer, watch, self.marks, library=library)
-
-    def _arguments_size(self) -> int:
-        """Return the maximum size of the arguments of all calls; -1 if there are no calls.
-
-        A callee may have more parameters than it is passed arguments.
-        """
-        most = -1
-        for block in self.function.blocks:
-            call = block.terminator
-            if isinstance(call, Call):
-                passed = argument_offsets([argument.size for argument in call.arguments])[-1]
-                wanted = self.names.parameters.get(call.callee, 0)  # type: ignore[arg-type]
-                most = max(most, passed, wanted)
-        return most
 
     # -- the whole ----------------------------------------------------------------------------
 
@@ -198,6 +187,8 @@ class _FunctionCode:
             entry.exit, entry.targets = "branch", [resumption, start]
         else:
             entry.jump(start)
+        for number, (landing, _) in enumerate(self.failing, start=len(self.landings) + 1):
+            landing.number = number
         fault = failing.note(("local.get", SITE), ("local.get", ADDRESS))
         fault += [("local.set", STATUS), ("i32.const", 0), ("local.set", LABEL)]
         body = emit(entry, fault) + self.epilogue()
@@ -214,9 +205,11 @@ class _FunctionCode:
 
     def info(self) -> FunctionInfo:
         places = {0: self.function.location}
-        places.update((landing.number, it.location) for landing, it in self.landings)
-        callees = {each.number: it.callee for each, it in self.landings if isinstance(it, Call)}
-        unset = {each.number: self.unset[it] for each, it in self.landings if it in self.unset}
+        landings = self.landings + self.failing
+        places.update((landing.number, it.location) for landing, it in landings)
+        callees = {each.number: it.callee for each, it in landings if isinstance(it, Call)}
+        known = self.assigned.unset if self.assigned else {}
+        unset = {each.number: known[it] for each, it in self.landings if it in known}
         calls = {site: landing.number for site, landing in self.calls.items()}
         return FunctionInfo(self.function, self.frame, places, callees, calls, self.flags, unset)
 
@@ -250,12 +243,13 @@ class _FunctionCode:
         return node
 
     def start(self) -> Node:
-        """Start a fresh call: suspend if out of fuel, load the parameters."""
+        """Start a fresh call: suspend if out of fuel unless it is short, load the parameters."""
         node = Node()
         code = self.writer.code = node.code
-        code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
-        self.writer.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
-        code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
+        if not self.names.bodies.is_small(self.function.name):
+            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
+            self.writer.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+            code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
         if self.stamped:
             code += [("local.get", SP), ("global.get", BEGUN_GLOBAL)]
             code.append(("i64.store", MEMORY, self.frame.entered))
@@ -400,27 +394,29 @@ class _FunctionCode:
 
     def call(self, node: Node, call: Call) -> None:
         selector, writer = self.selector, self.writer
-        offsets = argument_offsets([argument.size for argument in call.arguments])
-        for argument, offset in zip(call.arguments, offsets, strict=False):
-            at = HEADER_SIZE + offset
-            if argument.memory:
-                writer.store_at(SP, at, argument.value, argument.memory)
-                continue
-            size = Constant("i32", argument.size)
-            self.memory.argument(argument.value, at, size, call.location)
-        if self.checked:
-            number = self.names.call_number(CallSite(self.function.name, call.location))
-            word = call_word(number, self.frame.size, offsets[-1])
-            writer.store_at(SP, RESULT, Constant("i64", word), "i64")
-        if self.checked or self.debug:
-            writer.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
-        else:
-            writer.store_at(SP, RESUME, Constant("i32", 0), "i32")
+        if call in self.inlined.calls:
+            then = self.target(call.then)
+            self.inlined.write(node, call, then, self.memory, self._fail_again)
+            return
+        pass_arguments(call, self.function.name, self.memory, self.build)
         after = Node()
         node.jump(after)
         selector.forget()
         writer.code = after.code
         self._enter(call, after)
+
+    def _fail_again(self, call: Call) -> None:
+        """Make a call that was inlined and has failed; it fails again."""
+        pass_arguments(call, self.function.name, self.memory, self.build)
+        landing = Landing(Node())
+        self.failing.append((landing, call))
+        self.calls[len(self.names.call_sites)] = landing
+        callee = self.names.functions[str(call.callee)]
+        self.writer.code += [
+            ("local.get", SP), ("local.get", FUEL), ("call", callee),
+            ("local.set", FUEL), ("local.tee", STATUS), ("i32.eqz",), ("if",), ("unreachable",),
+            ("end",), (LANDING, landing), ("local.set", LABEL), (UNWIND,),
+        ]  # fmt: skip
 
     def _enter(self, call: Call, after: Node) -> None:
         """Call the callee, fresh or resumed: this is where a suspended caller resumes."""

@@ -14,9 +14,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Final, NoReturn, Self, TypeAlias
 
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import Function
-from crs_cc.runtime.codegen.function_code import Build, generate
+from crs_cc.ir.program import Call, Function
+from crs_cc.runtime.codegen.build import Build
+from crs_cc.runtime.codegen.function_code import generate
 from crs_cc.runtime.codegen.signatures import Shape
+from crs_cc.runtime.codegen.small_functions import Bodies, Body, calls_of
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.sites import CallSite, Site
@@ -142,12 +144,38 @@ class _Valueless(set[str]):
         )
 
 
+class _Bodies(Bodies):
+    """The functions that were asked for, and those that they call, if they are small."""
+
+    def __init__(self, real: Bodies) -> None:
+        super().__init__(real.small, checked=real.checked, traps_overflow=real.traps_overflow)
+        self._asked: dict[str, Function | None] = {}
+
+    def is_small(self, name: str) -> bool:
+        self._ask(name)
+        return super().is_small(name)
+
+    def of(self, call: Call) -> Body | None:
+        if isinstance(call.callee, str):
+            self._ask(call.callee)
+        return super().of(call)
+
+    def _ask(self, name: str) -> None:
+        function = self._asked[name] = self.small.get(name)
+        for call in calls_of(function) if function is not None else ():
+            self._ask(str(call.callee))
+
+    def suit(self, other: Bodies) -> bool:
+        return all(other.small.get(name) is function for name, function in self._asked.items())
+
+
 class _Recorder(Symbols):
     """Symbols for generating code that several programs link."""
 
     def __init__(self, names: Symbols) -> None:
         self._answers = _Answers(names.sizes), _Answers(names.parameters)
         self._tables, self._valueless = _Tables(names.tables), _Valueless(names.without_value)
+        self._bodies = _Bodies(names.bodies)
         super().__init__(
             addresses=_Numbers("address"),
             functions=_Numbers("function"),
@@ -156,6 +184,7 @@ class _Recorder(Symbols):
             pointers=_Unknown(_POINTERS),
             tables=self._tables,
             without_value=self._valueless,
+            bodies=self._bodies,
         )
 
     def number(self, site: Site) -> int:
@@ -172,6 +201,7 @@ class _Recorder(Symbols):
             and parameters.suit(names.parameters)
             and self._tables.suit(names.tables)
             and self._valueless.suit(names.without_value)
+            and self._bodies.suit(names.bodies)
         )
 
 

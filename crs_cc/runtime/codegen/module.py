@@ -14,8 +14,8 @@ from crs_cc.ir.program import ByteState, Data, Program
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import jumps, large_functions, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
+from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
-from crs_cc.runtime.codegen.function_code import Build
 from crs_cc.runtime.codegen.indices import (
     BEGUN_GLOBAL,
     MAILBOX,
@@ -26,6 +26,7 @@ from crs_cc.runtime.codegen.indices import (
 )
 from crs_cc.runtime.codegen.library_code import generate_shared
 from crs_cc.runtime.codegen.signatures import pointer_tables, valueless_functions
+from crs_cc.runtime.codegen.small_functions import Bodies, small_functions
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.codegen.watchpoints import update_bounds, watch
 from crs_cc.runtime.compiled import Compiled
@@ -85,6 +86,7 @@ def compile_program(
         len(pointers),
         {},
         valueless_functions(program, pointers) if checked else set(),
+        Bodies(small_functions(program.functions), checked=checked, traps_overflow=trap_overflow),
     )
     tables = pointer_tables(program, pointers) if checked else {}
     heap, end = (addresses[name] for name in HEAP_SYMBOLS)

@@ -7,7 +7,7 @@ up to three times. Its stack is three times the program's, see `executable`; if 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import Final
 
 from crs_cc.ir.liveness import Liveness, alive_before, all_instructions, reads, writes
@@ -29,21 +29,38 @@ class Registers:
     """
 
     def __init__(
-        self, function: Function, liveness: Liveness, more: Sequence[Register], *, debug: bool
+        self,
+        function: Function,
+        liveness: Liveness,
+        more: Sequence[Register],
+        *,
+        inlined: Container[Call],
+        debug: bool,
     ) -> None:
+        """Find the lifetimes.
+
+        Args:
+            function: the function.
+            liveness: its live registers.
+            more: registers of the code generator that must survive a suspension.
+            inlined: its calls in which it cannot be suspended.
+            debug: whether it can be suspended before every statement.
+        """
         self.headers = loop_headers(function)
         self._last: dict[Block, list[list[Register]]] = {}
         alive = 0
         for block in function.blocks:
             if block in self.headers:
                 alive |= liveness.at_start(block)
-            if isinstance(block.terminator, Call | Request | SetJump):
+            end = block.terminator
+            is_inlined = isinstance(end, Call) and end in inlined
+            if isinstance(end, Call | Request | SetJump) and not is_inlined:
                 behind = liveness.at_end(block)
-                result = writes(block.terminator)  # known only when the function continues
+                result = writes(end)  # known only when the function continues
                 if result is not None:
                     behind &= ~(1 << result.index)
                 alive |= behind
-                for register in reads(block.terminator):
+                for register in reads(end):
                     alive |= 1 << register.index
             if debug:
                 before = alive_before(block, liveness)

@@ -10,10 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, UNWIND, Node
+from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, SIDE_EXIT, UNWIND, Node
 from crs_cc.runtime.wasm import Instr
 
-_SPECIAL: Final = frozenset({UNWIND, FAULTED, LANDING, "if", "end"})
+_SPECIAL: Final = frozenset({UNWIND, FAULTED, LANDING, SIDE_EXIT, "if", "end"})
 
 
 @dataclass(slots=True)
@@ -29,13 +29,13 @@ class _Order:
 def _postorder(entry: Node) -> list[Node]:
     seen = {entry}
     out: list[Node] = []
-    work = [(entry, iter(entry.targets))]
+    work = [(entry, iter(entry.successors()))]
     while work:
         node, rest = work[-1]
         for target in rest:
             if target not in seen:
                 seen.add(target)
-                work.append((target, iter(target.targets)))
+                work.append((target, iter(target.successors())))
                 break
         else:
             out.append(node)
@@ -43,23 +43,11 @@ def _postorder(entry: Node) -> list[Node]:
     return out
 
 
-def _analyse(entry: Node) -> _Order:
-    """Compute dominators (Cooper, Harvey, Kennedy 2001), merge nodes and loop headers."""
-    order = list(reversed(_postorder(entry)))
-    rank = {node: number for number, node in enumerate(order)}
-    forward: dict[Node, list[Node]] = {node: [] for node in order}
-    merges: set[Node] = set()
-    headers: set[Node] = set()
-    for node in order:
-        for target in node.targets:
-            if rank[target] <= rank[node]:
-                headers.add(target)
-            else:
-                forward[target].append(node)
-        if node.exit == "table":
-            merges.update(node.targets)
-    merges.update(node for node in order if len(forward[node]) > 1)
-    parent: dict[Node, Node] = {entry: entry}
+def _dominators(
+    order: list[Node], rank: dict[Node, int], forward: dict[Node, list[Node]]
+) -> dict[Node, Node]:
+    """Return the immediate dominator of each node (Cooper, Harvey, Kennedy 2001)."""
+    parent: dict[Node, Node] = {order[0]: order[0]}
     for node in order[1:]:  # reducible: forward predecessors come before their successors
         common = forward[node][0]
         for source in forward[node][1:]:
@@ -69,6 +57,27 @@ def _analyse(entry: Node) -> _Order:
                 else:
                     source = parent[source]  # noqa: PLW2901 - both walk up to the meeting point
         parent[node] = common
+    return parent
+
+
+def _analyse(entry: Node) -> _Order:
+    """Compute dominators, merge nodes and loop headers."""
+    order = list(reversed(_postorder(entry)))
+    rank = {node: number for number, node in enumerate(order)}
+    forward: dict[Node, list[Node]] = {node: [] for node in order}
+    merges: set[Node] = set()
+    headers: set[Node] = set()
+    for node in order:
+        for target in node.successors():
+            if rank[target] <= rank[node]:
+                headers.add(target)
+            else:
+                forward[target].append(node)
+        if node.exit == "table":
+            merges.update(node.targets)
+    merges.update(node for node in order if len(forward[node]) > 1)
+    merges.update(node.side_exit for node in order if node.side_exit is not None)
+    parent = _dominators(order, rank, forward)
     children: dict[Node, list[Node]] = {node: [] for node in order}
     for node in order[1:]:
         children[parent[node]].append(node)
@@ -144,6 +153,8 @@ class _Emitter:
             self.out.append(("br", self.depth - 1))
         elif instr[0] is FAULTED:
             self.out.append(("br", self.depth - 2))
+        elif instr[0] is SIDE_EXIT:
+            self.out.append(("br", self.depth - self.block_depth[instr[1]]))
         elif instr[0] is LANDING:
             self.out.append(("i32.const", instr[1].number))
         else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from crs_cc.runtime.codegen.signatures import Shape
+from crs_cc.runtime.codegen.small_functions import Bodies
 from crs_cc.runtime.sites import CallSite, Site, StatementSite
 
 
@@ -18,6 +19,7 @@ class Symbols:
         sizes: size of each global object.
         parameters: size of the parameters of each function, as `layout` places them.
         tables: addresses of the tables that `signatures` makes.
+        bodies: the functions that can be inlined, and the small ones.
         without_value: functions that may end without a value although it is used.
         pointers: number of function pointers, which are numbered from 1.
         sites: every site that can fail.
@@ -33,6 +35,7 @@ class Symbols:
     pointers: int
     tables: dict[Shape, int]
     without_value: set[str]
+    bodies: Bodies
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
     statements: list[StatementSite] = field(default_factory=list)

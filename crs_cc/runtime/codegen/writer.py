@@ -17,8 +17,8 @@ from crs_cc.ir.program import (
     Slot,
     ValueType,
 )
-from crs_cc.runtime.codegen.flow_graph import FAULTED
-from crs_cc.runtime.codegen.fuel_charges import charge
+from crs_cc.runtime.codegen.flow_graph import FAULTED, SIDE_EXIT, Node
+from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES, charge
 from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import Frame
@@ -33,7 +33,6 @@ STORES: Final[dict[MemoryType, str]] = {
     "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
     "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
 }  # fmt: skip
-FREE_BYTES: Final = 256  # bytes copied per unit of fuel; 2**n
 
 
 class Writer:
@@ -46,6 +45,7 @@ class Writer:
         locals: the local of each register that has one.
         local_types: the types of the locals after the parameters.
         prepaid: the fuel paid for later blocks, which a failure gives back.
+        side_exit: where to go instead of failing, in an inlined call.
     """
 
     def __init__(self, names: Symbols, frame: Frame) -> None:
@@ -55,6 +55,7 @@ class Writer:
         self.local_types: list[ValueType] = list(FIXED_LOCALS)
         self.locals: dict[Register, int] = {}
         self.prepaid = 0
+        self.side_exit: Node | None = None
         self._released: set[Register] = set()
         self._free: dict[ValueType, list[int]] = {"i32": [], "i64": [], "f32": [], "f64": []}
 
@@ -95,6 +96,9 @@ class Writer:
 
     def fail(self, site: Site, value: list[Instr]) -> None:
         """Stop the program with a failure; `value` pushes the address or number to report."""
+        if self.side_exit is not None:
+            self.code.append((SIDE_EXIT, self.side_exit))
+            return
         number = self.names.number(site)
         self.code += charge(-self.prepaid)
         self.code += [*value, ("local.set", ADDRESS)]

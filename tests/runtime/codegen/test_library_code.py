@@ -36,6 +36,10 @@ PROGRAMS = {
         "static int order(const void *a, const void *b) { if (a == b) return 0; }\n"
         "int main(void) { int a[3] = {3, 2, 1}; qsort(a, 3, sizeof *a, order); return *a; }\n"
     ),
+    "has its own small strlen": (
+        "#include <stdio.h>\nunsigned strlen(const char *s) { return *s != 0; }\n"
+        'int main(void) { char text[9]; sprintf(text, "%s", "ab"); puts(text); return 0; }\n'
+    ),
     "has its own strlen": (
         "#include <stdio.h>\nunsigned strlen(const char *s, double more) { return more != 0; }\n"
         'int main(void) { char text[9]; sprintf(text, "%s", "ab"); puts(text); return 0; }\n'

@@ -1,0 +1,275 @@
+"""Scalar replacement: the members of structs in a frame become registers.
+
+It applies to functions that are inlined, so that nobody sees their frames: to all their slots,
+parameters and local variables, if none is used but by loads and stores of 4 or 8 bytes and copies
+of whole members. A copy out of a slot becomes stores of its members.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+from crs_cc.core.source import Location
+from crs_cc.ir.liveness import Liveness, all_instructions, reads, writes
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    VALUE_TYPE,
+    VARARGS,
+    Address,
+    Block,
+    Constant,
+    Copy,
+    Fill,
+    Function,
+    Instruction,
+    Lifetime,
+    Load,
+    MemoryType,
+    Move,
+    Operand,
+    Parameter,
+    Register,
+    Slot,
+    Store,
+    Variable,
+    renumber,
+)
+from crs_cc.ir.types import INT
+from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES
+
+MOST_FIELDS: Final = 32
+_UNKNOWN: Final = Variable("", INT, Location(""))
+"""The variable of fields that are not passed, of which `Assignments` finds early reads."""
+
+_Place = tuple[Slot, int]
+
+
+@dataclass(slots=True, eq=False)
+class Writable(Instruction):
+    """A check that `size` bytes at `target` can be written; unchecked builds have none."""
+
+    target: Register
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A member of a struct that is passed by value, and the register that takes its place."""
+
+    offset: int
+    memory: MemoryType
+    register: Register
+
+
+@dataclass(slots=True, eq=False)
+class Replaced:
+    """A function without slots.
+
+    Attributes:
+        function: the function; its blocks are copies.
+        fuel: the fuel of the original of each block.
+        members: for each parameter that is a struct, its members that are used.
+    """
+
+    function: Function
+    fuel: dict[Block, int]
+    members: dict[Parameter, list[Member]]
+
+
+class NotReplaceableError(Exception):
+    """A slot is used in a way that needs memory."""
+
+
+def replace_slots(function: Function) -> Replaced | None:
+    """Return a function without its slots; None if there is one that must be in memory."""
+    try:
+        return _Replacement(function).run()
+    except NotReplaceableError:
+        return None
+
+
+@dataclass(slots=True)
+class _Uses:
+    """What is done with the slots: accesses, and copies between them."""
+
+    fields: dict[Slot, dict[int, MemoryType]] = field(default_factory=dict)
+    copies: list[tuple[_Place, _Place, int]] = field(default_factory=list)
+    whole: list[tuple[_Place, int]] = field(default_factory=list)
+
+    def access(self, slot: Slot, offset: int, memory: MemoryType) -> None:
+        """Note an access; all accesses of a field have the same type."""
+        if MEMORY_SIZE[memory] < 4 or slot is VARARGS:
+            raise NotReplaceableError
+        if self.fields.setdefault(slot, {}).setdefault(offset, memory) != memory:
+            raise NotReplaceableError
+
+    def close(self) -> None:
+        """Give both sides of each copy the same fields, and check that none overlap."""
+        grown = True
+        while grown:
+            before = sum(map(len, self.fields.values()))
+            for (left, left_at), (right, right_at), size in self.copies:
+                self._share(left, left_at, right, right_at, size)
+                self._share(right, right_at, left, left_at, size)
+            grown = sum(map(len, self.fields.values())) != before
+        for rows in self.fields.values():
+            ends = [at + MEMORY_SIZE[rows[at]] for at in sorted(rows)]
+            if any(end > at for end, at in zip(ends, sorted(rows)[1:], strict=False)):
+                raise NotReplaceableError
+        for (slot, start), size in self.whole:
+            inside = self.within(slot, start, size)
+            if sum(MEMORY_SIZE[memory] for _, memory in inside) != size:
+                raise NotReplaceableError
+
+    def _share(self, source: Slot, start: int, target: Slot, to: int, size: int) -> None:
+        for at, memory in self.within(source, start, size):
+            self.access(target, at - start + to, memory)
+
+    def within(self, slot: Slot, start: int, size: int) -> list[tuple[int, MemoryType]]:
+        """Return the fields in a part of a slot, in order."""
+        rows = sorted(self.fields.get(slot, {}).items())
+        return [(at, memory) for at, memory in rows if start <= at < start + size]
+
+
+class _Replacement:
+    """Replaces the slots of one function."""
+
+    def __init__(self, function: Function) -> None:
+        self.function = function
+        self.uses = _Uses()
+        self.places: dict[Instruction, dict[Register, _Place]] = {}
+        self.registers: dict[tuple[Slot, int], Register] = {}
+
+    def run(self) -> Replaced:
+        """Return the function without slots."""
+        function, liveness = self.function, Liveness(self.function)
+        for block in function.blocks:
+            self._look(block, liveness.at_end(block))
+        self.uses.close()
+        registers = list(function.registers)
+        passed = {parameter.place for parameter in function.parameters}
+        for slot, rows in self.uses.fields.items():
+            variable = None if slot in passed else _UNKNOWN
+            for at, memory in sorted(rows.items()):
+                made = Register(len(registers), VALUE_TYPE[memory], variable)
+                self.registers[slot, at] = made
+                registers.append(made)
+        if len(self.registers) > MOST_FIELDS:
+            raise NotReplaceableError
+        copied = {block: Block(block.label) for block in function.blocks}
+        for block, copy in copied.items():
+            copy.instructions = [made for it in block.instructions for made in self._rewrite(it)]
+            copy.terminator = renumber(block.terminator, copied.__getitem__)
+        members, parameters = self._parameters()
+        changed = replace(
+            function, slots=[], registers=registers, parameters=parameters,
+            blocks=list(copied.values()),
+        )  # fmt: skip
+        fuel = {copy: block.fuel for block, copy in copied.items()}
+        return Replaced(changed, fuel, members)
+
+    def _parameters(self) -> tuple[dict[Parameter, list[Member]], list[Parameter]]:
+        """Return the members of parameters that are structs, and all parameters."""
+        found: dict[Parameter, list[Member]] = {}
+        for parameter in self.function.parameters:
+            slot = parameter.place
+            if isinstance(slot, Slot):
+                rows = sorted(self.uses.fields.get(slot, {}).items())
+                found[parameter] = [
+                    Member(at, memory, self.registers[slot, at]) for at, memory in rows
+                ]
+                if parameter.memory is not None:
+                    raise NotReplaceableError
+        return found, self.function.parameters
+
+    # -- what is done with slots -----------------------------------------------------------------
+
+    def _look(self, block: Block, alive: int) -> None:
+        """Collect the uses of slots in a block, and which registers hold their addresses."""
+        holding: dict[Register, _Place] = {}
+        for it in all_instructions(block):
+            self._use(it, holding)
+            target = writes(it)
+            if target is not None:
+                holding.pop(target, None)
+                if isinstance(it, Address) and isinstance(it.base, Slot):
+                    holding[target] = it.base, it.offset
+        if any(alive >> register.index & 1 for register in holding):
+            raise NotReplaceableError
+
+    def _use(self, it: Instruction, holding: dict[Register, _Place]) -> None:
+        match it:
+            case Load(base=Slot() as slot) | Store(base=Slot() as slot):
+                if isinstance(it, Load) and it.unjudged:
+                    raise NotReplaceableError
+                self.uses.access(slot, it.offset, it.memory)
+            case Copy(size=Constant(value=size)):
+                self._use_copy(it, int(size), holding)
+                return
+            case Fill(
+                target=Register() as target, value=Constant(value=0), size=Constant() as size
+            ):
+                if target in holding and size.value < FREE_BYTES:
+                    self.places[it] = {target: holding[target]}
+                    return
+        if any(register in holding for register in reads(it)):
+            raise NotReplaceableError
+
+    def _use_copy(self, it: Copy, size: int, holding: dict[Register, _Place]) -> None:
+        target, source = self._held(it.target, holding), self._held(it.source, holding)
+        if (target or source) and size >= FREE_BYTES:
+            raise NotReplaceableError
+        if target is not None and source is not None:
+            self.uses.copies.append((target, source, size))
+        elif source is not None:
+            self.uses.whole.append((source, size))
+        elif target is not None:
+            raise NotReplaceableError
+        self.places[it] = {each: holding[each] for each in reads(it) if each in holding}
+
+    def _held(self, operand: Operand, holding: dict[Register, _Place]) -> _Place | None:
+        return holding.get(operand) if isinstance(operand, Register) else None
+
+    # -- the new instructions ----------------------------------------------------------------------
+
+    def _rewrite(self, it: Instruction) -> Iterable[Instruction]:
+        """Return what an instruction becomes."""
+        match it:
+            case Lifetime() | Address(base=Slot()):
+                return []
+            case Load(base=Slot() as slot):
+                return [Move(it.location, it.result, self.registers[slot, it.offset])]
+            case Store(base=Slot() as slot):
+                return [Move(it.location, self.registers[slot, it.offset], it.source)]
+            case Copy() if self.places.get(it):
+                return self._copy(it)
+            case Fill(target=Register() as target, size=Constant(value=size)) if it in self.places:
+                return self._clear(it.location, self.places[it][target], int(size))
+        return [it]
+
+    def _copy(self, it: Copy) -> Iterator[Instruction]:
+        places = self.places[it]
+        assert isinstance(it.size, Constant)
+        assert isinstance(it.source, Register)
+        assert isinstance(it.target, Register)
+        size = int(it.size.value)
+        source, start = places[it.source]
+        rows = self.uses.within(source, start, size)
+        if it.target in places:
+            target, to = places[it.target]
+            for at, _ in rows:
+                made = self.registers[target, at - start + to]
+                yield Move(it.location, made, self.registers[source, at])
+            return
+        yield Writable(it.location, it.target, size)
+        for at, memory in rows:
+            yield Store(it.location, it.target, at - start, self.registers[source, at], memory)
+
+    def _clear(self, location: Location, place: _Place, size: int) -> Iterator[Instruction]:
+        slot, start = place
+        for at, memory in self.uses.within(slot, start, size):
+            kind = VALUE_TYPE[memory]
+            zero = Constant(kind, 0 if kind[0] == "i" else 0.0)
+            yield Move(location, self.registers[slot, at], zero)

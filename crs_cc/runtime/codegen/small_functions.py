@@ -1,0 +1,282 @@
+"""Small functions: bounded work, no test of the fuel, and code in place of calls.
+
+A function without loops whose work, that of the small functions that it calls included, is bounded
+does not test the fuel at its start, in any build. So builds suspend at the same places whether or
+not they inline it.
+
+An inlined call must leave no trace when it fails: the call is then made after all (see
+`inlined_calls`), and fails again with its frame on the stack. So only functions are inlined in
+which nothing can fail after a change of memory.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.ir.definite_assignment import Assignments
+from crs_cc.ir.liveness import Liveness, all_instructions
+from crs_cc.ir.loops import loop_headers
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    Address,
+    Binary,
+    Block,
+    Branch,
+    Call,
+    Constant,
+    Function,
+    Instruction,
+    Jump,
+    Load,
+    Move,
+    Parameter,
+    Register,
+    Return,
+    Slot,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    Unary,
+)
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
+from crs_cc.runtime.codegen.registers import Registers
+from crs_cc.runtime.codegen.scalar_replacement import Member, Writable, replace_slots
+from crs_cc.runtime.codegen.signatures import ends_without_value
+from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
+
+MOST_WORK: Final = 60
+"""The fuel of the largest small function, with that of the functions that it calls."""
+
+_ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
+_INLINED: Final = (Statement, Move, Unary, Binary, Load, Store, Address, Writable)
+_SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
+_DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
+
+
+def small_functions(functions: Mapping[str, Function]) -> dict[str, Function]:
+    """Return the small functions of a program; none of them is recursive."""
+    work: dict[str, int] = {}
+    pending: dict[str, list[str]] = {}
+    callers: dict[str, list[str]] = {}
+    for name, function in functions.items():
+        own = _own_work(function)
+        if own <= MOST_WORK:
+            callees = [end.callee for end in calls_of(function)]
+            work[name], pending[name] = own, [each for each in callees if isinstance(each, str)]
+            for callee in pending[name]:
+                callers.setdefault(callee, []).append(name)
+    small: dict[str, Function] = {}
+    ready = [name for name, callees in pending.items() if not callees]
+    for name in ready:  # callees first: those of a cycle are never ready
+        if work[name] > MOST_WORK:
+            continue
+        small[name] = functions[name]
+        for caller in callers.get(name, ()):
+            work[caller] += work[name]
+            pending[caller].remove(name)
+            if not pending[caller]:
+                ready.append(caller)
+    return small
+
+
+def _own_work(function: Function) -> int:
+    """Return the fuel of all blocks of a function; more than the limit if it cannot be small."""
+    ends = [block.terminator for block in function.blocks]
+    is_plain = len(ends) <= MOST_WORK and all(
+        isinstance(end, _ENDS) and not (isinstance(end, Call) and isinstance(end.callee, Register))
+        for end in ends
+    )
+    if not is_plain or function.trusted or function.variadic or loop_headers(function):
+        return MOST_WORK + 1
+    return sum(block.fuel for block in function.blocks)
+
+
+def calls_of(function: Function) -> Iterable[Call]:
+    """Return the calls of a function."""
+    return (end for block in function.blocks if isinstance(end := block.terminator, Call))
+
+
+@dataclass(slots=True)
+class Body:
+    """A function that can be inlined, analysed.
+
+    Attributes:
+        function: the function, without slots.
+        fuel: the fuel of each block.
+        members: for each parameter that is a struct, its members that are used.
+        registers: its registers by lifetime.
+        assigned: which of its registers may be uninitialised: none.
+        deferred: its loads whose checks are deferred.
+        last_uses: what `Registers.last_uses` returns for each block.
+        can_fail: whether it has a check that can fail.
+        has_effects: whether it changes memory.
+        calls: the bodies of the functions that it calls.
+    """
+
+    function: Function
+    fuel: dict[Block, int]
+    members: dict[Parameter, list[Member]]
+    registers: Registers
+    assigned: Assignments
+    deferred: DeferredChecks
+    last_uses: dict[Block, list[list[Register]]]
+    can_fail: bool = False
+    has_effects: bool = False
+    calls: dict[str, Body] = field(default_factory=dict)
+
+    @property
+    def charge(self) -> int:
+        """The charge of the frame for its locals, see `registers` [bytes]."""
+        return self.registers.charge + self.deferred.charge
+
+    def all_bodies(self) -> dict[str, Body]:
+        """Return this body and those of all functions called, by name."""
+        found = {self.function.name: self}
+        for body in self.calls.values():
+            found.update(body.all_bodies())
+        return found
+
+
+class Bodies:
+    """The bodies of a program's functions, analysed when they are first asked for."""
+
+    def __init__(
+        self, small: Mapping[str, Function], *, checked: bool, traps_overflow: bool
+    ) -> None:
+        self.small = small
+        self.checked = checked
+        self.traps_overflow = traps_overflow
+        self._known: dict[str, Body | None] = {}
+
+    def is_small(self, name: str) -> bool:
+        """Return whether a function is small."""
+        return name in self.small
+
+    def of(self, call: Call) -> Body | None:
+        """Return the body to be inlined for a call; None if it cannot be."""
+        name = call.callee
+        if not isinstance(name, str) or name not in self.small:
+            return None
+        if name not in self._known:
+            self._known[name] = self._analyse(self.small[name])
+        body = self._known[name]
+        return body if body is not None and _fits(call, body.function) else None
+
+    def _analyse(self, original: Function) -> Body | None:
+        if original.result is not None and ends_without_value(original):
+            return None
+        replaced = replace_slots(original)
+        if replaced is None:
+            return None
+        function = replaced.function
+        if not all(isinstance(it, _INLINED) for block in function.blocks
+                   for it in block.instructions):  # fmt: skip
+            return None
+        assigned, liveness = Assignments(function), Liveness(function)
+        if assigned.flags:
+            return None
+        deferred = DeferredChecks(function, liveness, keep=False)
+        if self.checked and not _same_checks(original, deferred):
+            return None
+        registers = Registers(function, liveness, [], inlined=set(calls_of(function)), debug=False)
+        last = {block: registers.last_uses(block) for block in function.blocks}
+        body = Body(function, replaced.fuel, replaced.members, registers, assigned, deferred, last)
+        return body if self._leaves_no_trace(body) else None
+
+    def _leaves_no_trace(self, body: Body) -> bool:
+        """Return whether nothing in a function can fail after a change; note what it does."""
+        blocks = _in_order(body.function)
+        changed = dict.fromkeys(blocks, False)
+        for block in blocks:
+            places, proved = ValueNumbers(), KnownBytes()
+            has_changed = changed[block]
+            for it in all_instructions(block):
+                fails, changes = self._fails(it, places, proved), isinstance(it, Store)
+                if isinstance(it, Call):
+                    callee = self.of(it)
+                    if callee is None:
+                        return False
+                    body.calls[callee.function.name] = callee
+                    fails, changes = callee.can_fail, callee.has_effects
+                if fails and has_changed:
+                    return False
+                body.can_fail |= fails
+                has_changed |= changes
+                places.follow(it)
+            body.has_effects |= has_changed
+            for target in block.successors():
+                changed[target] |= has_changed
+        return True
+
+    def _fails(self, it: Instruction, places: ValueNumbers, proved: KnownBytes) -> bool:
+        """Return whether an instruction can fail, given what was accessed before in its block."""
+        match it:
+            case Writable(target=target, size=size):
+                proved.add(places.of(target, 0), size, valued=False)
+                return self.checked
+            case Load(base=Register() as base) | Store(base=Register() as base):
+                where, size = places.of(base, it.offset), MEMORY_SIZE[it.memory]
+                known = isinstance(it, Store) and proved.has(where, size, valued=False)
+                proved.add(where, size, valued=False)
+                return self.checked and not known
+            case Binary():
+                return self._operation_fails(it)
+        return isinstance(it, Stop)
+
+    def _operation_fails(self, it: Binary) -> bool:
+        op = it.op.partition(".")[2]
+        if op in _DIVISIONS and it.op[0] == "i":
+            return not (isinstance(it.right, Constant) and it.right.value not in (0, -1))
+        if not (it.checked and self.checked):
+            return False
+        bits = int(it.op[1:3])
+        fits = isinstance(it.right, Constant) and 0 <= it.right.value < bits
+        return not fits if op in _SHIFTS else self.traps_overflow
+
+
+def _same_checks(original: Function, deferred: DeferredChecks) -> bool:
+    """Return whether the loads whose checks are deferred are those of the original function."""
+    before = DeferredChecks(original, Liveness(original), keep=False)
+    loads = [it for block in original.blocks for it in block.instructions if isinstance(it, Load)]
+    return all(
+        isinstance(it.base, Slot) or before.is_deferred(it) == deferred.is_deferred(it)
+        for it in loads
+    )
+
+
+def _in_order(function: Function) -> list[Block]:
+    """Return the blocks of a function without loops, each after those that lead to it."""
+    seen: set[Block] = set()
+    order: list[Block] = []
+    work = [(function.blocks[0], iter(function.blocks[0].successors()))]
+    seen.add(function.blocks[0])
+    while work:
+        block, rest = work[-1]
+        target = next((each for each in rest if each not in seen), None)
+        if target is None:
+            order.append(block)
+            work.pop()
+        else:
+            seen.add(target)
+            work.append((target, iter(target.successors())))
+    return order[::-1]
+
+
+def _fits(call: Call, callee: Function) -> bool:
+    """Return whether arguments and result of a call are what the function takes and returns."""
+    if call.result is not None and call.result.type != callee.result:
+        return False
+    if len(call.arguments) < len(callee.parameters):
+        return False
+    for argument, parameter in zip(call.arguments, callee.parameters, strict=False):
+        if parameter.memory is None:
+            if argument.memory is not None or argument.size != parameter.size:
+                return False
+            continue
+        is_narrow = argument.memory == "i32" and MEMORY_SIZE[parameter.memory] < 4
+        if argument.memory != parameter.memory and not is_narrow:
+            return False
+    return True
