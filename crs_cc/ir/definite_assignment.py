@@ -114,6 +114,8 @@ class Assignments:
         for block in function.blocks:
             unset = at_start[block]
             for it in all_instructions(block):
+                if not unset:
+                    break
                 early = [each for each in dict.fromkeys(_uses(it)) if unset >> each.index & 1]
                 if early:
                     self.tests[it] = [(each, self._variables[each]) for each in early]
@@ -124,6 +126,11 @@ class Assignments:
                 unset = _after(it, unset)
         _add_sources(moves, wanted)
         self.flags = {register: Register(-1, "i32") for register in wanted}
+        if self.flags:
+            self._record(function, moves)
+
+    def _record(self, function: Function, moves: dict[Instruction, Register]) -> None:
+        """Record where flags are stored and changed."""
         for it, source in moves.items():
             if isinstance(it, Store):
                 self.stored[it] = self.flags[source]
@@ -224,6 +231,8 @@ def _solve(function: Function, start: int) -> dict[Block, int]:
         seen.add(block)
         unset = at_start[block]
         for it in all_instructions(block):
+            if not unset:
+                break
             unset = _after(it, unset)
         for target in block.successors():
             if target not in seen or unset & ~at_start[target]:

@@ -10,6 +10,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from operator import attrgetter
 from typing import Final
 
 from crs_cc.ir.program import (
@@ -65,14 +67,28 @@ _ASSIGNING: Final = frozenset({Move, Unary, Binary, Load, Address, State, Call, 
 """The instructions with a result; looking up the class is faster than `match`."""
 
 
+def _reader(names: tuple[str, ...]) -> Callable[[Instruction], list[Register]]:
+    """Return a function that returns the registers in these fields."""
+    if len(names) == 1:
+        field: Callable[[Instruction], object] = attrgetter(*names)
+        return lambda it: [value] if isinstance(value := field(it), Register) else []
+    fields: Callable[[Instruction], tuple[object, ...]] = attrgetter(*names)
+    return lambda it: [value for value in fields(it) if isinstance(value, Register)]
+
+
+_READERS: Final = {kind: _reader(names) for kind, names in _OPERANDS.items()}
+
+
 def reads(instruction: Instruction) -> list[Register]:
     """Return the registers that the instruction reads."""
-    names = _OPERANDS.get(instruction.__class__, ())
-    values = [getattr(instruction, name) for name in names]
-    if instruction.__class__ is Call:
-        assert isinstance(instruction, Call)
-        values += [argument.value for argument in instruction.arguments]
-    return [each for each in values if each.__class__ is Register]
+    reader = _READERS.get(instruction.__class__)
+    if reader is None:
+        return []
+    found = reader(instruction)
+    if isinstance(instruction, Call):
+        values = [argument.value for argument in instruction.arguments]
+        found += [value for value in values if isinstance(value, Register)]
+    return found
 
 
 def writes(instruction: Instruction) -> Register | None:

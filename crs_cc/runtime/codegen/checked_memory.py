@@ -46,7 +46,7 @@ from crs_cc.runtime.codegen.indices import (
     WIDE_STATES,
 )
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
+from crs_cc.runtime.codegen.value_numbering import KnownBytes, Root, ValueNumbers
 from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
@@ -124,6 +124,24 @@ class CheckedMemory(PlainMemory):
         """Note what is known at the end of a block."""
         if block in self._inherited:
             self._at_end[block] = self.places, self.proved
+
+    def pass_facts(self, argument: Operand, parameter: Register, callee: CheckedMemory) -> None:
+        """Pass on what is known of the bytes at an address to an inlined function."""
+        root, distance = (
+            self.places.of(argument, 0) if isinstance(argument, Register) else (None, 0)
+        )
+        target = callee.places.of(parameter, 0)
+        if isinstance(root, Slot | str):
+            room = root.size if isinstance(root, Slot) else self.writer.names.sizes.get(root, 0)
+            if 0 <= distance < room:
+                callee.proved.add(target, room - distance, valued=isinstance(root, str))
+        if root is not None:
+            callee.proved.add_all(target, self.proved, (root, distance))
+
+    def learn(self, argument: Operand, place: tuple[Root | None, int], known: KnownBytes) -> None:
+        """Add what an inlined function knows of the bytes at an address that it was passed."""
+        if isinstance(argument, Register):
+            self.proved.add_all(self.places.of(argument, 0), known, place)
 
     def follow(self, it: Instruction) -> None:
         """Update known facts after an instruction."""

@@ -66,6 +66,7 @@ from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
 from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.codegen.small_functions import Body
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.symbols import Symbols
@@ -122,7 +123,7 @@ class _FunctionCode:
         self.frame = self._frame(sum(body.charge for body in all_bodies(inlined).values()))
         self.writer = Writer(names, self.frame)
         self.watching = self._watchpoints()
-        self.memory, self.selector = self._selection()
+        self.memory, self.selector = self._selection(inlined)
         self.inlined = InlinedCalls(
             self.writer, inlined, checked=build.checked, traps_overflow=build.trap_overflow
         )
@@ -153,19 +154,18 @@ class _FunctionCode:
         library = in_library(self.function.location)
         return Watchpoints(self.writer, self.build.watch, self.marks, library=library)
 
-    def _selection(self) -> tuple[PlainMemory, Selector]:
+    def _selection(self, inlined: dict[Call, Body]) -> tuple[PlainMemory, Selector]:
         """Return what accesses memory, and what selects instructions."""
         writer, arithmetic = self.writer, None
         memory = PlainMemory(writer, shadowed=self.checked)
         if self.deferred and self.assigned:
-            sole = self._sole_predecessors()
+            sole = {}
+            if not self.debug:  # where memory changes at statements
+                headers = self.registers.headers
+                sole = sole_predecessors(self.function, headers, inlined)
             memory = CheckedMemory(writer, self.deferred, self.assigned, sole)
             arithmetic = CheckedArithmetic(writer, traps_overflow=self.build.trap_overflow)
         return memory, Selector(writer, memory, arithmetic, self.watching)
-
-    def _sole_predecessors(self) -> dict[Block, Block]:
-        """Return the blocks that inherit what is known; none if memory changes at statements."""
-        return {} if self.debug else sole_predecessors(self.function, self.registers.headers)
 
     # -- the whole ----------------------------------------------------------------------------
 
@@ -331,8 +331,8 @@ class _FunctionCode:
                 writer.release(register)
         if block.terminator is not None:
             selector.before(block.terminator)
-        self.memory.end(block)
         self.terminator(node, block)
+        self.memory.end(block)
         for register in last[-1]:
             writer.release(register)
 
@@ -397,6 +397,7 @@ class _FunctionCode:
         if call in self.inlined.calls:
             then = self.target(call.then)
             self.inlined.write(node, call, then, self.memory, self._fail_again)
+            self.memory.follow(call)
             return
         pass_arguments(call, self.function.name, self.memory, self.build)
         after = Node()

@@ -143,7 +143,7 @@ class InlinedCalls:
             writer.pop(self._fuel)
         self._pass_structs(call, body, memory)
         writer.side_exit = node.side_exit = side
-        self._body(node, _Expansion(call, body, then, side))
+        self._body(node, _Expansion(call, body, then, side), memory)
         writer.side_exit = None
         if side is not None:
             side.code += [writer.value(self._fuel), ("local.set", FUEL)]
@@ -162,15 +162,34 @@ class InlinedCalls:
                     load = Load(location, each.register, base, each.offset, each.memory, True)
                     memory.load(load)
 
-    def _body(self, node: Node, expansion: _Expansion) -> None:
+    def _body(self, node: Node, expansion: _Expansion, memory: PlainMemory) -> None:
         """Write the code of an inlined function; `node` continues with it."""
-        body = expansion.body
-        self._pass_values(expansion.call, body)
+        call, body = expansion.call, expansion.body
+        self._pass_values(call, body)
         node.jump(expansion.nodes[body.function.blocks[0]])
+        own, selector = self._memories[body.function.name], self._selectors[body.function.name]
+        selector.forget()
+        passed = [
+            (argument.value, parameter.place)
+            for argument, parameter in zip(call.arguments, body.function.parameters, strict=False)
+            if isinstance(parameter.place, Register)
+        ]
+        if isinstance(memory, CheckedMemory) and isinstance(own, CheckedMemory):
+            for argument, place in passed:
+                memory.pass_facts(argument, place, own)
+            places = [own.places.of(place, 0) for _, place in passed]
         for block in body.function.blocks:
             self._block(block, expansion)
+            if len(body.function.blocks) > 1:
+                selector.forget()
+        if isinstance(memory, CheckedMemory) and isinstance(own, CheckedMemory):
+            if body.has_effects:  # it may have stored values that are not there
+                memory.proved.forget_values()
+            for (argument, _), known in zip(passed, places, strict=True):
+                memory.learn(argument, known, own.proved)
 
     def _pass_values(self, call: Call, body: Body) -> None:
+        """Move arguments to the registers of parameters."""
         writer = self.writer
         for argument, parameter in zip(call.arguments, body.function.parameters, strict=False):
             place = parameter.place
@@ -183,11 +202,10 @@ class InlinedCalls:
     def _block(self, block: Block, expansion: _Expansion) -> None:
         writer, body = self.writer, expansion.body
         selector, node = self._selectors[body.function.name], expansion.nodes[block]
-        selector.forget()
         writer.code = node.code
         fuel = ("i64.const", body.fuel[block])
         writer.code += [("local.get", FUEL), fuel, ("i64.sub",), ("local.set", FUEL)]
-        last = body.last_uses[block]
+        last = body.registers.last_uses(block)
         for number, it in enumerate(block.instructions):
             if isinstance(it, Writable):
                 size, memory = Constant("i32", it.size), self._memories[body.function.name]
@@ -223,8 +241,9 @@ class InlinedCalls:
                 node.jump(expansion.then)
             case Call() as call:
                 body = expansion.body.calls[str(call.callee)]
-                self._pass_structs(call, body, self._memories[expansion.body.function.name])
+                memory = self._memories[expansion.body.function.name]
+                self._pass_structs(call, body, memory)
                 then = nodes[call.then]
-                self._body(node, _Expansion(call, body, then, expansion.side_exit))
+                self._body(node, _Expansion(call, body, then, expansion.side_exit), memory)
             case Stop(kind=kind, location=location):
                 writer.fail(Site(kind, location), [("i32.const", 0)])

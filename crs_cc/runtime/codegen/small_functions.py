@@ -110,7 +110,6 @@ class Body:
         registers: its registers by lifetime.
         assigned: which of its registers may be uninitialised: none.
         deferred: its loads whose checks are deferred.
-        last_uses: what `Registers.last_uses` returns for each block.
         can_fail: whether it has a check that can fail.
         has_effects: whether it changes memory.
         calls: the bodies of the functions that it calls.
@@ -122,7 +121,6 @@ class Body:
     registers: Registers
     assigned: Assignments
     deferred: DeferredChecks
-    last_uses: dict[Block, list[list[Register]]]
     can_fail: bool = False
     has_effects: bool = False
     calls: dict[str, Body] = field(default_factory=dict)
@@ -182,8 +180,7 @@ class Bodies:
         if self.checked and not _same_checks(original, deferred):
             return None
         registers = Registers(function, liveness, [], inlined=set(calls_of(function)), debug=False)
-        last = {block: registers.last_uses(block) for block in function.blocks}
-        body = Body(function, replaced.fuel, replaced.members, registers, assigned, deferred, last)
+        body = Body(function, replaced.fuel, replaced.members, registers, assigned, deferred)
         return body if self._leaves_no_trace(body) else None
 
     def _leaves_no_trace(self, body: Body) -> bool:

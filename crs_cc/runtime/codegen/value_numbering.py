@@ -26,6 +26,7 @@ from crs_cc.ir.program import (
     Binary,
     Block,
     Branch,
+    Call,
     Constant,
     Function,
     Instruction,
@@ -135,6 +136,16 @@ class KnownBytes:
         if valued:
             self._add(root, start, start + size, valued=True)
 
+    def add_all(
+        self, place: tuple[Root | None, int], others: KnownBytes, their: tuple[Root | None, int]
+    ) -> None:
+        """Add what others know of the bytes at a location, which is known here by another name."""
+        (root, start), (their_root, their_start) = place, their
+        for valued in (False, True):
+            for low, high in others._ranges.get((their_root, valued), ()):
+                shift = start - their_start
+                self._add(root, low + shift, high + shift, valued=valued)
+
     def _add(self, root: Root | None, start: int, end: int, *, valued: bool) -> None:
         kept = []
         for low, high in self._ranges.get((root, valued), ()):
@@ -151,14 +162,19 @@ class KnownBytes:
         return any(low <= start and start + size <= high for low, high in rows)
 
 
-def sole_predecessors(function: Function, headers: Container[Block]) -> dict[Block, Block]:
+def sole_predecessors(
+    function: Function, headers: Container[Block], inlined: Container[Call]
+) -> dict[Block, Block]:
     """Return the only predecessor of each block at whose start no more can have happened.
 
-    Nothing happens on an edge but in a loop header, where a program may stop, and behind calls.
+    Nothing happens on an edge but in a loop header, where a program may stop, and behind calls that
+    are not inlined.
     """
     found: dict[Block, Block | None] = {function.blocks[0]: None}
     for block in function.blocks:
-        only = block if isinstance(block.terminator, Jump | Branch | Switch) else None
+        end = block.terminator
+        continues = isinstance(end, Jump | Branch | Switch)
+        only = block if continues or (isinstance(end, Call) and end in inlined) else None
         for target in block.successors():
             found[target] = None if target in found or target in headers else only
     return {block: only for block, only in found.items() if only is not None}

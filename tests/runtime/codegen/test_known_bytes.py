@@ -16,7 +16,8 @@ def _checks(folder: Path, body: str) -> int:
     """Return the number of looks at the shadow memory in a function `f(int *p, int n)`."""
     source = folder / "known.c"
     source.write_text(
-        "void g(void) {}"
+        "void g(void) { for (int i = 0; i < 2; i++); }"
+        "int small(int x) { return x + 1; }"
         f"int f(int *p, int n) {{ int i = 0, s = 0; {body} return s + i; }}"
         "int main(void) { int a[2] = {1, 2}; return f(a, 1); }"
     )
@@ -33,6 +34,8 @@ def _checks(folder: Path, body: str) -> int:
         ("if (n) s = *p; s += *p;", 2),
         ("if (*p) g(); s = *p;", 2),
         ("s = *p; g(); s += *p;", 2),
+        ("s = *p; n = small(n); s += *p;", 1),
+        ("s = *p; p = (int *)small((int)p); s += *p;", 2),
         ("s = *p; do s += *p; while (++i < n);", 2),
     ],
 )
