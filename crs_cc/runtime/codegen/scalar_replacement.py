@@ -40,6 +40,8 @@ from crs_cc.ir.types import INT
 from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES
 
 MOST_FIELDS: Final = 32
+"""The limit on the registers that replace the slots of a function."""
+
 _UNKNOWN: Final = Variable("", INT, Location(""))
 """The variable of fields that are not passed, of which `Assignments` finds early reads."""
 
@@ -107,13 +109,10 @@ class _Uses:
 
     def close(self) -> None:
         """Give both sides of each copy the same fields, and check that none overlap."""
-        grown = True
-        while grown:
-            before = sum(map(len, self.fields.values()))
-            for (left, left_at), (right, right_at), size in self.copies:
-                self._share(left, left_at, right, right_at, size)
-                self._share(right, right_at, left, left_at, size)
-            grown = sum(map(len, self.fields.values())) != before
+        self._spread()
+        for (slot, start), size in self.whole:
+            self._fill(slot, start, start + size)
+        self._spread()
         for rows in self.fields.values():
             ends = [at + MEMORY_SIZE[rows[at]] for at in sorted(rows)]
             if any(end > at for end, at in zip(ends, sorted(rows)[1:], strict=False)):
@@ -122,6 +121,27 @@ class _Uses:
             inside = self.within(slot, start, size)
             if sum(MEMORY_SIZE[memory] for _, memory in inside) != size:
                 raise NotReplaceableError
+
+    def _spread(self) -> None:
+        """Give both sides of each copy the same fields."""
+        grown = True
+        while grown:
+            before = sum(map(len, self.fields.values()))
+            for (left, left_at), (right, right_at), size in self.copies:
+                self._share(left, left_at, right, right_at, size)
+                self._share(right, right_at, left, left_at, size)
+            grown = sum(map(len, self.fields.values())) != before
+
+    def _fill(self, slot: Slot, start: int, end: int) -> None:
+        """Add fields for what is copied only; their type does not matter."""
+        for at, memory in [*self.within(slot, start, end - start), (end, "i32")]:
+            while start < at:
+                is_long = start % 8 == 0 and at - start >= 8
+                if at - start < 4 or start % 4:
+                    raise NotReplaceableError
+                self.access(slot, start, "i64" if is_long else "i32")
+                start += 8 if is_long else 4
+            start = at + MEMORY_SIZE[memory]
 
     def _share(self, source: Slot, start: int, target: Slot, to: int, size: int) -> None:
         for at, memory in self.within(source, start, size):
