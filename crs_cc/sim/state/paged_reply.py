@@ -68,9 +68,10 @@ class PagedReply:
         counts, numbers = np.minimum(counts, room), numbers[:, :room]
         self.width[rows], self.count[rows] = width, counts
         size = numbers.shape[1] * width
-        inside = np.arange(size) < (counts * width)[:, None]
-        # A row keeps old numbers behind its readings.
-        told = np.where(inside, numbers.reshape(len(rows), size), self.numbers[rows, :size])
+        told = numbers.reshape(len(rows), size)
+        if (counts < numbers.shape[1]).any():  # rows keep old numbers behind their readings
+            inside = np.arange(size) < (counts * width)[:, None]
+            told = np.where(inside, told, self.numbers[rows, :size])
         self.numbers[rows, :size] = told
 
     def page(
