@@ -148,3 +148,16 @@ def test_result_is_independent_of_the_order_of_programs():
         return sorted(records.tolist())
 
     assert heard([0, 1, 2, 3, 4, 5]) == heard([4, 2, 5, 0, 3, 1])
+
+
+def test_inboxes_are_found_anew_after_a_snapshot_is_restored_within_a_cycle():
+    """Where a robot's messages begin is remembered; it moved back with the restored table."""
+    talk = talking()
+    for kind in range(5):
+        talk.send(0, 1, kind=kind)
+    talk.run()
+    assert talk.receive(1, at_s=talk.environment.time_s)[0]["i"][3] == 0
+    snapshot = talk.environment.snapshot()
+    assert talk.kinds(1) == [1, 2, 3, 4]
+    talk.environment.restore(snapshot)
+    assert talk.kinds(1) == [1, 2, 3, 4]
