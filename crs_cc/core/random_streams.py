@@ -56,10 +56,14 @@ class _BlockCache:
 
     def rows(self, streams: Int64Array, numbers: Int64Array) -> FloatArray:
         """Return row `numbers[i]` of stream `streams[i]`, shape (k, *row_shape)."""
-        blocks = numbers // self._rows
+        blocks, places = numbers // self._rows, numbers % self._rows
+        found = self._blocks[streams, places]
         for miss in np.flatnonzero(self._held[streams] != blocks):
-            self._generate(int(streams[miss]), int(blocks[miss]))
-        return np.asarray(self._blocks[streams, numbers % self._rows])
+            stream, block = int(streams[miss]), int(blocks[miss])
+            if self._held[stream] != block:  # else an earlier row of this call needed it
+                self._generate(stream, block)
+            found[miss] = self._blocks[stream, places[miss]]
+        return np.asarray(found)
 
     def _generate(self, stream: int, block: int) -> None:
         seeds = np.random.SeedSequence(self._seed, spawn_key=(*self._keys[stream], block))

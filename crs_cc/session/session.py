@@ -216,9 +216,38 @@ class Session:
 
     def step(self) -> bool:
         """Run one timestep; return False when all programs have ended and no robot is to join."""
-        while self.run_round():
-            pass
-        return self.end_cycle()
+        return self.advance(1)
+
+    def advance(self, most: int) -> bool:
+        """Run at least one timestep, and further ones as long as nothing happens in the world.
+
+        Args:
+            most: the maximum number of timesteps, at least 1.
+
+        Returns:
+            False when all programs have ended and no robot is to join.
+        """
+        end = self.timesteps + most
+        self._skip_idle(end)
+        while self.timesteps < end:
+            while self.run_round():
+                pass
+            if not self.end_cycle():
+                return False
+            if not self._is_quiet:
+                break
+            self._skip_idle(end)
+        return self._can_continue
+
+    def _skip_idle(self, end: int) -> None:
+        """Skip timesteps, up to a number of them, in which no program runs and nothing happens."""
+        if not self._is_quiet or self.pending.any():
+            return
+        if not self._can_continue:
+            end = min(end, self.timesteps + 1)
+        cycle = self.environment.cycle
+        until = min(self.environment.quiet_until(), cycle + end - self.timesteps)
+        self._skip(max(0, min(until, self._busy_cycle(until)) - cycle))
 
     def run_round(self) -> bool:
         """Run programs for one round; return False when all have used up the cycle.
@@ -283,6 +312,9 @@ class Session:
         Return False when all programs have ended and no robot is to join.
         """
         state = self.state
+        if self._is_quiet:
+            self._skip(1)
+            return self._can_continue
         step = self.environment.step()
         state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
         self.fleet.reply(step.robots, step.messages)
@@ -291,7 +323,39 @@ class Session:
         state.update_presence()
         if self._trace is not None:
             self._trace.step(step)
+        return self._can_continue
+
+    @property
+    def _is_quiet(self) -> bool:
+        """Whether nothing can happen in the world in this cycle, and nobody is to hear of it."""
+        environment = self.environment
+        return self._trace is None and environment.quiet_until() > environment.cycle
+
+    @property
+    def _can_continue(self) -> bool:
         return self.running > 0 or self.environment.awaits
+
+    def _skip(self, cycles: int) -> None:
+        """End quiet cycles whose programs have used them up."""
+        if cycles:
+            self.environment.skip(cycles)
+            self.state.timesteps += cycles
+            self.state.rounds = 0
+
+    def _busy_cycle(self, last: int) -> int:
+        """Return the cycle in which a program runs or a request arrives, at most `last`."""
+        state, timestep_s = self.state, self.environment.timestep_s
+        on_link = state.due_s < NEVER_S
+        runs_s = np.where(state.alive & ~on_link, state.clock_s, state.due_s)
+        first_s = float(runs_s.min(initial=NEVER_S))
+        if first_s >= last * timestep_s:
+            return last
+        cycle = int(first_s / timestep_s)
+        while first_s < cycle * timestep_s:
+            cycle -= 1
+        while first_s >= (cycle + 1) * timestep_s:
+            cycle += 1
+        return cycle
 
     def now_s(self, robot: int) -> float:
         """Return a program's clock [s], also in the middle of a round."""

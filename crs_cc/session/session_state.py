@@ -216,7 +216,7 @@ class SessionState:
         Robots that were added before the snapshot exist again, others are removed.
         """
         self.environment.restore(snapshot.environment)
-        self._present = self.environment.state.presence.present
+        self._present = self.environment.present
         self._set_added(snapshot.added)
         for robot, program in enumerate(snapshot.programs):
             self.fleet.restore(robot, program)
@@ -276,7 +276,7 @@ class SessionState:
 
     def update_presence(self) -> None:
         """Start the programs of robots that have joined, end those of robots that have left."""
-        before, now = self._present, self.environment.state.presence.present
+        before, now = self._present, self.environment.present
         if now is before:
             return
         self._present = now

@@ -13,7 +13,7 @@ from crs_cc.sim.comms.channel_model import ChannelModel
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.inbox import Inboxes
 from crs_cc.sim.model.communication import ANY
-from crs_cc.sim.state.messages import EVERYBODY, GROUPS, NO_GROUP, PACKET
+from crs_cc.sim.state.messages import COMING, EVERYBODY, GROUPS, NO_GROUP, PACKET
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -93,6 +93,18 @@ class Messenger:
     def find_robot(self, context: RequestContext) -> BoolArray:
         """Answer ROBOT: the number of a robot with a name, the name of one with a number."""
         return _look_up(context, self._robot_numbers, context.rows)
+
+    def is_idle(self, state: EnvState) -> bool:
+        """Return whether no message is waiting to be sent, or on its way."""
+        messages = state.messages
+        coming = messages.receptions["status"] == COMING
+        return not (len(messages.outbox) or coming.any())
+
+    def outages_s(self, state: EnvState) -> FloatArray:
+        """Return the times from now on at which outages begin or end."""
+        shuts = state.messages.shuts
+        times_s = np.concatenate([shuts["at_s"], shuts["until_s"]])
+        return np.asarray(times_s[times_s >= state.drive.clock_s.max(initial=0.0)])
 
     # -- the passage of time -----------------------------------------------------------------------
 

@@ -28,6 +28,10 @@ class Handling:
     def __init__(self, grippers: Grippers, arms: Arms) -> None:
         self.grippers, self.arms = grippers, arms
 
+    def is_idle(self, state: EnvState) -> bool:
+        """Return whether no hand acts, and there is no gripper, whose fingers might move."""
+        return not (len(self.grippers) or self.arms.act(state))
+
     def pull(self, state: EnvState, constants: RobotConstants, pull: Pull, end_s: float) -> Pull:
         """Add the final poses of mounts and hands that hold something to the drives' action."""
         if not state.bodies.holds.any():

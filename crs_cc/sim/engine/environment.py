@@ -4,7 +4,8 @@ In a cycle [k dt, (k + 1) dt), the session first passes on the programs' request
 with its own time: the wheels of that robot are advanced to that time, then the command changes
 their motion or the sensors are read. Then `step` ends the cycle: all wheels are advanced to its
 end, which completes each robot's slice of the cycle; the physics moves the bodies along these
-slices; contacts press bumpers; time advances.
+slices; contacts press bumpers; time advances. Cycles in which nothing can happen may be skipped
+(`skip`): they are executed when somebody looks at the state, see `quiet_time`.
 
 >>> from crs_cc.requests import CODES, MESSAGE
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -26,7 +27,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
 from crs_cc.sim.comms.control import CommunicationControl
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
@@ -35,6 +36,7 @@ from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import log_falls
+from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
 from crs_cc.sim.engine.step import Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
@@ -45,7 +47,13 @@ from crs_cc.sim.state.env_state import EnvState
 
 
 class Environment:
-    """A running world."""
+    """A running world.
+
+    Attributes:
+        skips_quiet_time: whether cycles may be skipped; only tests switch it off.
+    """
+
+    skips_quiet_time = True
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         """Set up a world before its first cycle.
@@ -57,8 +65,24 @@ class Environment:
         Raises:
             ValueError: the seed is negative.
         """
-        self._data = WorldData(world, seed)
-        self._dispatcher = Dispatcher(self._data)
+        self._running = WorldData(world, seed)
+        self._dispatcher = Dispatcher(self._running)
+        self._skipped = 0  # cycles that are not executed yet
+        self._quiet_until: int | None = None  # None: not known
+        self._is_settled = False  # a whole cycle was executed at rest, without a change since
+
+    @property
+    def _data(self) -> WorldData:
+        """The running world at the current time, to be read and changed."""
+        self._catch_up()
+        return self._running
+
+    def _catch_up(self) -> None:
+        """Execute the skipped cycles before something may change."""
+        self._quiet_until, self._is_settled = None, False
+        if self._skipped:
+            skipped, self._skipped = self._skipped, 0
+            catch_up(self._running, skipped)
 
     # -- requests and time ---------------------------------------------------------------------
 
@@ -95,10 +119,12 @@ class Environment:
             wait that ends in this cycle, or infinity for a longer wait, which a later `step`
             reports.
         """
+        self._catch_up()
         return self._dispatcher.serve(code, robots, messages, clock_s)
 
     def step(self) -> Step:
         """End the cycle; return what happened in it and which waits end in the next."""
+        was_quiet = self._quiet_until is not None and self.cycle < self._quiet_until
         data, state, end_s = self._data, self.state, self.end_s
         present = np.flatnonzero(state.presence.present)
         data.advance_to(present, np.full(len(present), end_s))
@@ -123,6 +149,7 @@ class Environment:
         ended, at_s, messages = self._dispatcher.end_waits()
         if data.is_anybody_due():
             data.come_and_go()
+        self._quiet_until, self._is_settled = None, was_quiet
         return Step(
             cycle=cycle,
             time_s=time_s,
@@ -138,6 +165,20 @@ class Environment:
             events=data.log.take(self.time_s),
             traffic=traffic,
         )
+
+    def quiet_until(self) -> int:
+        """Return the number of a cycle before which nothing can happen without a request.
+
+        The current cycle if something can happen in it, or if that is not known.
+        """
+        if self._quiet_until is None:
+            self._quiet_until = quiet_until(self._running) if self.skips_quiet_time else self.cycle
+        return self._quiet_until if self._is_settled else self.cycle
+
+    def skip(self, cycles: int) -> None:
+        """Advance by cycles before `quiet_until`; nobody is told of them."""
+        self._running.state.cycle += cycles
+        self._skipped += cycles
 
     def _move(self) -> tuple[Slices, Contacts]:
         """Move the bodies along the slices of the cycle, which are complete now."""
@@ -176,7 +217,7 @@ class Environment:
     @property
     def world(self) -> WorldModel:
         """The world; it changes only when a robot is added or dismissed."""
-        return self._data.world
+        return self._running.world
 
     @property
     def world_now(self) -> WorldModel:
@@ -214,6 +255,16 @@ class Environment:
         return CommunicationControl(self._data)
 
     @property
+    def cycle(self) -> int:
+        """The number of the current cycle, from 0."""
+        return self._running.state.cycle
+
+    @property
+    def present(self) -> BoolArray:
+        """Which robots are in the world; replaced whenever that changes, see `PresenceState`."""
+        return self._running.state.presence.present
+
+    @property
     def timestep_s(self) -> float:
         """The length of a cycle [s]."""
         return self.world.timestep_s
@@ -221,17 +272,17 @@ class Environment:
     @property
     def time_s(self) -> float:
         """The start of the current cycle [s]."""
-        return self._data.time_s
+        return self._running.time_s
 
     @property
     def end_s(self) -> float:
         """The end of the current cycle [s], the start of the next."""
-        return self._data.end_s
+        return self._running.end_s
 
     @property
     def awaits(self) -> bool:
         """True if robots are still to join in the future."""
-        return self._data.awaits
+        return self._running.awaits
 
     def charges(self, number: int) -> tuple[float, float]:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""

@@ -330,6 +330,11 @@ class WorldData:
         same = np.array_equal(self.state.presence.present, present)
         return same and self.state.obstacles.same_as(obstacles)
 
+    @property
+    def due_s(self) -> float:
+        """Return the time of the next join or leave, infinite for never."""
+        return self._due_s
+
     def is_anybody_due(self) -> bool:
         """Return whether it is time for a robot to join or to leave."""
         return self.time_s >= self._due_s - ROUNDING_S

@@ -122,6 +122,22 @@ class Physics:
         self._cycles += 1
         return contacts
 
+    def is_idle(self, bodies: Bodies) -> bool:
+        """Return whether steps with all bodies at rest change nothing but the count of steps."""
+        if self._inclines is not None or not self._is_settled(bodies):
+            return False
+        return clearance_m(self._scene, bodies.position_m, bodies.angle_rad) >= SLOP_M
+
+    def skip(self, bodies: Bodies, cycles: int) -> None:
+        """Count steps during which the physics was idle, see `is_idle`."""
+        begun = self._cycles + cycles - 1  # by the last of them
+        if begun >= REBUILD:
+            self.start_from(bodies)
+            cycles = begun % REBUILD + 1
+        for _ in range(cycles):
+            self._use_room(bodies, SLOP_M)
+        self._cycles += cycles
+
     def start_from(self, bodies: Bodies) -> None:
         """Rebuild the space from bodies, whose poses may have changed."""
         self._begin(PhysicsSnapshot(bodies.copy(), 0, (), 0.0))
@@ -202,18 +218,26 @@ class Physics:
 
         `_room_m` is a distance that no robot can have moved since it was measured.
         """
-        if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
-            return False
-        if self._load is not None:
-            return False
-        if not bodies.settled[0] or bodies.velocity_mps[self._robots :].any():
+        if not self._is_settled(bodies):
             return False
         # Two robots may approach each other, each by the longest displacement.
         need_m = 2 * float(np.abs(way_m).sum(axis=1).max(initial=0.0)) + SLOP_M
+        return self._use_room(bodies, need_m)
+
+    def _is_settled(self, bodies: Bodies) -> bool:
+        """Return whether the bodies are few, and none but robots can move by themselves."""
+        if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
+            return False
+        if self._load is not None or not bodies.settled[0]:
+            return False
+        return not bodies.velocity_mps[self._robots :].any()
+
+    def _use_room(self, bodies: Bodies, need_m: float) -> bool:
+        """Return whether robots have this much room, and reserve it."""
         if self._room_m < need_m:
             self._room_m = clearance_m(self._scene, bodies.position_m, bodies.angle_rad)
         self._room_m -= need_m
-        return self._room_m > 0.0
+        return self._room_m >= 0.0
 
     @without_collector()
     def _make_space(self) -> None:

@@ -119,6 +119,10 @@ class Arms:
         poses[self._rows] = self._hands(which, angles_rad)
         return poses
 
+    def act(self, state: EnvState) -> bool:
+        """Return whether any hand is to grasp or release at the end of this cycle."""
+        return bool(arm_of(state).acts.any())
+
     def end_cycle(self, state: EnvState, constants: RobotConstants, end_s: float) -> bool:
         """Make hands grasp and release objects; return whether any did."""
         rows, arm = self._rows, arm_of(state)

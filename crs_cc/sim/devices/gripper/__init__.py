@@ -102,6 +102,9 @@ class Grippers:
         context.put("weight", np.minimum(weight_g, LARGEST), has)
         return has
 
+    def __len__(self) -> int:
+        return len(self._rows)
+
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
     ) -> bool:

@@ -49,6 +49,7 @@ from crs_cc.sim.devices.sensor_order import orders
 from crs_cc.sim.devices.sonar.beams import Beams, overheard
 from crs_cc.sim.devices.sonar.element import read
 from crs_cc.sim.devices.sonar.errors import SonarErrors
+from crs_cc.sim.devices.sonar.missed import Firings, MissedFirings
 from crs_cc.sim.devices.sonar.model import (
     MAX_SONARS,
     SONAR_TICK_S,
@@ -143,6 +144,32 @@ class SonarRing:
             sonar_state(state).hear(firing, at_s)
             self._fire(state, constants, rays, firing, at_s)
         sonar_state(state).hear(rows, to_s)
+
+    def catch_up(
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        rays: RayCaster,
+        rows: IndexArray,
+        to_s: FloatArray,
+    ) -> None:
+        """Do what `advance` does, in a world that has been at rest since the last firing.
+
+        Only the firings whose echoes are still known are executed, all of them at once.
+        """
+        sonar = sonar_state(state)
+        fires = sonar.next_s[rows] <= to_s
+        if constants.degradations.concern(state, "sonar") or not fires.any():
+            self.advance(state, constants, rays, rows, to_s)
+            return
+        firing, until_s = rows[fires], to_s[fires]
+        sonar.hear(firing, sonar.next_s[firing])
+        places = configuration(state, constants, firing)
+        missed = MissedFirings(sonar, firing, until_s)
+        while len((which := missed.take())[0]):
+            missed.hear(which, *self._echoes(state, constants, rays, which[-1]), places)
+        missed.end()
+        sonar.hear(rows, to_s)
 
     def ranges_now_m(
         self,
@@ -240,10 +267,34 @@ class SonarRing:
         """Send a ping from each of some robots."""
         sonar = sonar_state(state)
         number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
+        firings = Firings(rows, number, sonar.count[rows], at_s)
+        heard_s, heard_m = self._echoes(state, constants, rays, firings)
+        sonar.listening[rows] = number
+        sonar.sent_s[rows] = at_s
+        sonar.sent_from[rows] = configuration(state, constants, rows)
+        sonar.heard_s[rows] = heard_s
+        sonar.heard_m[rows] = heard_m
+        sonar.count[rows] += 1
+        sonar.turn[rows] += 1
+        sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
+
+    def _echoes(
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        rays: RayCaster,
+        firings: Firings,
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return when the echoes of firings are heard, and their distances [m], (k,) each.
+
+        Without an echo, the time at which the sonar stops listening, and infinity.
+        """
+        rows, number, count, at_s = firings
+        sonar = sonar_state(state)
         place, turn = self._stands(state, constants, rows)
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
-        deviates = self._errors.draw(rows, sonar.count[rows])
+        deviates = self._errors.draw(rows, count)
         confused = np.flatnonzero(self._errors.confused(rows, sonar.mode[rows], deviates))
         voices = None
         if len(confused):
@@ -253,14 +304,8 @@ class SonarRing:
         distance_m = first_echo(pings, prospect, voices, rays.surfaces.hushed)
         reported_m = self._reported_m(state, constants, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * reported_m / SOUND_MPS <= gives_up_s
-        sonar.listening[rows] = number
-        sonar.sent_s[rows] = at_s
-        sonar.sent_from[rows] = configuration(state, constants, rows)
-        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * reported_m / SOUND_MPS, gives_up_s)
-        sonar.heard_m[rows] = np.where(in_time, reported_m, np.inf)
-        sonar.count[rows] += 1
-        sonar.turn[rows] += 1
-        sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
+        heard_s = at_s + np.where(in_time, 2 * reported_m / SOUND_MPS, gives_up_s)
+        return heard_s, np.where(in_time, reported_m, np.inf)
 
     def _reported_m(
         self,

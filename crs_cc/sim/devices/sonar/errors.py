@@ -62,8 +62,8 @@ class SonarErrors:
         """Return the deviates of one firing of each robot, shape (k, 3).
 
         Args:
-            rows: the robots, each at most once, k of them.
-            numbers: the number of each robot's firing.
+            rows: the robots, k of them.
+            numbers: the number of each firing.
         """
         if self._noise is None:
             return np.zeros((len(rows), _DEVIATES))
