@@ -6,7 +6,7 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import click
 
@@ -29,6 +29,11 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Listener
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import WorldModel
+
+_AT_ONCE_S: Final = 5.0
+"""Simulated time between two looks at interrupts: a program computes less than a second for it."""
+
+_ROUNDING: Final = 1e-6  # [timesteps]
 
 
 def simulate(options: RunOptions) -> int:
@@ -100,7 +105,7 @@ class Runner:
             read=self._read,
             files=loaded.files,
             client=options.client,
-            trace=self,
+            trace=self if self._trace is not None or self._plot is not None else None,
         )
 
     def run(self) -> Run:
@@ -131,13 +136,22 @@ class Runner:
     def _step_to_end(self) -> None:
         end_s = self._end_s
         self._sample()
-        while not self._interrupt.requested and self.session.step():
+        while not self._interrupt.requested and self.session.advance(self._most_timesteps()):
             self._sample()
             self._output.flush()
             if self._progress.is_due():
                 self._progress.draw(self._progress_text())
             if end_s is not None and self.session.time_s >= end_s - 1e-9:
                 return
+
+    def _most_timesteps(self) -> int:
+        """Return the number of timesteps to run without a look at output and interrupts."""
+        if self._plot is not None:
+            return 1  # it samples each
+        left_s = _AT_ONCE_S / max(self.session.running, 1)
+        if self._end_s is not None:
+            left_s = min(left_s, self._end_s - self.session.time_s)
+        return max(1, int(left_s / self._loaded.world.timestep_s + _ROUNDING))
 
     def step(self, step: Step) -> None:
         """Process a timestep: trace it, and collect contacts for the plot."""
