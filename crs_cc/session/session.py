@@ -39,6 +39,7 @@ from crs_cc.session.host import (
     discard,
     no_input,
 )
+from crs_cc.session.lone_program import run_alone
 from crs_cc.session.session_state import NEVER_S, SessionState
 
 if TYPE_CHECKING:
@@ -228,7 +229,7 @@ class Session:
             False when all programs have ended and no robot is to join.
         """
         end = self.timesteps + most
-        self._skip_idle(end)
+        self._run_quietly(end)
         while self.timesteps < end:
             while self.run_round():
                 pass
@@ -236,18 +237,36 @@ class Session:
                 return False
             if not self._is_quiet:
                 break
-            self._skip_idle(end)
+            self._run_quietly(end)
         return self._can_continue
 
-    def _skip_idle(self, end: int) -> None:
-        """Skip timesteps, up to a number of them, in which no program runs and nothing happens."""
-        if not self._is_quiet or self.pending.any():
+    def _run_quietly(self, end: int) -> None:
+        """Run timesteps, up to a number of them, in which nothing happens in the world.
+
+        Return before one in which several programs run or a request arrives, and in one in which
+        the only program that runs has stopped.
+        """
+        if not self._is_quiet or self.pending.any() or not self._can_continue:
             return
-        if not self._can_continue:
-            end = min(end, self.timesteps + 1)
-        cycle = self.environment.cycle
-        until = min(self.environment.quiet_until(), cycle + end - self.timesteps)
-        self._skip(max(0, min(until, self._busy_cycle(until)) - cycle))
+        state, environment = self.state, self.environment
+        until = min(environment.quiet_until(), environment.cycle + end - self.timesteps)
+        while environment.cycle < until:
+            on_link = state.due_s < NEVER_S
+            runs_s = np.where(state.alive & ~on_link, state.clock_s, state.due_s)
+            first = int(runs_s.argmin())
+            self._skip(self._cycle_of(float(runs_s[first]), until) - environment.cycle)
+            runs_s[first], is_request = NEVER_S, bool(on_link[first])
+            alone_until = self._cycle_of(float(runs_s.min()), until)
+            if is_request or environment.cycle >= alone_until:
+                return
+            cycles, stopped = run_alone(state, first, alone_until)
+            rounds = state.rounds
+            self._skip(cycles)
+            state.rounds = rounds
+            if stopped:
+                if self.halted is None:
+                    self.end_round()
+                return
 
     def run_round(self) -> bool:
         """Run programs for one round; return False when all have used up the cycle.
@@ -342,18 +361,13 @@ class Session:
             self.state.timesteps += cycles
             self.state.rounds = 0
 
-    def _busy_cycle(self, last: int) -> int:
-        """Return the cycle in which a program runs or a request arrives, at most `last`."""
-        state, timestep_s = self.state, self.environment.timestep_s
-        on_link = state.due_s < NEVER_S
-        runs_s = np.where(state.alive & ~on_link, state.clock_s, state.due_s)
-        first_s = float(runs_s.min(initial=NEVER_S))
-        if first_s >= last * timestep_s:
+    def _cycle_of(self, time_s: float, last: int) -> int:
+        """Return the cycle of a time, at least the current one and at most `last`."""
+        timestep_s, first = self.environment.timestep_s, self.environment.cycle
+        if time_s >= last * timestep_s:
             return last
-        cycle = int(first_s / timestep_s)
-        while first_s < cycle * timestep_s:
-            cycle -= 1
-        while first_s >= (cycle + 1) * timestep_s:
+        cycle = max(int(time_s / timestep_s) - 1, first)
+        while time_s >= (cycle + 1) * timestep_s:
             cycle += 1
         return cycle
 
