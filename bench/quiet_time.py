@@ -96,7 +96,11 @@ def ratios(source: Path, world: WorldModel, repeat: int) -> tuple[float, float]:
     """Return the time of a session over that of its program, and the same with no cycle skipped."""
     executable = build_executable([source], Diagnostics())
     runs = [
-        (alone_s(executable), session_s(executable, world), session_s(executable, world, skips=False))
+        (
+            alone_s(executable),
+            session_s(executable, world),
+            session_s(executable, world, skips=False),
+        )
         for _ in range(repeat)
     ]
     alone, skipping, whole = map(min, zip(*runs, strict=True))

@@ -1,5 +1,8 @@
 """The noise of a robot's sensors is independent of other robots' devices."""
 
+import numpy as np
+
+from crs_cc.core.random_streams import SONAR, Noise
 from crs_cc.sim.files.world_xml import load_world
 from tests.sim.driver import Driver
 
@@ -45,3 +48,13 @@ def test_noise_is_independent_of_devices_of_other_robots(tmp_path):
         readings = beside_one_with[sensor::6]
         assert readings == beside_one_without[sensor::6]
         assert readings[0] != readings[1] or readings[1] != readings[2], "there is noise"
+
+
+def test_rows_of_a_stream_in_one_call_are_those_of_many_calls():
+    """Also if they are in different blocks, of which only one is held."""
+    numbers = np.array([700, 0, 63, 64, 65, 0, 128, 64, 700])
+    streams = np.array([1, 0, 0, 0, 1, 1, 0, 0, 1])
+    alone = Noise(seed=1, sensor=SONAR, width=3, robots=2)
+    rows = [alone.rows(streams[i : i + 1], numbers[i : i + 1])[0] for i in range(len(numbers))]
+    together = Noise(seed=1, sensor=SONAR, width=3, robots=2)
+    assert np.array_equal(together.rows(streams, numbers), rows)

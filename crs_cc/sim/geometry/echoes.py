@@ -119,7 +119,7 @@ class Pings:
     def __len__(self) -> int:
         return len(self.place)
 
-    def part(self, which: slice) -> Self:
+    def part(self, which: slice | IndexArray) -> Self:
         """Return a part of the pings."""
         return type(self)(*(getattr(self, name)[which] for name in self.__slots__))
 
@@ -160,6 +160,12 @@ class Points:
         found = self.where((self.ping >= part.start) & (self.ping < part.stop))
         return type(self)(found.ping - part.start, found.place, found.reported_m, found.share)
 
+    def of_some(self, pings: IndexArray) -> Self:
+        """Return the targets of some pings, in ascending order, which are numbered anew."""
+        found = self.where(np.isin(self.ping, pings))
+        ping = np.searchsorted(pings, found.ping)
+        return type(self)(ping, found.place, found.reported_m, found.share)
+
     def where(self, kept: BoolArray | IndexArray | slice) -> Self:
         """Return a selection of the targets."""
         return type(self)(*(getattr(self, name)[kept] for name in self.__slots__))
@@ -183,10 +189,37 @@ def first_echo(
     Returns:
         distances from the transducers [m], infinite without an echo, shape (k,).
     """
+    # Pings that are computed in different ways never share a call, so that the echo of one does not
+    # depend on the others, not even in the last bit.
+    falls = pings.falloff > 0.0
+    shaped = falls | (pings.critical_rad < ANY_ANGLE) | (hushed is not None)
+    if voices is not None:
+        shaped[voices.ping] = True
     found_m = np.empty(len(pings))
-    shaped = voices is not None or hushed is not None
-    shaped = shaped or bool(pings.falloff.any() or (pings.critical_rad < ANY_ANGLE).any())
-    shares = _RAYS if pings.falloff.any() else _SIDES
+    for falling, shaping in ((False, False), (False, True), (True, True)):
+        mine = np.flatnonzero((falls == falling) & (shaped == shaping))
+        if len(mine) == len(pings):
+            return _first_echo(pings, obstacles, voices, hushed, falls=falling, shaped=shaping)
+        if len(mine):
+            some, heard = pings.part(mine), None if voices is None else voices.of_some(mine)
+            found_m[mine] = _first_echo(
+                some, obstacles, heard, hushed, falls=falling, shaped=shaping
+            )
+    return found_m
+
+
+def _first_echo(
+    pings: Pings,
+    obstacles: Prospect,
+    voices: Points | None,
+    hushed: FloatArray | None,
+    *,
+    falls: bool,
+    shaped: bool,
+) -> FloatArray:
+    """Return the distance of each ping's first echo, of pings of the same kind."""
+    found_m = np.empty(len(pings))
+    shares = _RAYS if falls else _SIDES
     for part, outlines in obstacles.blocks(pings.place):
         heard = None if voices is None else voices.of_pings(part)
         block = _Block(pings.part(part), outlines, heard, hushed)

@@ -235,6 +235,27 @@ def test_single_pings_match_whole_rings(robots):
     assert np.array_equal(alone, first_echo(pings, obstacles)[some])
 
 
+def test_an_echo_does_not_depend_on_pings_of_other_kinds():
+    scene = Scene(crowd(20, seed=20))
+    moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+    obstacles = Obstacles(scene.fixed, moving, 6.7, 0.3)
+    poses = scene.start[:20]
+    kinds = [pings_of(poses), pings_of(poses, 0.0, CRITICAL), pings_of(poses, LOBE, CRITICAL)]
+    columns = zip(
+        *([getattr(each, name) for name in Pings.__slots__] for each in kinds), strict=True
+    )
+    order = np.random.default_rng(2).permutation(sum(map(len, kinds)))
+    mixed = Pings(*(np.concatenate(column)[order] for column in columns))
+    alone = np.concatenate([first_echo(each, obstacles) for each in kinds])[order]
+    assert np.array_equal(first_echo(mixed, obstacles), alone)
+    heard = Points(
+        np.array([3, 5]), np.array([1.0 + 0j, 0.5 + 0.01j]), np.array([1.0, 0.5]), np.ones(2)
+    )
+    found = first_echo(mixed, obstacles, heard)
+    others = np.delete(np.arange(len(mixed)), heard.ping)
+    assert np.array_equal(found[others], alone[others])
+
+
 def pings_of(poses, lobe=0.0, critical=ANY_ANGLE) -> Pings:
     """Return a ring of pings for each robot."""
     turn = np.repeat(np.exp(1j * poses[:, 2]), len(RING))
