@@ -18,6 +18,7 @@ SMALLEST = {
     "fleet.py": ["--rounds", "1", "1"],
     "messages.py": ["4"],
     "ranges.py": ["1"],
+    "quiet_time.py": ["--steps", "20", "--repeat", "1", "bits"],
     "start.py": ["--repeat", "1"],
 }
 """Of each script, the arguments with which it measures least."""
@@ -30,6 +31,7 @@ MEASURED = {
     "fleet.py": ["    bare request ", "      small loop "],
     "messages.py": ["4 robots, silent: ", "radio: ", "infrared: ", "local: ", "10 m: "],
     "ranges.py": ["camera, pixels ", "camera, blobs ", "laser, ranges ", "laser, points "],
+    "quiet_time.py": ["\nas crs run ", "\nnothing skipped ", "\nbits ", "\nmean "],
     "start.py": ["python -c pass ", "crs --help ", "crs run, warm ", "crs run, empty cache "],
 }
 """Of each script, words of what it prints."""

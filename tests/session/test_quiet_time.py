@@ -51,7 +51,7 @@ int main(int argc, char **argv)
 }
 """,
     "unconnected": "int main(void) { volatile int n; for (n = 0; n < 9999999; n++) ; return 3; }",
-    "fails": "int main(void) { volatile int n; for (n = 0; n < 999999; n++) ; return 1 / (n - n); }",
+    "fails": "int main(void) { volatile int n = 9999999; while (n) n--; return 1 / n; }",
     "waits for messages": """
 #include <Nclient.h>
 #include <crs.h>

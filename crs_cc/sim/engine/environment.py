@@ -69,7 +69,7 @@ class Environment:
         self._dispatcher = Dispatcher(self._running)
         self._skipped = 0  # cycles that are not executed yet
         self._quiet_until: int | None = None  # None: not known
-        self._is_settled = False  # a whole cycle was executed at rest, without a change since
+        self._is_untouched = False  # since before the last cycle
 
     @property
     def _data(self) -> WorldData:
@@ -79,7 +79,7 @@ class Environment:
 
     def _catch_up(self) -> None:
         """Execute the skipped cycles before something may change."""
-        self._quiet_until, self._is_settled = None, False
+        self._quiet_until, self._is_untouched = None, False
         if self._skipped:
             skipped, self._skipped = self._skipped, 0
             catch_up(self._running, skipped)
@@ -124,7 +124,6 @@ class Environment:
 
     def step(self) -> Step:
         """End the cycle; return what happened in it and which waits end in the next."""
-        was_quiet = self._quiet_until is not None and self.cycle < self._quiet_until
         data, state, end_s = self._data, self.state, self.end_s
         present = np.flatnonzero(state.presence.present)
         data.advance_to(present, np.full(len(present), end_s))
@@ -147,9 +146,10 @@ class Environment:
         self._begin_cycle()
         # Part of the next cycle: waits that end in it, and robots that join or leave at its start.
         ended, at_s, messages = self._dispatcher.end_waits()
-        if data.is_anybody_due():
+        is_due = data.is_anybody_due()
+        if is_due:
             data.come_and_go()
-        self._quiet_until, self._is_settled = None, was_quiet
+        self._is_untouched = not (served or len(ended) or is_due)
         return Step(
             cycle=cycle,
             time_s=time_s,
@@ -169,11 +169,14 @@ class Environment:
     def quiet_until(self) -> int:
         """Return the number of a cycle before which nothing can happen without a request.
 
-        The current cycle if something can happen in it, or if that is not known.
+        The current cycle if something can happen in it, or if the state may have been changed
+        since a whole cycle was executed.
         """
+        if not (self._is_untouched and self.skips_quiet_time):
+            return self.cycle
         if self._quiet_until is None:
-            self._quiet_until = quiet_until(self._running) if self.skips_quiet_time else self.cycle
-        return self._quiet_until if self._is_settled else self.cycle
+            self._quiet_until = quiet_until(self._running)
+        return self._quiet_until
 
     def skip(self, cycles: int) -> None:
         """Advance by cycles before `quiet_until`; nobody is told of them."""

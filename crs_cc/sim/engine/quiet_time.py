@@ -34,7 +34,8 @@ _MOTIONS: Final = ("drive", "wheels", "odometry")
 def quiet_until(data: WorldData) -> int:
     """Return a cycle before which nothing can happen: the current one if something can now.
 
-    The world must have been executed for a whole cycle since anything was last changed.
+    Nothing must have been changed since before the last cycle, which was executed. So all that
+    follows a change by a cycle is in the state already: another cycle at rest changes nothing.
     """
     cycle = data.state.cycle
     if not _is_at_rest(data):
@@ -60,7 +61,7 @@ def _is_at_rest(data: WorldData) -> bool:
     moves = state.bodies.velocity_mps.any() or not _axes_stand(state)
     if moves or state.bodies.spin_radps.any() or state.bodies.slipping.any():
         return False
-    if state.drive.hindered.any() or len(state.contacts_before):
+    if state.drive.hindered.any() or len(state.contacts_before) or state.bodies.touching.any():
         return False
     if bumper_state(state).pressed.any() or state.bodies.holds.any() or data.log.snapshot():
         return False

@@ -123,9 +123,15 @@ class Physics:
         return contacts
 
     def is_idle(self, bodies: Bodies) -> bool:
-        """Return whether steps with all bodies at rest change nothing but the count of steps."""
-        if self._inclines is not None or not self._is_settled(bodies):
+        """Return whether another step with all bodies at rest changes only the count of steps.
+
+        The space was not stepped in the last one, nor will it be.
+        """
+        stepped = bool(self._ran) and self._ran[-1].cycle == self._cycles - 1
+        if stepped or self._inclines is not None or not self._is_settled(bodies):
             return False
+        if self._room_m >= SLOP_M:
+            return True
         return clearance_m(self._scene, bodies.position_m, bodies.angle_rad) >= SLOP_M
 
     def skip(self, bodies: Bodies, cycles: int) -> None:

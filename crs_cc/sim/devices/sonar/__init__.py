@@ -289,12 +289,12 @@ class SonarRing:
 
         Without an echo, the time at which the sonar stops listening, and infinity.
         """
-        rows, number, count, at_s = firings
+        rows, number, before, at_s = firings
         sonar = sonar_state(state)
         place, turn = self._stands(state, constants, rows)
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
-        deviates = self._errors.draw(rows, count)
+        deviates = self._errors.draw(rows, before)
         confused = np.flatnonzero(self._errors.confused(rows, sonar.mode[rows], deviates))
         voices = None
         if len(confused):

@@ -24,13 +24,13 @@ class Firings(NamedTuple):
     Attributes:
         rows: the robots.
         number: the sonar's number.
-        count: number of the robot's firings before.
+        before: number of the robot's firings before it.
         at_s: its time.
     """
 
     rows: IndexArray
     number: IndexArray
-    count: Int64Array
+    before: Int64Array
     at_s: FloatArray
 
 
@@ -63,8 +63,8 @@ class MissedFirings:
         turn = np.arange(len(robot)) + np.repeat(end - np.cumsum(end - begin), end - begin)
         rows = self._rows[robot]
         number = sonar.order[rows, turn % sonar.length[rows]]
-        count = sonar.count[rows] + turn - self._first[robot]
-        return robot, turn, Firings(rows, number, count, self._at_s(rows, turn))
+        before = sonar.count[rows] + turn - self._first[robot]
+        return robot, turn, Firings(rows, number, before, self._at_s(rows, turn))
 
     def hear(
         self,
