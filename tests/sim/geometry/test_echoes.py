@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 
 from crs_cc.sim.geometry import echoes
 from crs_cc.sim.geometry.cell_list import expand
-from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points, first_echo
+from crs_cc.sim.geometry.echoes import first_echo
 from crs_cc.sim.geometry.obstacles import Obstacles
+from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.robot import Drive, RobotModel

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 from crs_cc.sim.devices.ray_caster import RayCaster
-from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, first_echo
+from crs_cc.sim.geometry.echoes import first_echo
 from crs_cc.sim.geometry.line_of_sight import Sight
+from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings
 from crs_cc.sim.geometry.placement import misplaced
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene

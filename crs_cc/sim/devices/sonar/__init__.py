@@ -59,7 +59,8 @@ from crs_cc.sim.devices.sonar.model import (
 )
 from crs_cc.sim.devices.sonar.state import SonarState, inches, sonar_state
 from crs_cc.sim.devices.vendor_state import configuration
-from crs_cc.sim.geometry.echoes import Pings, first_echo
+from crs_cc.sim.geometry.echoes import first_echo
+from crs_cc.sim.geometry.pings import Pings
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.model.degradable import Degradable, at_numbers, elements_of
 from crs_cc.sim.model.device import Device

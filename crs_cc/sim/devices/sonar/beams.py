@@ -26,7 +26,7 @@ from crs_cc.core.units import SOUND_MPS
 from crs_cc.sim.devices.sonar.model import MAX_SONARS, sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.geometry.cell_list import CellList
-from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points
+from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
