@@ -12,7 +12,7 @@ from crs_cc.core.gc_pause import without_collector
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
-from crs_cc.runtime.codegen import large_functions
+from crs_cc.runtime.codegen import large_functions, library_code
 from crs_cc.runtime.codegen.module import compile_program
 from crs_cc.runtime.diagnosis.report import report
 from crs_cc.runtime.executable import Executable, engine, make_executable
@@ -28,10 +28,10 @@ def again(executable: Executable, *, debug: bool = False) -> Executable:
     return make_executable(detail.program, executable.name, lines=detail.lines, debug=debug)
 
 
-@pytest.fixture
-def all_large(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Compile every function as if it were large."""
-    monkeypatch.setattr(large_functions, "MOST_BLOCKS", 0)
+def make_all_large(patch: pytest.MonkeyPatch) -> None:
+    """Compile every function as if it were large, and keep the code of none for other programs."""
+    patch.setattr(large_functions, "MOST_BLOCKS", 0)
+    patch.setattr(library_code, "_TEMPLATES", {})
 
 
 def test_a_program_of_large_functions_does_the_same_wherever_it_is_suspended(
@@ -39,9 +39,10 @@ def test_a_program_of_large_functions_does_the_same_wherever_it_is_suspended(
 ) -> None:
     for path in sorted((CASES / "valid").glob("*.c"))[::6]:
         small = build(path)
+        small.detail()
         plain = Run(small).to_end()
         with monkeypatch.context() as patch, subtests.test(path.stem):
-            patch.setattr(large_functions, "MOST_BLOCKS", 0)
+            make_all_large(patch)
             large, stepped = again(small), again(small, debug=True)
             fuel = plain.fuel // 5000 + 1
             ways = Stepping(), Stepping(fuel), Stepping(fuel * 300, restore_every=3)
@@ -55,11 +56,16 @@ def test_a_program_of_large_functions_does_the_same_wherever_it_is_suspended(
 @pytest.mark.parametrize(
     "name", ["divide_int", "null_member", "wild_last_bytes", "calls/mismatched_fewer"]
 )
-@pytest.mark.usefixtures("all_large")
-def test_a_large_function_is_reported_like_a_small_one(name: str) -> None:
+def test_a_large_function_is_reported_like_a_small_one(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = CASES / f"errors/{name}.c"
-    small = build(path)
-    failures = [Run(each).to_end().failure for each in (small, again(small))]
+    small = build(path)  # before the limits change: it is kept in the cache
+    small.detail()
+    with monkeypatch.context() as patch:
+        make_all_large(patch)
+        large = again(small)
+    failures = [Run(each).to_end().failure for each in (small, large)]
     first, second = (report(each) for each in failures if each)
     assert first == second
 
