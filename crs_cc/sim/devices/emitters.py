@@ -6,8 +6,9 @@ the one that carries the source.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -43,6 +44,15 @@ class Sources:
     place_m: FloatArray
     strength: FloatArray
     owner: IndexArray
+
+    @classmethod
+    def fixed(cls, places_m: Sequence[tuple[float, float]], strengths: Sequence[float]) -> Self:
+        """Return the sources that no robot carries, from positions and strengths."""
+        return cls(
+            np.array(places_m, dtype=np.float64).reshape(-1, 2),
+            np.array(strengths, dtype=np.float64),
+            np.full(len(strengths), -1, dtype=np.intp),
+        )
 
     def with_robots(self, place_m: FloatArray, strength: FloatArray) -> Sources:
         """Return these and the robots' sources.

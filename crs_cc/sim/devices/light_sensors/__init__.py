@@ -76,10 +76,8 @@ class _Rings:
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         lights = world.lights
-        self._lights = Sources(
-            np.array([(light.x_m, light.y_m) for light in lights]).reshape(-1, 2),
-            np.array([light.brightness for light in lights], dtype=np.float64),
-            np.full(len(lights), -1, dtype=np.intp),
+        self._lights = Sources.fixed(
+            [(light.x_m, light.y_m) for light in lights], [light.brightness for light in lights]
         )
         self._sensor = Sensor(row, world, seed, self.measure, _MAX, missing=0.0)
         self.fans = line_of_sight(float(self._sensor.settings["range_m"].max(initial=0.0)))

@@ -72,10 +72,8 @@ class _Ears:
 
     def __init__(self, row: Device, world: WorldModel, seed: int) -> None:
         sounds = world.sounds
-        self._sounds = Sources(
-            np.array([(sound.x_m, sound.y_m) for sound in sounds]).reshape(-1, 2),
-            np.array([sound.level for sound in sounds], dtype=np.float64),
-            np.full(len(sounds), -1, dtype=np.intp),
+        self._sounds = Sources.fixed(
+            [(sound.x_m, sound.y_m) for sound in sounds], [sound.level for sound in sounds]
         )
         self._tone = np.array([sound.tone for sound in sounds], dtype=np.int64)
         self._sensor = Sensor(row, world, seed, self.measure, TONES, missing=0.0)
