@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
+from crs_cc.cli.gcc_options import CompilerCommand
 from crs_cc.cli.inputs import check_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
 from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
@@ -28,7 +29,7 @@ Examples:
 """
 
 
-@click.command(epilog=_EXAMPLES, short_help="Check C, world and robot files.")
+@click.command(cls=CompilerCommand, epilog=_EXAMPLES, short_help="Check C, world and robot files.")
 @click.argument("files", nargs=-1, required=True, metavar="FILE.c|FILE.xml...")
 @click.option("--json", "as_json", is_flag=True, help="Write the messages to stdout as JSON.")
 @click.option(
@@ -60,12 +61,15 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
             found, error_status = _world_messages(Path(name), contents, compiler, checked)
         else:
             found, error_status = _messages(Path(name), compiler, programs, sources, together)
-        kept = [each for each in found if each.severity == "error" or not quiet]
+        selected = compiler.warnings.select(found)
+        kept = [each for each in selected if each.severity == "error" or not quiet]
         messages = merged(messages, kept)
-        status = status or error_status
+        status = status or error_status or _status(kept)
     if not status and programs:
         sources.messages += messages
-        messages, status = (_linked if _has_entry(programs) else _sized)(programs, sources)
+        found, status = (_linked if _has_entry(programs) else _sized)(programs, sources)
+        messages = compiler.warnings.select(found)
+        status = status or _status(messages)
     if as_json:
         import json
 
@@ -77,6 +81,11 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
             click.echo(line)
         say(_closing_line(messages, len(checked)))
     return status
+
+
+def _status(messages: Sequence[Diagnostic]) -> int:
+    """Return the exit status of messages about C, of which -Werror makes errors."""
+    return CompileError.exit_status if any(each.severity == "error" for each in messages) else 0
 
 
 def _has_entry(programs: Sequence[Program]) -> bool:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, gathered
+from crs_cc.cli.gcc_options import CompilerCommand
 from crs_cc.cli.inputs import check_readable
 from crs_cc.cli.messages import show
 from crs_cc.core.source import Diagnostics
@@ -26,7 +27,12 @@ Examples:
 """
 
 
-@click.command("compile", epilog=_EXAMPLES, short_help="Show the code generated for a program.")
+@click.command(
+    "compile",
+    cls=CompilerCommand,
+    epilog=_EXAMPLES,
+    short_help="Show the code generated for a program.",
+)
 @click.argument("files", nargs=-1, required=True, metavar="PROGRAM.c...")
 @click.option(
     "--emit",
@@ -45,7 +51,7 @@ def compile_(
     """Write the code generated for a C program to stdout."""
     paths = [Path(name) for name in files]
     diagnostics = Diagnostics()
-    with gathered(diagnostics, quiet=quiet):
+    with gathered(diagnostics, compiler.warnings, quiet=quiet):
         for path in paths:
             check_readable(path)
         if emit == "ir":

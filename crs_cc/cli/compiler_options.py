@@ -5,16 +5,17 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import click
 
 from crs_cc.cli.messages import say
-from crs_cc.core.errors import CrsError
+from crs_cc.core.errors import CompileError, CrsError
 from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.core.warning_names import Selection, unknown_option
 from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS, Dialect
 
 
@@ -28,6 +29,7 @@ class CompilerOptions:
         undefines: predefined macros to remove.
         standard: the C standard of the program.
         dialect: the API that it calls, `nomad` or `report`; None to detect it.
+        warnings: which warnings are shown, and which are errors.
     """
 
     include_paths: tuple[Path, ...] = ()
@@ -35,6 +37,7 @@ class CompilerOptions:
     undefines: tuple[str, ...] = ()
     standard: str = "gnu17"
     dialect: Dialect | None = None
+    warnings: Selection = field(default_factory=Selection)
 
 
 def _folders(
@@ -45,6 +48,16 @@ def _folders(
         if not path.is_dir():
             say(f"warning: -I {path}: no such folder")
     return tuple(path for path in paths if path.is_dir())
+
+
+def _selection(
+    _ctx: click.Context, _option: click.Parameter, options: tuple[str, ...]
+) -> Selection:
+    """Return the selection of -W options; a name with a typing error is reported."""
+    for option in options:
+        if (meant := unknown_option(option)) is not None:
+            say(f"warning: -W{option}: no such warning (did you mean '{meant}'?)")
+    return Selection.of(options)
 
 
 _OPTIONS = (
@@ -68,6 +81,12 @@ _OPTIONS = (
         "predefined macros and, without 'gnu', trigraphs; the language accepted is the same.",
     ),
     click.option(
+        "-W", "warnings", metavar="[no-|error=]NAME", multiple=True, callback=_selection,
+        help="Select warnings as gcc does: -Wno-NAME hides one, -Wno-unused all that start so, "
+        "-Wno-all (or -w) hides all, -Werror makes errors of them, -Werror=NAME of one. By "
+        "default all are shown. Options of gcc such as -O2, -g and -lm are accepted, and ignored.",
+    ),
+    click.option(
         "--dialect", type=click.Choice(DIALECTS),
         help="The API that the program calls: nomad, the vendor's, or report, that of the CRS "
         "report, where a program may consist of the statements of its body. By default report for "
@@ -81,16 +100,18 @@ def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def with_options(
+        *,
         include_paths: tuple[Path, ...],
         defines: tuple[str, ...],
         undefines: tuple[str, ...],
         standard: str,
         dialect: Dialect | None,
+        warnings: Selection,
         **others: Any,
     ) -> Any:
         macros = tuple(map(displayed, defines)), tuple(map(displayed, undefines))
         return command(
-            compiler=CompilerOptions(include_paths, *macros, standard, dialect),
+            compiler=CompilerOptions(include_paths, *macros, standard, dialect, warnings),
             **others,
         )
 
@@ -100,15 +121,29 @@ def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 @contextmanager
-def gathered(diagnostics: Diagnostics, *, quiet: bool = False) -> Iterator[None]:
-    """Add the warnings found before it to an error that leaves the block."""
+def gathered(
+    diagnostics: Diagnostics, warnings: Selection, *, quiet: bool = False
+) -> Iterator[None]:
+    """Collect the messages of a block, and keep the selected ones.
+
+    Args:
+        diagnostics: what the block records; an error that leaves it gets these messages, too.
+        warnings: the selection.
+        quiet: leave warnings out of errors.
+
+    Raises:
+        CompileError: a warning is an error.
+    """
+    failed: type[CrsError] = CompileError
     try:
         yield
+        messages = warnings.select(diagnostics.messages)
     except CrsError as error:
-        messages = merged(diagnostics.messages, error.diagnostics)
-        if quiet:
-            messages = [each for each in messages if each.severity != "warning"]
-        raise type(error)(messages) from None
+        failed = type(error)
+        messages = warnings.select(merged(diagnostics.messages, error.diagnostics))
+    diagnostics.messages[:] = messages
+    if any(each.severity == "error" for each in messages):
+        raise failed([each for each in messages if not quiet or each.severity != "warning"])
 
 
 def merged(first: Sequence[Diagnostic], second: Sequence[Diagnostic]) -> list[Diagnostic]:

@@ -59,14 +59,15 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
         WorldError: the world file is invalid.
         click.UsageError: a robot has no program.
     """
-    with gathered(diagnostics, quiet=options.quiet):
+    with gathered(diagnostics, options.compiler.warnings, quiet=options.quiet):
         world = _world(options)
         programs = [_program(robot, options) for robot in world.robots]
         dialects = [options.compiler.dialect or robot.dialect for robot in world.robots]
         wanted = list(zip(programs, dialects, strict=True))
         if options.inputs.sources and options.inputs.sources not in programs:
             place = Location(str(options.inputs.sources[0]))
-            diagnostics.warning(place, "unused: the world file names a program for every robot")
+            text = "unused: the world file names a program for every robot"
+            diagnostics.warning(place, text, flag="unused-program")
         built = {
             each: _build(*each, options, diagnostics, debug=debug) for each in dict.fromkeys(wanted)
         }

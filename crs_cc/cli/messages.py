@@ -67,7 +67,7 @@ def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
 def render(diagnostic: Diagnostic, *, coloured: bool) -> str:
     """Return a message for the terminal, see `Diagnostic.render`."""
     place = str(diagnostic.location).translate(_CONTROLS | {10: "?"})
-    kind, text = diagnostic.severity, diagnostic.text.translate(_CONTROLS)
+    kind, text = diagnostic.severity, diagnostic.named_text.translate(_CONTROLS)
     line, column = _excerpt(diagnostic)
     caret, hint = _caret(diagnostic, len(line) - column), diagnostic.hint.translate(_CONTROLS)
     if coloured:
@@ -102,6 +102,7 @@ def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
         "column": place.column,
         "text": diagnostic.text,
         "hint": diagnostic.hint,
+        "flag": diagnostic.flag,
     }
 
 

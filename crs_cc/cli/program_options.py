@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
+from crs_cc.cli.gcc_options import CompilerCommand
 from crs_cc.cli.inputs import Inputs, make_folder, parse_named_files, sort_files
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ class ProgramOptions:
     quiet: bool = False
 
 
-class WithProgramArguments(click.Command):
+class WithProgramArguments(CompilerCommand):
     """A command whose arguments after `--` belong to the control program."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:

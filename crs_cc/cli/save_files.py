@@ -86,7 +86,8 @@ def discarded_warning(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagn
     if len(names) > _NAMED:
         text += f" and {len(names) - _NAMED} more"
     place, hint = Location(robot.program), "save the files of programs with --files DIR"
-    return Diagnostic("warning", place, f"'{robot.id}' wrote {text}, which is not saved", hint=hint)
+    text = f"'{robot.id}' wrote {text}, which is not saved"
+    return Diagnostic("warning", place, text, hint=hint, flag="unsaved-files")
 
 
 def missed_warning(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | None:
@@ -96,4 +97,4 @@ def missed_warning(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | N
         return None
     hint = "make them readable with " + " ".join(f"--file {name}" for name in here[:_NAMED])
     text = f"'{robot.id}' looked for {', '.join(here[:_NAMED])}, which programs cannot read"
-    return Diagnostic("warning", Location(robot.program), text, hint=hint)
+    return Diagnostic("warning", Location(robot.program), text, hint=hint, flag="missing-file")

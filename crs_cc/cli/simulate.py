@@ -203,7 +203,7 @@ class Runner:
             line = lines[call.location.line - 1] if call.location.line <= len(lines) else ""
             text = f"'{call.function}' is called without a connection to the robot"
             hint = "call connect_robot first"
-            yield Diagnostic("warning", call.location, text, line, hint)
+            yield Diagnostic("warning", call.location, text, line, hint, flag="unconnected")
 
 
 def shows_summary(options: RunOptions) -> bool:

@@ -93,6 +93,7 @@ class Diagnostic:
         source_line: the source line at the location, empty when unknown.
         hint: what the user can do about it; may be empty.
         stage: the part of the compiler that reports it.
+        flag: the name of a warning, by which `-W` options select it; empty if it has none.
     """
 
     severity: Severity
@@ -101,10 +102,16 @@ class Diagnostic:
     source_line: str = ""
     hint: str = ""
     stage: Stage = ""
+    flag: str = ""
+
+    @property
+    def named_text(self) -> str:
+        """The message with the name of its warning: `text [-Wunused-value]`."""
+        return f"{self.text} [-W{self.flag}]" if self.flag else self.text
 
     def render(self) -> str:
         """Return the message as `file:line:col: severity: text`, the line, a caret and the hint."""
-        rows = [f"{self.location}: {self.severity}: {self.text}"]
+        rows = [f"{self.location}: {self.severity}: {self.named_text}"]
         if self.source_line.strip():
             rows.append("    " + self.source_line.replace("\t", " ").rstrip())
             if self.location.column:
@@ -133,9 +140,12 @@ class Diagnostics:
     stage: Stage = ""
     _known: set[Diagnostic] = field(default_factory=set, repr=False)
 
-    def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:
+    def add(
+        self, severity: Severity, location: Location, text: str, hint: str = "", flag: str = ""
+    ) -> None:
         """Record a message, unless it is a duplicate."""
-        message = Diagnostic(severity, location, text, self._line(location), hint, self.stage)
+        line = self._line(location)
+        message = Diagnostic(severity, location, text, line, hint, self.stage, flag)
         if message not in self._known:
             self._known.add(message)
             self.messages.append(message)
@@ -144,9 +154,9 @@ class Diagnostics:
         """Record an error."""
         self.add("error", location, text, hint)
 
-    def warning(self, location: Location, text: str, hint: str = "") -> None:
-        """Record a warning."""
-        self.add("warning", location, text, hint)
+    def warning(self, location: Location, text: str, hint: str = "", *, flag: str) -> None:
+        """Record a warning; `flag` is its name, see `frontend.warn.flags`."""
+        self.add("warning", location, text, hint, flag)
 
     def sort(self) -> None:
         """Sort the messages by location: headers first, notes after their messages."""

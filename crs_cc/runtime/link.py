@@ -107,7 +107,7 @@ def _check_client(whole: Program, diagnostics: Diagnostics) -> None:
     if connects is not None and not in_library(connects.location):
         text = f"'{CONNECTS}' is redefined: the program cannot reach its simulated robot"
         hint = "omit the vendor's Ndirect.c or Nclient.c: crs provides their functions"
-        diagnostics.warning(connects.location, text, hint)
+        diagnostics.warning(connects.location, text, hint, flag="client-redefined")
 
 
 def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
@@ -154,7 +154,7 @@ def _compare_arguments(call: Call, callee: Function, diagnostics: Diagnostics) -
         if passed != taken:
             text = f"argument {number} is passed as {passed}, but '{callee.name}' takes {taken}"
             hint = "without a prototype it is not converted; " + _where_defined(callee)
-            diagnostics.warning(call.location, text, hint)
+            diagnostics.warning(call.location, text, hint, flag="argument-mismatch")
             return
 
 
@@ -230,7 +230,7 @@ def _compare(
         defined, place = data.variable.ctype, data.location
     if defined is not None and not agree(ctype, defined):
         text = f"'{name}' is '{ctype}' here, but '{defined}' where it is defined"
-        diagnostics.warning(location, text, f"defined at {place}")
+        diagnostics.warning(location, text, f"defined at {place}", flag="lto-type-mismatch")
 
 
 def _is_overridden(name: str, unit: Program, whole: Program) -> bool:

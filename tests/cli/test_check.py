@@ -50,7 +50,7 @@ def test_messages_as_data_have_stage_location_and_hint(capfd: pytest.CaptureFixt
     first, second = json.loads(capfd.readouterr().out)
     assert first == {
         "severity": "error", "stage": "types", "file": "main.c", "line": 4, "column": 12,
-        "text": "use of undeclared identifier 'sped'", "hint": "did you mean 'speed'?",
+        "text": "use of undeclared identifier 'sped'", "hint": "did you mean 'speed'?", "flag": "",
     }  # fmt: skip
     assert (second["stage"], second["line"], second["column"]) == ("parsing", 4, 16)
 

@@ -261,7 +261,8 @@ def test_a_robot_call_before_connecting_is_warned_about_once(
     shown = capfd.readouterr()
     assert shown.out.count("Not connected to any robot") == 4  # as the vendor's client says
     assert shown.err.endswith(
-        "lost.c:4:5: warning: 'get_sn' is called without a connection to the robot\n"
+        "lost.c:4:5: warning: 'get_sn' is called without a connection to the robot "
+        "[-Wunconnected]\n"
         "        get_sn();\n        ^~~~~~~~\n    hint: call connect_robot first\n"
     )
     assert shown.err.count("without a connection") == 1

@@ -145,7 +145,7 @@ def test_only_warnings_of_the_same_build_are_repeated(
     program: Path, compilations: list[str]
 ) -> None:
     first, second = Diagnostics(), Diagnostics()
-    first.warning(Location("world.xml"), "of something else")
+    first.warning(Location("world.xml"), "of something else", flag="unused-program")
     build_executable([program], first)
     build_executable([program], second)
     assert second.messages == first.messages[1:]

@@ -235,7 +235,7 @@ def _va_arg(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         return tree.VarArg(ctype, location, arguments)
     promoted = promote_argument(tree.VarArg(ctype, location, arguments)).type
     text = f"'{ctype}' is promoted to '{promoted}' when passed through '...'"
-    unit.warning(location, text, f"so pass '{promoted}' not '{ctype}' to 'va_arg'")
+    unit.warning(location, text, f"so pass '{promoted}' not '{ctype}' to 'va_arg'", flag="varargs")
     return convert(tree.VarArg(promoted, location, arguments), ctype)
 
 

@@ -152,10 +152,17 @@ def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
     text, found = f"implicit declaration of function '{name}'", undeclared(name)
     if found is None:
         ctype = FunctionType(INT)
-        unit.warning(location, text, unit.suggest(name, FunctionSymbol))
+        unit.warning(
+            location, text, unit.suggest(name, FunctionSymbol), flag="implicit-function-declaration"
+        )
     else:
         ctype, header = found
-        unit.warning(location, f"{text} with type '{ctype}'", f"include <{header}>")
+        unit.warning(
+            location,
+            f"{text} with type '{ctype}'",
+            f"include <{header}>",
+            flag="implicit-function-declaration",
+        )
     outermost = unit.scope
     while outermost.outer is not None:
         outermost = outermost.outer

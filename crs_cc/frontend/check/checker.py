@@ -181,9 +181,9 @@ class Unit:
         """
         report(self.diagnostics, location, text, hint)
 
-    def warning(self, location: Location, text: str, hint: str = "") -> None:
-        """Report a warning."""
-        self.diagnostics.warning(location, text, hint)
+    def warning(self, location: Location, text: str, hint: str = "", *, flag: str) -> None:
+        """Report a warning; `flag` is its name, see `frontend.warn.flags`."""
+        self.diagnostics.warning(location, text, hint, flag=flag)
 
     def attempt(self, action: Callable[..., Result], *arguments: Any) -> Result | None:
         """Call `action(unit, *arguments)`; report a `CheckError` and return None."""

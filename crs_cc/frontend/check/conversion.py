@@ -188,7 +188,11 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
         _fail(value, f"pointer cannot be cast to type '{target}'")
     is_narrow = isinstance(source, PointerType) and is_integer(target) and target.size < 4
     if is_narrow and target != BOOL:
-        unit.warning(value.location, f"cast to smaller integer type '{target}' from '{source}'")
+        unit.warning(
+            value.location,
+            f"cast to smaller integer type '{target}' from '{source}'",
+            flag="pointer-to-int-cast",
+        )
     if source == target and _field_width(value) is not None:
         return tree.Convert(target, value.location, value)  # not a bit-field any more
     return convert(value, target)
@@ -244,13 +248,27 @@ def assigned(
             if not is_null_constant(value):
                 kind = "incompatible integer to pointer conversion"
                 _warn(
-                    unit, kind, value, target, use, hint=hint or _quotes_hint(unit, value, target)
+                    unit,
+                    kind,
+                    value,
+                    target,
+                    use,
+                    hint=hint or _quotes_hint(unit, value, target),
+                    flag="int-conversion",
                 )
             return convert(value, target)
     if isinstance(source, PointerType) and is_integer(target):
         if target != BOOL:
             kind, hint = "pointer to integer", hint or _quotes_hint(unit, value, target)
-            _warn(unit, f"incompatible {kind} conversion", value, target, use, hint=hint)
+            _warn(
+                unit,
+                f"incompatible {kind} conversion",
+                value,
+                target,
+                use,
+                hint=hint,
+                flag="int-conversion",
+            )
         return convert(value, target)
     if isinstance(target, RecordType) and source == target:
         return value
@@ -258,9 +276,11 @@ def assigned(
     raise CheckError(value.location, impossible, hint)
 
 
-def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str, *, hint: str) -> None:
+def _warn(
+    unit: Unit, kind: str, value: Expression, target: CType, use: str, *, hint: str, flag: str
+) -> None:
     text = f"{kind} {PHRASES[use][0].format(to=target, of=value.type)}"
-    unit.warning(value.location, text, hint)
+    unit.warning(value.location, text, hint, flag=flag)
 
 
 def _quotes_hint(unit: Unit, value: Expression, target: CType) -> str:
@@ -290,14 +310,22 @@ def _check_pointers(
     ]
     if lost and not isinstance(right, FunctionType):
         text = f"{PHRASES[use][0].format(to=target, of=value.type)} discards qualifiers"
-        unit.warning(value.location, text)
+        unit.warning(value.location, text, flag="discarded-qualifiers")
         return
     left, right = unqualified(left), unqualified(right)
     if VOID in (left, right) or compatible(left, right):
         return
     if _differ_in_sign(left, right):
         return
-    _warn(unit, "incompatible pointer types", value, target, use, hint=hint)
+    _warn(
+        unit,
+        "incompatible pointer types",
+        value,
+        target,
+        use,
+        hint=hint,
+        flag="incompatible-pointer-types",
+    )
 
 
 def _differ_in_sign(left: CType, right: CType) -> bool:

@@ -134,7 +134,9 @@ def _declare_tag(unit: Unit, node: Node) -> None:
     ctype_ = declared_type(unit, specifier)
     has_tag = isinstance(ctype_, RecordType) and ctype_.record.tag is not None
     if not has_tag and not isinstance(ctype_, EnumType):
-        unit.warning(unit.at(node), "declaration does not declare anything")
+        unit.warning(
+            unit.at(node), "declaration does not declare anything", flag="missing-declarations"
+        )
 
 
 def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
@@ -218,14 +220,21 @@ def _merge_function(
         text = f"static declaration of '{known.name}' follows non-static declaration"
         if not known.is_implicit:
             raise CheckError(location, text, f"first declared at {known.location}")
-        unit.warning(location, text, f"first called at {known.location}")
+        unit.warning(
+            location, text, f"first called at {known.location}", flag="static-follows-non-static"
+        )
         unit.externals.pop(known.name, None)
         known.is_external, known.link_name = False, unit.static_name(known.name)
     if compatible(known.type, ctype):
         known.type = composite(known.type, ctype)  # type: ignore[assignment]
     elif known.is_implicit:
         text = f"conflicting types for '{known.name}'"
-        unit.warning(location, text, f"first called at {known.location}, without a declaration")
+        unit.warning(
+            location,
+            text,
+            f"first called at {known.location}, without a declaration",
+            flag="conflicting-types",
+        )
         known.type = ctype
     elif _differs_in_promotion(known.type, ctype):
         if known.type.parameters is None and not known.is_defined:
@@ -252,7 +261,12 @@ def _override_library_function(
 ) -> None:
     """Replace a library function by the program's own, as a `getline` older than POSIX's."""
     text = f"incompatible redeclaration of library function '{known.name}'"
-    unit.warning(location, text, f"its type is '{known.type}', see {known.location}")
+    unit.warning(
+        location,
+        text,
+        f"its type is '{known.type}', see {known.location}",
+        flag="library-redeclaration",
+    )
     if is_static:
         unit.externals.pop(known.name, None)
         known.is_external, known.link_name = False, unit.static_name(known.name)
@@ -331,7 +345,9 @@ def _initialise_global(
     if "extern" in (node.storage or []):
         if unit.function is not None:
             raise CheckError(location, f"'{node.name}' has both 'extern' and an initializer")
-        unit.warning(location, f"'{node.name}' initialized and declared 'extern'")
+        unit.warning(
+            location, f"'{node.name}' initialized and declared 'extern'", flag="extern-initializer"
+        )
     if symbol.is_defined:
         raise CheckError(location, f"redefinition of '{node.name}'", f"first at {symbol.location}")
     symbol.is_defined = True
@@ -351,7 +367,7 @@ def finish_objects(unit: Unit) -> None:
             if symbol.is_defined:
                 continue
             text = f"array '{symbol.name}' assumed to have one element"
-            unit.warning(symbol.location, text)
+            unit.warning(symbol.location, text, flag="tentative-array")
             symbol.type = ArrayType(symbol.type.element, 1)
         if not is_complete(symbol.type):
             text = f"variable '{symbol.name}' has incomplete type '{symbol.type}'"

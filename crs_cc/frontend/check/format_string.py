@@ -150,10 +150,10 @@ class _Check:
         elif len(given) > len(wanted):
             plural = "" if len(wanted) == 1 else "s"
             text = f"the format takes {len(wanted)} argument{plural}, but gets {len(given)}"
-            self.unit.warning(given[len(wanted)].location, text)
+            self.unit.warning(given[len(wanted)].location, text, flag="format")
 
     def _warn(self, at: int, text: str, hint: str = "") -> None:
-        self.unit.warning(place_in_literal(self.unit, self.place, at), text, hint)
+        self.unit.warning(place_in_literal(self.unit, self.place, at), text, hint, flag="format")
 
     def _compare(self, wanted: _Wanted, argument: Expression, kind: str) -> None:
         if wanted.what == "ignored" or wanted.accepts(argument.type):

@@ -236,7 +236,9 @@ class _Filler:
         if not node.exprs:
             raise CheckError(location, "scalar initializer cannot be empty")
         if len(node.exprs) > 1:
-            self.unit.warning(location, "excess elements in scalar initializer")
+            self.unit.warning(
+                location, "excess elements in scalar initializer", flag="excess-initializers"
+            )
         first = node.exprs[0]
         if isinstance(first, c_ast.InitList):
             self.braced(part, first)
@@ -265,7 +267,9 @@ class _Filler:
         while (part := places[-1].part()) is None and len(places) > 1:
             places.pop()
         if part is None:
-            self.unit.warning(self.unit.at(node), "excess elements in initializer")
+            self.unit.warning(
+                self.unit.at(node), "excess elements in initializer", flag="excess-initializers"
+            )
             if not isinstance(node, c_ast.InitList):
                 expression(self.unit, node)
             return
@@ -334,7 +338,11 @@ class _Filler:
             self.length = len(content) // element.size
             ctype = ArrayType(ctype.element, self.length)
         elif len(content) > ctype.size + element.size:
-            self.unit.warning(value.location, "initializer string for char array is too long")
+            self.unit.warning(
+                value.location,
+                "initializer string for char array is too long",
+                flag="excess-initializers",
+            )
         content = content[: ctype.size]
         string = tree.StringLiteral(ctype, value.location, content)
         self._override(_Part(ctype, part.offset))

@@ -91,7 +91,7 @@ def _folded(
             if value is not None:
                 return tree.Literal(ctype, place, value)
         if op in {"/", "%"} and right.value == 0 and is_integer(right.type):
-            unit.warning(place, "division by zero is undefined")
+            unit.warning(place, "division by zero is undefined", flag="div-by-zero")
     return tree.Binary(ctype, place, op, left, right)
 
 
@@ -101,7 +101,7 @@ def _shift(unit: Unit, op: str, left: Expression, right: Expression, place: Loca
     left, right = promote(left), promote(right)
     if isinstance(right, tree.Literal) and not 0 <= right.value < 8 * left.type.size:
         what = "negative" if right.value < 0 else ">= width of type"
-        unit.warning(right.location, f"shift count is {what}")
+        unit.warning(right.location, f"shift count is {what}", flag="shift-count-overflow")
     return _folded(unit, op, left.type, (left, right), place)
 
 
@@ -142,12 +142,12 @@ def _compare_pointers(unit: Unit, left: Expression, right: Expression, place: Lo
         a, b = unqualified(left.type.target), unqualified(right.type.target)
         if VOID not in (a, b) and not compatible(a, b):
             text = f"comparison of distinct pointer types ('{left.type}' and '{right.type}')"
-            unit.warning(place, text)
+            unit.warning(place, text, flag="distinct-pointer-types")
         return
     if not is_integer(left.type) and not is_integer(right.type):
         raise _invalid(left, right, place)
     text = f"comparison between pointer and integer ('{left.type}' and '{right.type}')"
-    unit.warning(place, text)
+    unit.warning(place, text, flag="pointer-integer-compare")
 
 
 def _pointer_arithmetic(
@@ -432,7 +432,7 @@ def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) ->
             text = f"incompatible operand types ('{left}' and '{right}')"
             raise CheckError(then.location, text)
         text = f"pointer/integer type mismatch in conditional expression ('{left}' and '{right}')"
-        unit.warning(then.location, text)
+        unit.warning(then.location, text, flag="pointer-type-mismatch")
         return left if isinstance(left, PointerType) else right
     return PointerType(_common_target(unit, left, right, then.location))
 
@@ -447,5 +447,5 @@ def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Loc
     if compatible(plain_a, plain_b):
         return qualify(composite(plain_a, plain_b), const, volatile)
     text = f"pointer type mismatch in conditional expression ('{left}' and '{right}')"
-    unit.warning(place, text)
+    unit.warning(place, text, flag="pointer-type-mismatch")
     return qualify(VOID, const, volatile)

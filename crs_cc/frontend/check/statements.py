@@ -331,7 +331,9 @@ def _case_label(unit: Unit, node: Node) -> tree.CaseLabel | None:
         first = _case_value(unit, node.expr.first if is_range else node.expr, opened)
         last = _case_value(unit, node.expr.last, opened) if is_range else first
         if first > last:
-            unit.warning(location, f"empty case range specified: {first} > {last}")
+            unit.warning(
+                location, f"empty case range specified: {first} > {last}", flag="empty-case-range"
+            )
             return None
         _enter_case(opened, first, last, location)
         made = tree.CaseLabel(location, first, last)
@@ -370,14 +372,18 @@ def _return(unit: Unit, node: Node, out: list[Statement]) -> None:
     name = state.symbol.name
     if node.expr is None:
         if not isinstance(state.result, VoidType) and not state.returns_implicit_int:
-            unit.warning(location, f"non-void function '{name}' should return a value")
+            unit.warning(
+                location, f"non-void function '{name}' should return a value", flag="return-type"
+            )
         out.append(_leave(state, location, None))
         return
     value = decay(expression(unit, node.expr))
     warn_returned(unit, value)
     if isinstance(state.result, VoidType):
         if not isinstance(value.type, VoidType):
-            unit.warning(location, f"void function '{name}' should not return a value")
+            unit.warning(
+                location, f"void function '{name}' should not return a value", flag="return-type"
+            )
         out.append(tree.ExpressionStatement(location, convert(value, VOID)))
         out.append(_leave(state, location, None))
         return

@@ -21,7 +21,7 @@ def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location)
             text = (
                 f"comparison of '{ctype}' with a negative constant, which is converted to unsigned"
             )
-            unit.warning(place, text)
+            unit.warning(place, text, flag="sign-compare")
 
 
 def warn_string(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
@@ -29,7 +29,7 @@ def warn_string(unit: Unit, left: Expression, right: Expression, place: Location
     pair = (left, right)
     if any(_is_string(each) for each in pair) and not any(map(is_null_constant, pair)):
         text = "comparison against a string literal compares addresses, not contents"
-        unit.warning(place, text, "use strcmp")
+        unit.warning(place, text, "use strcmp", flag="string-compare")
 
 
 def _is_string(value: Expression) -> bool:
@@ -41,7 +41,9 @@ def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
     if isinstance(operand, tree.ObjectName) and operand.symbol.is_array_parameter:
         name = operand.symbol.name
         text = f"sizeof on array parameter '{name}' is the size of a pointer"
-        unit.warning(place, text, f"declared at {operand.symbol.location}")
+        unit.warning(
+            place, text, f"declared at {operand.symbol.location}", flag="sizeof-array-argument"
+        )
 
 
 def warn_returned(unit: Unit, value: Expression) -> None:
@@ -71,7 +73,10 @@ def _warn_object(unit: Unit, operand: Expression, place: Location) -> None:
                 if symbol.link_name is None:
                     text = f"address of local variable '{symbol.name}' returned"
                     unit.warning(
-                        place, text, "make it static, or let the caller provide the memory"
+                        place,
+                        text,
+                        "make it static, or let the caller provide the memory",
+                        flag="return-local-addr",
                     )
                 return
             case _:

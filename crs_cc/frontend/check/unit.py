@@ -181,7 +181,7 @@ def _old_style(
         passed.append(_passed(symbol.type, promised))
         if promised is not None and not compatible(unqualified(promised), passed[-1]):
             text = f"parameter '{each.name}' has type '{promised}' in the prototype"
-            unit.warning(unit.at(place), text)
+            unit.warning(unit.at(place), text, flag="conflicting-types")
     return symbols, passed
 
 

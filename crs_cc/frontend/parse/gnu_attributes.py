@@ -157,7 +157,9 @@ def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
     elif name not in _IMPLEMENTED and name not in _IGNORED:
         close = difflib.get_close_matches(name, sorted(_IMPLEMENTED | _IGNORED), n=1)
         hint = f"did you mean '{close[0]}'?" if close else ""
-        diagnostics.warning(attribute.location, f"unknown attribute '{name}' is ignored", hint)
+        diagnostics.warning(
+            attribute.location, f"unknown attribute '{name}' is ignored", hint, flag="attributes"
+        )
     return name in _IMPLEMENTED
 
 
@@ -179,12 +181,16 @@ class _Pack:
         label = words.pop(0) if action and words and words[0].isidentifier() else ""
         number = words.pop(0) if words else ""
         if words or (number and number not in {"0", "1", "2", "4", "8", "16"}):
-            diagnostics.warning(pragma.location, "invalid '#pragma pack' is ignored")
+            diagnostics.warning(
+                pragma.location, "invalid '#pragma pack' is ignored", flag="pragmas"
+            )
             return
         if action == "push":
             self._stack.append((label, self.align))
         elif action == "pop" and not self._pop(label):
-            diagnostics.warning(pragma.location, "'#pragma pack(pop)' without a push before it")
+            diagnostics.warning(
+                pragma.location, "'#pragma pack(pop)' without a push before it", flag="pragmas"
+            )
         if number or not action:
             self.align = int(number or 0)
 

@@ -59,7 +59,7 @@ class Omissions:
     def _warn_of_int(self, token: Token) -> None:
         """Warn about a missing `int`, once per file: in old code it is missing everywhere."""
         if not self._warned_of_int:
-            self._diagnostics.warning(token.location, _IMPLICIT_INT)
+            self._diagnostics.warning(token.location, _IMPLICIT_INT, flag="implicit-int")
         self._warned_of_int = True
 
     def declare_unknown_type(self) -> bool:

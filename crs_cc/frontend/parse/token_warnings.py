@@ -47,7 +47,9 @@ class TokenWarnings:
             hint = f"write '{what}=', or put a space between '=' and '{what}'"
             if what == "!":
                 hint = "write '!=', or put a space between '=' and '!'"
-            self._diagnostics.warning(token.location, f"'={what}' means '= {what}' here", hint)
+            self._diagnostics.warning(
+                token.location, f"'={what}' means '= {what}' here", hint, flag="reversed-assignment"
+            )
 
     def _warn_condition(self, token: Token, start: int, value: Node) -> None:
         """Warn about `if (a = b)` and `while (a = 1)`, but not about `if ((a = b))`.
@@ -65,7 +67,7 @@ class TokenWarnings:
         if following is not None and following.type == "RPAREN":
             text = "using the result of an assignment as a condition without parentheses"
             hint = "use '==' to compare, or add parentheses if the assignment is intended"
-            self._diagnostics.warning(token.location, text, hint)
+            self._diagnostics.warning(token.location, text, hint, flag="parentheses")
 
     def selection(self, node: Node) -> None:
         """Check an `if` or `switch`."""
@@ -88,7 +90,7 @@ class TokenWarnings:
         if semicolon is body.coord and before.type == "RPAREN" and _adjacent(before, semicolon):
             text = f"'{keyword}' statement has empty body"
             hint = "remove the ';', or put it on a separate line if it is intended"
-            self._diagnostics.warning(semicolon.location, text, hint)
+            self._diagnostics.warning(semicolon.location, text, hint, flag="empty-body")
 
 
 def _adjacent(left: Token, right: Token) -> bool:

@@ -105,7 +105,9 @@ def _undef(state: State, line: _Line) -> None:
         return
     macro = state.macros.get(name.text)
     if macro is not None and macro.dynamic is not None:
-        state.report.warning(name.place, f"undefining builtin macro '{name.text}'")
+        state.report.warning(
+            name.place, f"undefining builtin macro '{name.text}'", flag="builtin-macro-redefined"
+        )
     state.undefine(name.text)
 
 
@@ -128,7 +130,9 @@ def _only_name(state: State, line: _Line) -> Token | None:
 def _demand_end(state: State, line: _Line, tokens: list[Token]) -> None:
     if tokens:
         state.report.warning(
-            tokens[0].place, f"'{shown(tokens[0].text)}' after '#{line.name}' is ignored"
+            tokens[0].place,
+            f"'{shown(tokens[0].text)}' after '#{line.name}' is ignored",
+            flag="extra-tokens",
         )
 
 
@@ -147,7 +151,9 @@ def _include(state: State, line: _Line) -> None:
             state.report.error(place, found.text, found.hint)
             return
         meant, found = ours
-        state.report.warning(place, f"'{shown(name)}' not found; using '{meant}'")
+        state.report.warning(
+            place, f"'{shown(name)}' not found; using '{meant}'", flag="header-name"
+        )
     state.include(found, place)
 
 
@@ -238,7 +244,9 @@ def _error(state: State, line: _Line) -> None:
 
 
 def _warning(state: State, line: _Line) -> None:
-    state.report.warning(line.place, shown(f"#warning {line.rest.strip()}".rstrip(), 500))
+    state.report.warning(
+        line.place, shown(f"#warning {line.rest.strip()}".rstrip(), 500), flag="cpp"
+    )
 
 
 def _line(state: State, line: _Line) -> None:
@@ -278,7 +286,9 @@ def execute_pragma(state: State, tokens: list[Token]) -> list[Token]:
     elif name in ("push_macro", "pop_macro"):
         _keep_macro(state, tokens)
     elif name in _PRAGMAS_WITH_MEANING:
-        state.report.warning(tokens[0].place, f"'#pragma {name}' is ignored")
+        state.report.warning(
+            tokens[0].place, f"'#pragma {name}' is ignored", flag="unknown-pragmas"
+        )
     return []
 
 
@@ -286,7 +296,9 @@ def _keep_macro(state: State, tokens: list[Token]) -> None:
     """Execute `#pragma push_macro("NAME")` or `pop_macro`."""
     if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
         state.report.warning(
-            tokens[0].place, f"'#pragma {tokens[0].text}' must be followed by a name in quotes"
+            tokens[0].place,
+            f"'#pragma {tokens[0].text}' must be followed by a name in quotes",
+            flag="pragmas",
         )
         return
     name = tokens[2].text.strip('"')

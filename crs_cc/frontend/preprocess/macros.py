@@ -117,7 +117,9 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
     else:
         parameters, variadic, start = None, False, 1
         if len(tokens) > 1 and not tokens[1].spaced:
-            report.warning(tokens[1].place, "missing white space after the macro's name")
+            report.warning(
+                tokens[1].place, "missing white space after the macro's name", flag="missing-space"
+            )
     reader = _BodyReader(tokens[start:], parameters, variadic, report)
     parts = reader.read()
     if parts is None:
@@ -235,7 +237,9 @@ class _BodyReader:
         number = self.numbers.get(token.text)
         if number is None:
             if token.text in (VARIADIC, OPTIONAL):
-                self.report.warning(token.place, f"'{token.text}' is not allowed here")
+                self.report.warning(
+                    token.place, f"'{token.text}' is not allowed here", flag="stray-token"
+                )
             return Part("token", token, pasted=pasted), index + 1
         if index + 1 < end and self.body[index + 1].text in PASTE:
             return Part("raw", token, number, pasted), index + 1

@@ -49,11 +49,11 @@ class Report:
         if self._errors >= MAX_ERRORS:
             self.fatal(place, f"too many errors ({MAX_ERRORS}), stopping now")
 
-    def warning(self, place: Place, text: str, hint: str = "") -> None:
-        """Record a warning, unless there are too many."""
+    def warning(self, place: Place, text: str, hint: str = "", *, flag: str) -> None:
+        """Record a warning, unless there are too many; `flag` is its name."""
         self._warnings += 1
         if self._warnings <= MAX_WARNINGS:
-            self.diagnostics.warning(self.places.location(place), text, hint)
+            self.diagnostics.warning(self.places.location(place), text, hint, flag=flag)
 
     def note(self, place: Place, text: str) -> None:
         """Record a note to the preceding warning, if that was recorded."""

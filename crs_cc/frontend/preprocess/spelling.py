@@ -166,7 +166,11 @@ def _quoted(token: Token, report: Report) -> str:
         character = match[2] or match[3]
         if "\udc80" <= character <= "\udcff":
             return f"\\{ord(character) - 0xDC00:03o}"  # the byte as it is in the file
-        report.warning(token.place, f"unknown escape sequence '\\{shown(character)}'")
+        report.warning(
+            token.place,
+            f"unknown escape sequence '\\{shown(character)}'",
+            flag="unknown-escape-sequence",
+        )
         return character
 
     return _UNKNOWN_ESCAPE.sub(known, text)

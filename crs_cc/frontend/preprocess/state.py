@@ -87,7 +87,9 @@ class State:
         """Define a macro; report a redefinition that differs."""
         known = self.macros.get(macro.name)
         if known is not None and not known.same_as(macro):
-            self.report.warning(macro.place, f"'{macro.name}' macro redefined")
+            self.report.warning(
+                macro.place, f"'{macro.name}' macro redefined", flag="macro-redefined"
+            )
             if known.place:
                 self.report.note(known.place, "previous definition is here")
         self.macros[macro.name] = macro

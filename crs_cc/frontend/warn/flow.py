@@ -31,7 +31,7 @@ def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
     returns = not isinstance(symbol.type.result, VoidType) and not function.returns_implicit_int
     if ends and returns and not is_entry and not symbol.is_noreturn:
         text = f"control can reach the end of non-void function '{symbol.name}'"
-        unit.warning(function.end, text)
+        unit.warning(function.end, text, flag="return-type")
 
 
 @dataclass(slots=True)
@@ -231,7 +231,7 @@ class _Paths:
             self.unassigned.discard(node.symbol)  # warn once
             text = f"variable '{node.symbol.name}' is uninitialized when used here"
             hint = f"declared at {node.symbol.location}"
-            self.unit.warning(node.location, text, hint)
+            self.unit.warning(node.location, text, hint, flag="uninitialized")
 
 
 def _assigned_in_loops(body: list[tree.Statement]) -> dict[Any, Unassigned]:

@@ -62,12 +62,14 @@ def _warn_unused(unit: Unit, value: tree.Expression) -> None:
         return
     if isinstance(value, tree.FunctionName):
         name = value.symbol.name
-        unit.warning(value.location, f"'{name}' is not called here", f"write '{name}()'")
+        unit.warning(
+            value.location, f"'{name}' is not called here", f"write '{name}()'", flag="unused-value"
+        )
     elif isinstance(value, tree.Binary) and value.op in COMPARISONS:
         hint = "write '=' to assign" if value.op == "==" else ""
-        unit.warning(value.location, f"result of '{value.op}' unused", hint)
+        unit.warning(value.location, f"result of '{value.op}' unused", hint, flag="unused-value")
     elif not any(map(_has_effect, walk([value]))) and not _is_macro(unit, value.location):
-        unit.warning(value.location, "expression result unused")
+        unit.warning(value.location, "expression result unused", flag="unused-value")
 
 
 def _has_effect(value: tree.Expression) -> bool:
@@ -86,7 +88,7 @@ def _warn_call(unit: Unit, call: tree.Call) -> None:
         symbol = call.callee.symbol
         if symbol.is_external and symbol.name in _PURE:
             text = f"ignoring return value of '{symbol.name}', which has no side effects"
-            unit.warning(call.location, text)
+            unit.warning(call.location, text, flag="unused-value")
 
 
 def _is_volatile(value: tree.Expression) -> bool:
@@ -120,4 +122,4 @@ def _warn_index(unit: Unit, access: tree.Dereference) -> None:
                 return  # the address of the end is valid
             text = f"array index {number} is outside the bounds of '{array.type}'"
             hint = f"valid indices are 0 to {length - 1}" if length else ""
-            unit.warning(access.location, text, hint)
+            unit.warning(access.location, text, hint, flag="array-bounds")

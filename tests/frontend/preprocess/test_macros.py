@@ -43,7 +43,7 @@ def test_the_same_definition_may_be_repeated(first: str, second: str) -> None:
 def test_redefinition_is_a_warning_and_takes_effect(name: str, first: str, second: str) -> None:
     both = f"#define {first}\n#define {second}\n"
     assert messages(both) == [
-        f"2:9: warning: '{name}' macro redefined",
+        f"2:9: warning: '{name}' macro redefined [-Wmacro-redefined]",
         "1:9: note: previous definition is here",
     ]
     assert run(f"{both}{name}(7)")[0].text == run(f"#define {second}\n{name}(7)")[0].text
