@@ -48,6 +48,7 @@ i64.load8_s i64.load8_u i64.load16_s i64.load16_u i64.load32_s i64.load32_u
 i32.store i64.store f32.store f64.store i32.store8 i32.store16 i64.store8 i64.store16 i64.store32
 """
 _ACCESS: Final = {name: 0x28 + number for number, name in enumerate(_MEMORY_FROM_0X28.split())}
+_VECTOR: Final = {"v128.load": 0, "v128.store": 11}
 _BLOCK: Final = {"block": 0x02, "loop": 0x03, "if": 0x04}
 _INDEX: Final = {
     "br": 0x0C, "br_if": 0x0D, "call": 0x10, "local.get": 0x20, "local.set": 0x21,
@@ -132,6 +133,20 @@ def _encode_rare(instr: Instr) -> bytes:
             return b"\xfc\x0b" + unsigned(memory)
         case ("memory.init", segment, memory):
             return b"\xfc\x08" + unsigned(segment) + unsigned(memory)
+    return _encode_vector(instr)
+
+
+def _encode_vector(instr: Instr) -> bytes:
+    """Encode an instruction on vectors of 128 bits."""
+    match instr:
+        case (name, memory, offset) if name in _VECTOR:
+            return bytes((0xFD, _VECTOR[name], 0x40)) + unsigned(memory) + unsigned(offset)
+        case ("v128.and",):
+            return b"\xfd\x4e"
+        case ("v128.const", value):
+            return b"\xfd\x0c" + int(value).to_bytes(16, "little")
+        case ("i8x16.all_true",):
+            return b"\xfd\x63"
     raise AssertionError(f"no encoding for {instr}")
 
 
@@ -299,6 +314,6 @@ def _instruction_text(instr: Instr) -> str:
             return "br_table " + " ".join(map(str, [*targets, default]))
         case ("call_indirect", type_index, table):
             return f"call_indirect {table} (type {type_index})"
-        case (name, memory, offset) if name in _ACCESS:
+        case (name, memory, offset) if name in _ACCESS or name in _VECTOR:
             return f"{name} {memory}" + (f" offset={offset}" if offset else "")
     return " ".join(map(str, instr))

@@ -33,13 +33,14 @@ from crs_cc.ir.program import (
     Slot,
     Store,
 )
-from crs_cc.requests import slot_offset
+from crs_cc.requests import MESSAGE, slot_offset
 from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     MAILBOX,
     MEMORY,
+    SHADOW,
     SLOT_GLOBAL,
     SP,
     STATES,
@@ -375,9 +376,12 @@ class CheckedMemory(PlainMemory):
             where = self.places.of(it.target, 0)
             self.proved.add(where, int(it.size.value), valued=True)
 
-    def check_message(self, address: Operand, size: Operand, location: Location) -> None:
+    def check_message(self, address: Operand, location: Location) -> None:
         """Check that the message of a request is accessible."""
-        self.check_range(address, size, location, "read")
+        push = self.writer.value(address)
+        lowest = ByteState.WITHOUT_VALUE
+        self.writer.code += inline_ranges.some_clear(SHADOW, push, MESSAGE.itemsize, lowest)
+        self.writer.fail_if(Site("memory", location, "read", MESSAGE.itemsize), [push])
 
     def lifetime(self, it: Lifetime) -> None:
         """Start or end the lifetime of an object in a slot."""

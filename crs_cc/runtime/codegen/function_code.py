@@ -15,7 +15,6 @@ from crs_cc.ir.names import in_library
 from crs_cc.ir.program import (
     Block,
     Branch,
-    ByteState,
     Call,
     Constant,
     Function,
@@ -59,6 +58,7 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
+from crs_cc.runtime.codegen.inline_ranges import Place, copy_between
 from crs_cc.runtime.codegen.inlined_calls import InlinedCalls, all_bodies, inlined_calls
 from crs_cc.runtime.codegen.large_functions import homes_of, move_locals
 from crs_cc.runtime.codegen.passing import arguments_size, pass_arguments
@@ -88,7 +88,6 @@ from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
-MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
 
 
 def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, FunctionInfo]:
@@ -447,24 +446,21 @@ class _FunctionCode:
         selector, writer = self.selector, self.writer
         after = Node()
         landing = self.add_landing(after, request)
-        self.memory.check_message(request.message, MESSAGE_SIZE, request.location)
-        to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
-        node.code += to_slot
-        writer.push(request.message)
-        node.code += [("i32.const", MESSAGE.itemsize), ("memory.copy", MAILBOX, MEMORY)]
-        node.code.append(("global.get", SLOT_GLOBAL))
+        self.memory.check_message(request.message, request.location)
+        slot, size = ("global.get", SLOT_GLOBAL), MESSAGE.itemsize
+        posted = Place(MAILBOX, slot, MESSAGE_OFFSET)
+        node.code += copy_between(posted, Place(MEMORY, writer.value(request.message)), size)
+        node.code.append(slot)
         writer.push(request.code)
         node.code.append(("i32.store", MAILBOX, slot_offset("code")))
         node.code += self.suspend(landing)
         selector.forget()
         writer.code = after.code
         if not self.checked:  # the program may have damaged the register that it saved
-            self.memory.check_message(request.message, MESSAGE_SIZE, request.location)
-        writer.push(request.message)
-        after.code += [*to_slot, ("i32.const", MESSAGE.itemsize)]
-        after.code += [("memory.copy", MEMORY, MAILBOX)]
-        self.memory.set_states(request.message, MESSAGE_SIZE, ByteState.WITH_VALUE)
-        after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
+            self.memory.check_message(request.message, request.location)
+        after.code += copy_between(Place(MEMORY, writer.value(request.message)), posted, size)
+        self.memory.set_message(request.message)
+        after.code += [slot, ("i32.load", MAILBOX, RESULT_OFFSET)]
         writer.pop(request.result)
         after.jump(self.target(request.then))
 

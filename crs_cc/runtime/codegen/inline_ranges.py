@@ -10,10 +10,19 @@ Ranges are taken in words, the last of which may overlap the one before it.
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 from crs_cc.ir.program import Constant, Operand
 from crs_cc.runtime.wasm import Instr
+
+
+class Place(NamedTuple):
+    """An address in a memory: what the instruction `base` pushes, plus `offset`."""
+
+    memory: int
+    base: Instr
+    offset: int = 0
+
 
 MOST_COPIED: Final = 64
 """Larger ranges are copied by `memory.copy` [bytes]."""
@@ -66,3 +75,29 @@ def fill(memory: int, target: Instr, offset: int, size: int, byte: int) -> list[
     for at in offsets:
         code += [target, word, (STORES[step], memory, offset + at)]
     return code
+
+
+def copy_between(to: Place, source: Place, size: int) -> list[Instr]:
+    """Copy a multiple of 16 bytes from one memory to another."""
+    code: list[Instr] = []
+    for at in range(0, size, 16):
+        code += [to.base, source.base, ("v128.load", source.memory, source.offset + at)]
+        code.append(("v128.store", to.memory, to.offset + at))
+    return code
+
+
+def fill_wide(memory: int, target: Instr, size: int, byte: int) -> list[Instr]:
+    """Set a multiple of 16 bytes at `target` to a constant."""
+    word = ("v128.const", int.from_bytes([byte & 0xFF] * 16, "little"))
+    code: list[Instr] = []
+    for at in range(0, size, 16):
+        code += [target, word, ("v128.store", memory, at)]
+    return code
+
+
+def some_clear(memory: int, source: Instr, size: int, mask: int) -> list[Instr]:
+    """Push whether, in some byte of a multiple of 16 at `source`, no bit of the mask is set."""
+    code: list[Instr] = [("v128.const", int.from_bytes([mask] * 16, "little"))]
+    for at in range(0, size, 16):
+        code += [source, ("v128.load", memory, at), ("v128.and",)]
+    return [*code, ("i8x16.all_true",), ("i32.eqz",)]

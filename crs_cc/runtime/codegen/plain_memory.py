@@ -24,6 +24,7 @@ from crs_cc.ir.program import (
     State,
     Store,
 )
+from crs_cc.requests import MESSAGE
 from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
 from crs_cc.runtime.codegen.inline_ranges import short
@@ -132,11 +133,18 @@ class PlainMemory:
     ) -> None:
         """Check that `size` bytes at `address` are accessible."""
 
-    def check_message(self, address: Operand, size: Operand, location: Location) -> None:
+    def check_message(self, address: Operand, location: Location) -> None:
         """Check that the message of a request is in memory."""
         writer = self.writer
-        writer.code += [writer.value(address), writer.value(size), ("call", OUTSIDE)]
+        size = ("i32.const", MESSAGE.itemsize)
+        writer.code += [writer.value(address), size, ("call", OUTSIDE)]
         writer.fail_if(Site("memory", location, "read"), [writer.value(address)])
+
+    def set_message(self, address: Operand) -> None:
+        """Set the states of the message of a request that was answered."""
+        if self.shadowed:
+            push, state = self.writer.value(address), ByteState.WITH_VALUE
+            self.writer.code += inline_ranges.fill_wide(SHADOW, push, MESSAGE.itemsize, state)
 
     def set_states(self, address: Operand, size: Operand, state: int) -> None:
         """Set the states of bytes, if there is a shadow memory."""
