@@ -68,6 +68,13 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     help="Write the results to stdout as JSON; the programs' own stdout then goes to stderr.",
 )
 @click.option(
+    "--threads",
+    type=click.IntRange(1, 64),
+    metavar="N",
+    help="Run programs in up to N threads when they compute enough to be worth it; results are "
+    "the same. Default: the number of processors.",
+)
+@click.option(
     "--summary/--no-summary",
     default=None,
     help="Show the closing summary on stderr. Default: only on a terminal.",

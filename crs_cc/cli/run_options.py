@@ -19,6 +19,7 @@ class RunOptions(ProgramOptions):
         plot_sensors: whether the plot shows the last sensor readings.
         trace: what to show of each timestep: `requests`, the request queue, or `messages`.
         as_json: write the results to stdout as JSON.
+        threads: how many threads may run programs; None for as many as there are processors.
         summary: show the summary; None to decide by whether stderr is a terminal.
     """
 
@@ -27,4 +28,5 @@ class RunOptions(ProgramOptions):
     plot_sensors: bool = False
     trace: str | None = None
     as_json: bool = False
+    threads: int | None = None
     summary: bool | None = None

@@ -106,6 +106,7 @@ class Runner:
             files=loaded.files,
             client=options.client,
             trace=self if self._trace is not None or self._plot is not None else None,
+            threads=options.threads,
         )
 
     def run(self) -> Run:

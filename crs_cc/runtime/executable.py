@@ -49,6 +49,7 @@ def engine() -> wasmtime.Engine:
     config.max_wasm_stack = _host_stack()
     config.cranelift_opt_level = "speed"
     _bindings.wasmtime_config_wasm_branch_hinting_set(config.ptr(), True)
+    config.shared_memory = True
     # Its pool of threads does not exist in a forked child, which would wait for it forever.
     _bindings.wasmtime_config_parallel_compilation_set(config.ptr(), False)
     return wasmtime.Engine(config)
@@ -99,6 +100,11 @@ class Executable:
         if self._module is None:
             self._module = wasmtime.Module.deserialize(engine(), self.machine_code)
         return self._module
+
+    @property
+    def has_marks(self) -> bool:
+        """Whether it is a debug build, which can stop before statements."""
+        return any(export.name == "marks" for export in self.module().exports)
 
     @property
     def program(self) -> Program:

@@ -1,4 +1,4 @@
-"""The fleet: all robots' programs in one store, with one mailbox and one call for a round of all.
+"""The fleet: all robots' programs, in shards, with one mailbox and one call for a round of all.
 
 The owner of a fleet sets `run` and `fuel` in the slots of the robots to be resumed, calls
 `run_round`, and finds in each slot why the program returned: a request to serve, no fuel left,
@@ -16,8 +16,9 @@ exit, or a run-time error.
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import errno
+import functools
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
@@ -29,11 +30,11 @@ from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
 from crs_cc.runtime import resident_pages
-from crs_cc.runtime.driver import HEADER, SLOTS
-from crs_cc.runtime.executable import Driver, Executable, compile_driver, engine
-from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
-from crs_cc.runtime.resident_pages import CHUNK
+from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
+from crs_cc.runtime.executable import Driver, Executable, compile_driver
+from crs_cc.runtime.shard import Mailbox, Sandbox, Shard, Trapped
 from crs_cc.runtime.watch_ranges import WATCHED
+from crs_cc.runtime.workers import available_cores, run_all
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -42,7 +43,11 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 MEMORY_END: Final = 0xFFFFFFFF  # the largest address
-_MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
+PARALLEL_S: Final = 0.0003
+"""Rounds that take more processor time than this on average run in several threads, which costs
+some tens of microseconds."""
+ROBOTS_PER_SHARD: Final = 4
+"""By default, a shard has at least so many."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,24 +69,6 @@ class Snapshot:
     shadow_content: ByteArray
 
 
-@dataclass(frozen=True, slots=True)
-class _Sandbox:
-    """An instance of a program, and its memories.
-
-    Attributes:
-        initial: chunks of its memory that hold initialised objects.
-        begun: the global counting statements begun; None in builds without statements.
-    """
-
-    executable: Executable
-    resume: wasmtime.Func
-    memory: ByteArray
-    shadow: ByteArray
-    marks: ByteArray
-    initial: range
-    begun: wasmtime.Global | None
-
-
 class Fleet:
     """Robots' programs and their slots.
 
@@ -93,33 +80,42 @@ class Fleet:
             only watching builds use them.
     """
 
-    def __init__(self, executables: Sequence[Executable], driver: Driver | None = None) -> None:
+    def __init__(
+        self,
+        executables: Sequence[Executable],
+        driver: Driver | None = None,
+        threads: int | None = None,
+    ) -> None:
         """Create a sandbox for each program.
 
         Args:
             executables: the programs.
             driver: the module that `compile_driver` returns, if it is known.
+            threads: how many threads may run programs at the same time, `MOST_SHARDS` at most;
+                by default as many as there are processors. No result depends on it.
 
         Raises:
             OSError: there is not enough memory or address space.
         """
+        shards = _default_threads(executables) if threads is None else min(threads, MOST_SHARDS)
         with _memory_demanded(len(executables)):
-            self._create(executables, driver or compile_driver())
+            self._create(executables, driver or compile_driver(), shards)
 
-    def _create(self, executables: Sequence[Executable], driver: Driver) -> None:
-        self._store = wasmtime.Store(engine())
-        limits = wasmtime.Limits(_pages(len(executables)), _MOST_PAGES)
-        self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
+    def _create(self, executables: Sequence[Executable], driver: Driver, shards: int) -> None:
+        self._mailbox = Mailbox.of_size(_size(len(executables)))
+        self._shards = [Shard(self._mailbox, number, driver) for number in range(shards)]
         self.marks: list[ByteArray] = []
         self.watched: list[Records] = []
-        self._sandboxes: list[_Sandbox] = []
-        self._builds: list[list[_Sandbox]] = []  # of each program, all builds used
+        self._sandboxes: list[Sandbox] = []
+        self._builds: list[list[Sandbox]] = []  # of each program, all builds used
         self._fresh: list[Snapshot | None] = []  # of added programs
-        self._made = 0
-        self._start_driver(driver)
+        self._round_s = 0.0
         for executable in executables:
             self._instantiate(executable)
         self._resize_slots(0, len(executables))
+
+    def _shard(self, robot: int) -> Shard:
+        return self._shards[robot % len(self._shards)]
 
     def __len__(self) -> int:
         return len(self.slots)
@@ -151,26 +147,14 @@ class Fleet:
 
     def _resize_slots(self, first: int, count: int) -> None:
         """Set `slots` for `count` programs, initialised from number `first` on."""
-        more = _pages(count) - self._mailbox.size(self._store)
-        if more > 0:
-            self._mailbox.grow(self._store, more)
-        mailbox = _view(self._store, self._mailbox)
-        self._header = mailbox[: HEADER.itemsize].view(HEADER)
-        self._header["count"] = count
+        self._mailbox.resize(_size(count))
+        mailbox = self._mailbox.view()
         self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
         self.slots[first:] = np.zeros((), SLOT)
 
-    def _start_driver(self, driver: Driver) -> None:
-        self._raise_instance_limit()
-        exports = wasmtime.Instance(self._store, driver, [self._mailbox]).exports(self._store)
-        round_, table = exports["round"], exports["robots"]
-        assert isinstance(round_, wasmtime.Func)
-        assert isinstance(table, wasmtime.Table)
-        self._round, self._table = round_, table
-
     def _instantiate(self, executable: Executable) -> None:
         """Append a new program."""
-        sandbox = self._sandbox(executable)
+        sandbox = self._shard(len(self._sandboxes)).sandbox(executable)
         self.marks.append(_NO_MARKS)
         self.watched.append(_NO_MARKS.view(WATCHED))
         self._sandboxes.append(sandbox)
@@ -178,32 +162,13 @@ class Fleet:
         self._fresh.append(None)
         self._assign(len(self._sandboxes) - 1, sandbox)
 
-    def _assign(self, robot: int, sandbox: _Sandbox) -> None:
+    def _assign(self, robot: int, sandbox: Sandbox) -> None:
         """Assign a sandbox to a robot."""
-        size = self._table.size(self._store)
-        if robot >= size:
-            self._table.grow(self._store, max(robot + 1 - size, size), None)
-        self._table.set(self._store, robot, sandbox.resume)
+        self._shard(robot).assign(robot, sandbox)
         self._sandboxes[robot] = sandbox
         if len(sandbox.marks):
             self.marks[robot] = sandbox.marks[WATCHED.itemsize :]
             self.watched[robot] = sandbox.marks[: WATCHED.itemsize].view(WATCHED)
-
-    def _sandbox(self, executable: Executable) -> _Sandbox:
-        self._raise_instance_limit()
-        instance = wasmtime.Instance(self._store, executable.module(), [self._mailbox])
-        own = instance.exports(self._store)
-        resume, heap = own["resume"], own["heap"]
-        assert isinstance(resume, wasmtime.Func)
-        assert isinstance(heap, wasmtime.Global)
-        memory = _view(self._store, own["memory"])
-        shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
-        marks = _view(self._store, own["marks"]) if "marks" in own else _NO_MARKS
-        begun = own.get("begun", None)
-        assert begun is None or isinstance(begun, wasmtime.Global)
-        end = -(-int(heap.value(self._store)) // CHUNK)
-        initial = range(STACK_TOP // CHUNK, end)
-        return _Sandbox(executable, resume, memory, shadow[:MEMORY_BYTES], marks, initial, begun)
 
     def exchange(self, robot: int, executable: Executable) -> None:
         """Move a robot's program, in its current state, to another build with the same frames.
@@ -225,18 +190,12 @@ class Fleet:
         new = next((each for each in builds if each.executable is executable), None)
         if new is None:
             with _memory_demanded(1):
-                new = self._sandbox(executable)
+                new = self._shard(robot).sandbox(executable)
             builds.append(new)
         state, marks = self.snapshot(robot), self.marks[robot]
         self._assign(robot, new)
         self.restore(robot, state)
         self.marks[robot][:] = marks
-
-    def _raise_instance_limit(self) -> None:
-        """Raise the store's limit of instances by one: removed programs stay in it."""
-        self._made += 1
-        made = self._made
-        self._store.set_limits(instances=made, memories=3 * made + 1, tables=made)
 
     def executable(self, robot: int) -> Executable:
         """Return a robot's program."""
@@ -264,18 +223,52 @@ class Fleet:
         Return the first one that stops before a marked statement, which ends the round: those after
         it have not run. None if all have.
         """
-        self._header["current"] = 0
-        while True:
-            try:
-                self._round(self._store)
-            except (wasmtime.Trap, wasmtime.WasmtimeError) as trap:
-                robot = int(self._header["current"][0])
-                self._trapped(robot, trap)
-                self._header["current"] = robot + 1
-                continue
-            robot = int(self._header["current"][0])
-            is_one = robot < len(self) and bool(self.slots["stopped"][robot])
-            return robot if is_one else None
+        if len(self._shards) == 1:
+            return self._run_in_order(range(len(self)))
+        if any(map(len, self.marks)):
+            return self._run_by_robot()
+        self._run_shards()
+        return None
+
+    def _run_by_robot(self) -> int | None:
+        """Run programs that may stop: in their order, since those after the first must not run."""
+        for robot in np.flatnonzero(self.slots["run"]).tolist():
+            if self._run_in_order(range(robot, robot + 1)) is not None:
+                return int(robot)
+        return None
+
+    def _run_in_order(self, robots: range) -> int | None:
+        """Run robots of one shard; return the first that stops before a marked statement."""
+        shard = self._shard(robots.start)
+        self._record_traps(shard.run(robots))
+        robot = shard.current
+        return robot if robot in robots and bool(self.slots["stopped"][robot]) else None
+
+    def _run_shards(self) -> None:
+        """Run the programs of all shards, in several threads if they take long enough."""
+        count = len(self._shards)
+        trapped: list[Trapped] = []
+        times_s: list[float] = []
+
+        def run(number: int) -> None:
+            start = time.thread_time()
+            robots = range(number, len(self), count)
+            trapped.extend(self._shards[number].run(robots))
+            times_s.append(time.thread_time() - start)
+
+        wanted = self.slots["run"]
+        parts = [part for part in range(count) if wanted[part::count].any()]
+        if len(parts) > 1 and self._round_s > PARALLEL_S:
+            run_all([functools.partial(run, part) for part in parts])
+        else:
+            for part in parts:
+                run(part)
+        self._round_s += (sum(times_s) - self._round_s) / 8
+        self._record_traps(trapped)
+
+    def _record_traps(self, trapped: Sequence[Trapped]) -> None:
+        for robot, trap in trapped:
+            self._trapped(robot, trap)
 
     def _trapped(self, robot: int, trap: Exception) -> None:
         """Record a trap as the robot's failure, so that the others continue."""
@@ -284,7 +277,7 @@ class Fleet:
         slot["fuel"] = min(int(slot["fuel"]), 0)
         begun = self._sandboxes[robot].begun
         if begun is not None:
-            slot["statements"] = begun.value(self._store)
+            slot["statements"] = begun.value(self._shard(robot).store)
         outside = wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
         if isinstance(trap, wasmtime.Trap) and trap.trap_code is outside:
             if not len(self.shadow(robot)):
@@ -394,23 +387,23 @@ def _memory_demanded(programs: int) -> Iterator[None]:
         raise OSError(errno.ENOMEM, text) from error
 
 
-def _pages(programs: int) -> int:
-    """Return the size of the mailbox for a number of programs [pages]."""
-    return -(-(SLOTS + programs * SLOT.itemsize) // PAGE)
+def _size(programs: int) -> int:
+    """Return the size of the mailbox for a number of programs [bytes]."""
+    return SLOTS + programs * SLOT.itemsize
+
+
+def _default_threads(executables: Sequence[Executable]) -> int:
+    """Return how many shards are worth while; programs with marks run one by one."""
+    most = min(available_cores(), MOST_SHARDS, len(executables) // ROBOTS_PER_SHARD)
+    if most <= 1 or any(
+        each.has_marks for each in {id(each): each for each in executables}.values()
+    ):
+        return 1
+    return most
 
 
 _BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by one
-_NO_SHADOW: Final = np.zeros(0, np.uint8)
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 _WISHES: Final = ("stop_before_all", "stop_from")
 """Fields that control where a program stops, which are not part of its state."""
-
-
-def _view(store: wasmtime.Store, memory: object) -> ByteArray:
-    """Return a memory as an array that keeps the store alive; our memories never move."""
-    assert isinstance(memory, wasmtime.Memory)
-    address = ctypes.addressof(memory.data_ptr(store).contents)
-    buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)
-    buffer.store = store  # type: ignore[attr-defined]
-    return np.frombuffer(memoryview(buffer), np.uint8)

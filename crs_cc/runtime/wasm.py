@@ -189,7 +189,8 @@ class Module:
     """A module that may import memories and define more, numbered after the imported ones.
 
     Attributes:
-        memory_imports: (module, name) of each imported memory, of one page or more.
+        memory_imports: (module, name) of each imported memory, of one page or more, shared by
+            threads.
         memories: sizes of the module's own memories, in pages.
         tables: sizes of its tables of functions; 0 for one that the host grows.
         globals: (type, initial value) of its mutable globals.
@@ -225,7 +226,7 @@ class Module:
         code = [each.to_binary() for each in self.functions]
         sections = [
             (1, [_func_type(each) for each in types]),
-            (2, [_name(m) + _name(n) + b"\x02\x00\x01" for m, n in self.memory_imports]),
+            (2, [_name(m) + _name(n) + _SHARED for m, n in self.memory_imports]),
             (3, [unsigned(types.index(code.type)) for code in self.functions]),
             (4, [b"\x70" + (_limits(size) if size else b"\0\0") for size in self.tables]),
             (5, [_limits(size) for size in self.memories]),
@@ -246,6 +247,10 @@ class Module:
     def to_text(self) -> str:
         """Return the functions in the text format."""
         return "\n".join(_function_text(code) for code in self.functions)
+
+
+_SHARED: Final = b"\x02\x03" + unsigned(1) + unsigned(2**16)
+"""The type of an imported memory that threads share, of any size."""
 
 
 def _limits(size: int) -> bytes:

@@ -84,6 +84,7 @@ class Session:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
         trace: Listener | None = None,
+        threads: int | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.
 
@@ -98,6 +99,7 @@ class Session:
             files: the initial contents of every program's disk, by file name.
             client: which of the vendor's client libraries to emulate.
             trace: is notified of every timestep.
+            threads: how many threads may run programs, see `Fleet`; results do not depend on it.
 
         Raises:
             ValueError: there is not one program for each robot.
@@ -112,7 +114,7 @@ class Session:
         ]
         seed = world.seed or 0 if seed is None else seed
         self._host = Host(rows, output, read, files, client)
-        self.state = SessionState(world, executables, seed, self._host)
+        self.state = SessionState(world, executables, seed, self._host, threads)
         self.environment = self.state.environment
         self.fleet = self.state.fleet
         self._trace = trace

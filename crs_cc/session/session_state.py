@@ -80,6 +80,7 @@ class SessionState:
         executables: Sequence[Executable],
         seed: int,
         host: Host,
+        threads: int | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.
 
@@ -88,9 +89,10 @@ class SessionState:
             executables: one program for each robot.
             seed: the random seed.
             host: the robots' host computers.
+            threads: how many threads may run programs, see `Fleet`.
         """
         self.environment = Environment(world, seed)
-        self.fleet = Fleet(executables, build_driver())
+        self.fleet = Fleet(executables, build_driver(), threads)
         self.host = host
         count = len(executables)
         self._added: list[Added] = []

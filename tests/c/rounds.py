@@ -13,10 +13,10 @@ import numpy as np
 import wasmtime
 
 from crs_cc.requests import FAILED, slot_offset
-from crs_cc.runtime import fleet as fleets
-from crs_cc.runtime.driver import SLOTS
+from crs_cc.runtime.driver import CURRENT, SLOTS
 from crs_cc.runtime.executable import engine
 from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.shard import view
 
 STATE: Final = np.dtype(
     [
@@ -49,7 +49,7 @@ def _state(field: str) -> str:
 
 _LOOP: Final = f"""
 (module
-  (import "fleet" "mailbox" (memory $slot 1 65536))
+  (import "fleet" "mailbox" (memory $slot 1 65536 shared))
   (import "fleet" "round" (func $round))
   (memory $state (export "state") 1)
   (func (export "rounds") (local $used i64)
@@ -63,6 +63,7 @@ _LOOP: Final = f"""
           (i64.load {_state("statements")} (i32.const 0))))))
       (i64.store {_state("rounds")} (i32.const 0)
         (i64.add (i64.load {_state("rounds")} (i32.const 0)) (i64.const 1)))
+      (i32.store $slot offset={CURRENT} (i32.const 0) (i32.const 0))
       (call $round)
       (if (i32.load $slot {_at("code")} (i32.const 0)) (then (return)))
       (if (i32.eq (i32.load $slot {_at("status")} (i32.const 0)) (i32.const {FAILED}))
@@ -85,16 +86,17 @@ class Rounds:
 
     def __init__(self, fleet: Fleet) -> None:
         """Make each call of the fleet's `run_round` run rounds until there is something to do."""
-        fleet._raise_instance_limit()
-        store = fleet._store
-        parts = [fleet._mailbox, fleet._round]
+        (shard,) = fleet._shards
+        shard.raise_instance_limit()
+        store = shard.store
+        parts = [shard.mailbox, shard.round]
         instance = wasmtime.Instance(store, _module(), parts)
         exports = instance.exports(store)
         self._fleet = fleet
-        self._state = fleets._view(store, exports["state"])[: STATE.itemsize].view(STATE)
+        self._state = view(store, exports["state"])[: STATE.itemsize].view(STATE)
         rounds = exports["rounds"]
         assert isinstance(rounds, wasmtime.Func)
-        fleet._round = rounds
+        shard.round = rounds
 
     def run(self, fuel: int, statements: int, most_fuel: int, most_rounds: int) -> tuple[int, int]:
         """Run rounds until the program posts a request or fails, or has used up so much.

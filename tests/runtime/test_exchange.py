@@ -116,7 +116,7 @@ def test_changing_back_and_forth_creates_no_more_sandboxes(builds: list[Executab
     fleet = Fleet(builds[:1])
     for turn in range(10):
         fleet.exchange(0, builds[turn % 2])
-    assert fleet._made == 3  # the driver, and one of each build
+    assert fleet._shards[0].instances == 3  # the driver, and one of each build
 
 
 def test_breakpoints_are_kept_when_builds_change(builds: list[Executable]) -> None:
@@ -146,11 +146,11 @@ def test_programs_can_be_added_and_removed_after_an_exchange(builds: list[Execut
     fresh = fleet.snapshot(1)
     fleet.exchange(0, builds[1])
     fleet.exchange(1, builds[1])
-    made = fleet._made
+    made = fleet._shards[0].instances
     fleet.truncate(1)
     assert fleet.add(builds[0]) == 1
     assert fleet.executable(1) is builds[0]
-    assert fleet._made == made
+    assert fleet._shards[0].instances == made
     again = fleet.snapshot(1)
     assert np.array_equal(again.content, fresh.content)
     fleet.slots["run"], fleet.slots["fuel"] = 1, 10**6

@@ -5,11 +5,13 @@ from __future__ import annotations
 import gc
 
 import numpy as np
+import pytest
 
 from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     Address,
     Block,
+    ByteState,
     Constant,
     Function,
     Jump,
@@ -17,10 +19,11 @@ from crs_cc.ir.program import (
     Move,
     Program,
     Register,
+    Request,
     Slot,
     Store,
 )
-from crs_cc.requests import CODES, ERROR_KINDS, FAILED, SLOT, SUSPENDED
+from crs_cc.requests import CODES, ERROR_KINDS, FAILED, MESSAGE, SLOT, SUSPENDED
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.layout import MEMORY_BYTES
@@ -43,6 +46,23 @@ def wild_program(address: int, *, checked: bool) -> Executable:
     return make_executable(Program({start.name: start}), "wild.c", checked=checked)
 
 
+def posting_program(size: int) -> Executable:
+    """Return a program that posts an object of a size as a message, and then loops for ever."""
+    message = Slot("message", size, 8)
+    at, result = Register(0, "i32"), Register(1, "i32")
+    entry, loop = Block("entry"), Block("loop")
+    entry.instructions = [
+        Store(HERE, message, 0, Constant("i32", 77), "i32"),
+        Address(HERE, at, message, 0),
+    ]
+    entry.terminator = Request(HERE, Constant("i32", CODES["VM"]), at, result, loop)
+    loop.terminator = Jump(HERE, loop)
+    start = Function(
+        "__crs_start", HERE, "i32", registers=[at, result], slots=[message], blocks=[entry, loop]
+    )
+    return make_executable(Program({start.name: start}), "post.c")
+
+
 def run(fleet: Fleet, fuel: int = 1000) -> None:
     fleet.slots["run"] = 1
     fleet.slots["fuel"] = fuel
@@ -55,6 +75,50 @@ def test_only_robots_marked_to_run_are_resumed() -> None:
     fleet.slots["run"][[1, 4]] = 1
     assert fleet.run_round() is None
     assert fleet.slots["code"].tolist() == [0, CODES["EXIT"], 0, 0, CODES["EXIT"]]
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_any_choice_of_robots_is_resumed_once(threads: int) -> None:
+    fleet = Fleet([wild_program(MEMORY_BYTES - 4, checked=False)] * 75, threads=threads)
+    random = np.random.default_rng(1)
+    for share in (0.0, 0.1, 0.5, 1.0):
+        wanted = random.random(75) < share
+        fleet.slots["run"] = wanted
+        fleet.slots["fuel"] = 100
+        fleet.run_round()
+        assert ((fleet.slots["fuel"] < 0) == wanted).all()
+        assert not fleet.slots["run"].any()
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_traps_stop_their_robots_alone_in_any_number_of_threads(threads: int) -> None:
+    good, bad = counting_program(), wild_program(MEMORY_BYTES, checked=False)
+    fleet = Fleet([bad, good, bad, bad, good, good, good, bad], threads=threads)
+    run(fleet)
+    failed = np.array([1, 0, 1, 1, 0, 0, 0, 1], bool)
+    assert ((fleet.slots["status"] == FAILED) == failed).all()
+    assert (fleet.slots["code"][~failed] == CODES["EXIT"]).all()
+
+
+@pytest.mark.parametrize("missing", [1, 16, 100])
+def test_a_message_must_be_accessible_to_its_last_byte(missing: int) -> None:
+    program = posting_program(MESSAGE.itemsize - missing)
+    fleet = Fleet([program])
+    run(fleet)
+    assert fleet.slots["status"][0] == FAILED
+    assert fleet.failure(0).kind == "out of bounds"
+
+
+def test_a_message_crosses_the_door_whole_and_back() -> None:
+    fleet = Fleet([posting_program(MESSAGE.itemsize)])
+    run(fleet)
+    assert fleet.slots["message"]["i"][0, 0] == 77
+    reply = np.arange(1, MESSAGE.itemsize + 1).astype(np.uint8)
+    fleet.reply(np.array([0]), reply.view(MESSAGE))
+    run(fleet)
+    memory, shadow = fleet.memory(0).tobytes(), fleet.shadow(0)
+    at = memory.index(reply.tobytes())
+    assert (shadow[at : at + MESSAGE.itemsize] == ByteState.WITH_VALUE).all()
 
 
 def test_an_endless_loop_is_suspended_when_out_of_fuel() -> None:

@@ -26,12 +26,15 @@ from pathlib import Path
 import crs_cc
 
 WORLD = b'''<world version="1"><area length="3m" width="3m"/>
-<robot setup="noisy" x="1m" y="1m"/></world>'''
+<robot setup="noisy" x="1m" y="1m"/><robot x="2m" y="2m"/></world>'''
 
 def run(cache):
+    from crs_cc.runtime import fleet
     from crs_cc.sim.files.world_xml import parse_world
     os.environ["CRS_CACHE"] = cache  # empty: everything is compiled
-    session = crs_cc.Session(parse_world(WORLD, "room"), [crs_cc.compile_c("drive.c")], seed=3)
+    fleet.PARALLEL_S = -1.0  # threads for every round
+    programs = [crs_cc.compile_c("drive.c")] * 2
+    session = crs_cc.Session(parse_world(WORLD, "room"), programs, seed=3, threads=2)
     while session.step():
         pass
     return session.state_hash()
@@ -45,7 +48,10 @@ if __name__ == "__main__":
 
 @pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
 def test_a_child_compiles_and_runs_after_its_parent_did(method: str, tmp_path: Path) -> None:
-    """A forked child waited forever for threads of the compiler that it did not have."""
+    """A forked child waited forever for threads of the compiler that it did not have.
+
+    Threads that run programs are not inherited, either: a child starts its own.
+    """
     (tmp_path / "drive.c").write_text(PROGRAM)
     (tmp_path / "runs.py").write_text(RUNS)
     done = subprocess.run(

@@ -3,7 +3,8 @@
 The module imports the mailbox, the memory in which the slots of all robots lie, and nothing else.
 It exports its own memory, and `resume(slot) -> status`, which starts or resumes the program:
 its argument is the address of the robot's slot; the fuel is read from the slot and what remains
-is written back. The global `heap` is the end of the program's own objects.
+is written back. `prefetch(slot) -> number` loads the memory that this touches first, see `driver`.
+The global `heap` is the end of the program's own objects.
 """
 
 from __future__ import annotations
@@ -44,6 +45,9 @@ from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
 from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Instr, Module
 
 _TWO_I32: Final[FuncType] = (("i32", "i32"), ("i32",))
+
+_STACK_LINES: Final = 4
+"""Cache lines at the top of the stack that are prefetched; more bring nothing."""
 
 SMALL: Final = 1024
 """The states of smaller objects are initialised by a data segment, those of larger ones by code."""
@@ -125,9 +129,11 @@ def compile_program(
     if watching:
         count = len(names.statements)
         module.functions.append(watch(SHADOW + checked, count, checked=checked))
+    module.functions.append(_prefetch(checked=checked))
     module.exports = [
         ("memory", "memory", MEMORY),
         ("resume", "func", own_and_program),
+        ("prefetch", "func", len(module.functions) - 1),
         ("heap", "global", len(module.globals) - 1),
     ]
     module.data = [
@@ -243,3 +249,12 @@ def _resume(root: int, statements: int, begin: list[Instr]) -> Code:
         ("local.get", 2),
     ]  # fmt: skip
     return Code("resume", TYPE_I32_I32, ["i64", "i32"], body)
+
+
+def _prefetch(*, checked: bool) -> Code:
+    """`prefetch(slot) -> number`: load the top of the stack and the first object."""
+    body: list[Instr] = [("i32.const", 0)]
+    for memory in (MEMORY, SHADOW) if checked else (MEMORY,):
+        for line in range(-_STACK_LINES, 2):
+            body += [("i32.const", STACK_TOP + 64 * line), ("i32.load", memory, 0), ("i32.or",)]
+    return Code("prefetch", TYPE_I32_I32, [], body)

@@ -1,0 +1,201 @@
+"""A part of a fleet: the sandboxes of some of its programs, in one store.
+
+A wasmtime store belongs to one thread at a time, so each shard has its own. What they share is the
+mailbox, in which no two programs have a cache line in common.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+import numpy as np
+import wasmtime
+from wasmtime import _ffi
+
+from crs_cc.core.arrays import ByteArray, Records
+from crs_cc.runtime.driver import HEADER, MOST_SHARDS
+from crs_cc.runtime.executable import Driver, Executable, engine
+from crs_cc.runtime.layout import MEMORY_BYTES, PAGE, STACK_TOP
+from crs_cc.runtime.resident_pages import CHUNK
+
+if TYPE_CHECKING:
+    from typing import Self
+
+Trapped: TypeAlias = tuple[int, Exception]
+"""A robot whose program trapped, and the trap."""
+
+_MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
+_NONE: Final = np.zeros(0, np.uint8)
+
+
+class Mailbox(wasmtime.SharedMemory):
+    """The memory of the slots of a fleet, which all its shards import."""
+
+    @classmethod
+    def of_size(cls, size: int) -> Self:
+        """Create a mailbox [bytes]."""
+        limits = wasmtime.Limits(-(-size // PAGE), _MOST_PAGES)
+        return cls(engine(), wasmtime.MemoryType(limits, shared=True))
+
+    def resize(self, size: int) -> None:
+        """Make it at least this size [bytes]; it does not move."""
+        more = -(-(size - self.data_len()) // PAGE)
+        if more > 0:
+            self.grow(more)
+
+    def view(self) -> ByteArray:
+        """Return it as an array."""
+        return _array(self.data_ptr(), self.data_len(), self)
+
+    def headers(self) -> Records:
+        """Return the headers of the shards, of dtype `HEADER`."""
+        return self.view()[: MOST_SHARDS * HEADER.itemsize].view(HEADER)
+
+    def _as_extern(self) -> Any:
+        # That of wasmtime 50 passes a pointer to the pointer.
+        union = _ffi.wasmtime_extern_union(sharedmemory=self.ptr())
+        kind = _ffi.WASMTIME_EXTERN_SHAREDMEMORY
+        return _ffi.wasmtime_extern_t(kind, union)
+
+
+@dataclass(frozen=True, slots=True)
+class Sandbox:
+    """An instance of a program, and its memories.
+
+    Attributes:
+        executable: the program.
+        resume, prefetch: its functions for the driver.
+        memory, shadow: live views of them; the shadow is empty in unchecked builds.
+        marks: that of breakpoints; empty in builds without.
+        initial: chunks of its memory that hold initialised objects.
+        begun: the global counting statements begun; None in builds without statements.
+    """
+
+    executable: Executable
+    resume: wasmtime.Func
+    prefetch: wasmtime.Func
+    memory: ByteArray
+    shadow: ByteArray
+    marks: ByteArray
+    initial: range
+    begun: wasmtime.Global | None
+
+
+class Shard:
+    """A store, with the driver that runs the sandboxes in it.
+
+    Attributes:
+        store: the store.
+        mailbox: the mailbox.
+        round: the driver's function.
+        instances: number of instances made, the driver included.
+    """
+
+    def __init__(self, mailbox: Mailbox, number: int, driver: Driver) -> None:
+        """Create a shard without programs.
+
+        Args:
+            mailbox: the fleet's.
+            number: that of the shard, from 0.
+            driver: the module that runs a round.
+        """
+        self.store = wasmtime.Store(engine())
+        self.mailbox = mailbox
+        self.instances = 0
+        self._header = mailbox.headers()[number : number + 1]
+        self.raise_instance_limit()
+        exports = wasmtime.Instance(self.store, driver, [mailbox]).exports(self.store)
+        round_, header = exports["round"], exports["header"]
+        robots, prefetches = exports["robots"], exports["prefetches"]
+        assert isinstance(round_, wasmtime.Func)
+        assert isinstance(header, wasmtime.Global)
+        assert isinstance(robots, wasmtime.Table)
+        assert isinstance(prefetches, wasmtime.Table)
+        header.set_value(self.store, wasmtime.Val.i32(number * HEADER.itemsize))
+        self.round = round_
+        self._tables = robots, prefetches
+
+    def raise_instance_limit(self) -> None:
+        """Raise the store's limit of instances by one: removed programs stay in it."""
+        self.instances += 1
+        made = self.instances
+        self.store.set_limits(instances=made, memories=3 * made + 1, tables=made + 1)
+
+    def sandbox(self, executable: Executable) -> Sandbox:
+        """Create a sandbox."""
+        self.raise_instance_limit()
+        instance = wasmtime.Instance(self.store, executable.module(), [self.mailbox])
+        own = instance.exports(self.store)
+        resume, prefetch, heap = own["resume"], own["prefetch"], own["heap"]
+        assert isinstance(resume, wasmtime.Func)
+        assert isinstance(prefetch, wasmtime.Func)
+        assert isinstance(heap, wasmtime.Global)
+        memory = view(self.store, own["memory"])
+        shadow = view(self.store, own["shadow"]) if "shadow" in own else _NONE
+        marks = view(self.store, own["marks"]) if "marks" in own else _NONE
+        begun = own.get("begun", None)
+        assert begun is None or isinstance(begun, wasmtime.Global)
+        end = -(-int(heap.value(self.store)) // CHUNK)
+        initial = range(STACK_TOP // CHUNK, end)
+        shadow = shadow[:MEMORY_BYTES]
+        return Sandbox(executable, resume, prefetch, memory, shadow, marks, initial, begun)
+
+    def assign(self, robot: int, sandbox: Sandbox) -> None:
+        """Make the driver run a robot's program in a sandbox of this shard."""
+        functions = sandbox.resume, sandbox.prefetch
+        for table, function in zip(self._tables, functions, strict=True):
+            size = table.size(self.store)
+            if robot >= size:
+                table.grow(self.store, max(robot + 1 - size, size), None)
+            table.set(self.store, robot, function)
+
+    def run(self, robots: range) -> list[Trapped]:
+        """Resume those robots that are to run, up to the first that stops before a mark.
+
+        Return those that trapped: they have not ended their turn as others do.
+        """
+        header = self._header
+        header["current"], header["end"], header["stride"] = robots.start, robots.stop, robots.step
+        trapped: list[Trapped] = []
+        while (trap := self._call()) is not None:
+            trapped.append((self.current, trap))
+            header["current"] = self.current + robots.step
+            if self.current >= robots.stop:
+                break
+        return trapped
+
+    @property
+    def current(self) -> int:
+        """The robot that stopped, or a number beyond if none did."""
+        return int(self._header["current"][0])
+
+    def _call(self) -> Exception | None:
+        """Call the driver, without the conversions that cost wasmtime's `Func` ten times as much.
+
+        Return the trap, if any.
+        """
+        trap = ctypes.POINTER(_ffi.wasm_trap_t)()
+        error = _ffi.wasmtime_func_call_unchecked(
+            self.store._context(),
+            ctypes.byref(self.round._func),
+            None,
+            0,
+            ctypes.byref(trap),
+        )
+        if error:  # type: ignore[truthy-bool]
+            return wasmtime.WasmtimeError._from_ptr(error)
+        return wasmtime.Trap._from_ptr(trap) if trap else None  # type: ignore[truthy-bool]
+
+
+def view(store: wasmtime.Store, memory: object) -> ByteArray:
+    """Return a memory as an array that keeps the store alive; our memories never move."""
+    assert isinstance(memory, wasmtime.Memory)
+    return _array(memory.data_ptr(store), memory.data_len(store), store)
+
+
+def _array(start: Any, size: int, owner: object) -> ByteArray:
+    buffer = (ctypes.c_uint8 * size).from_address(ctypes.addressof(start.contents))
+    buffer.owner = owner  # type: ignore[attr-defined]
+    return np.frombuffer(memoryview(buffer), np.uint8)

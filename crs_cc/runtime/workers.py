@@ -1,0 +1,105 @@
+"""Threads that run the shards of fleets.
+
+They belong to the process, not to a fleet, and are started when they are first needed. A forked
+child does not have its parent's threads, and starts its own.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import threading
+from collections.abc import Callable, Sequence
+from queue import SimpleQueue
+from typing import TYPE_CHECKING, Final, TypeAlias
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
+
+Task: TypeAlias = Callable[[], None]
+
+_STACK_BYTES: Final = 8 * 2**20
+"""More than `executable.MAX_WASM_STACK`, for which a limited or unlimited `ulimit -s` may give a
+thread too little."""
+
+
+def available_cores() -> int:
+    """Return the number of processors that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def run_all(tasks: Sequence[Task]) -> None:
+    """Run tasks at the same time, the last in this thread; return when all have ended.
+
+    If Ctrl-C is pressed meanwhile, `KeyboardInterrupt` is raised only then.
+    """
+    futures = _threads(os.getpid()).submit(tasks[:-1])
+    try:
+        tasks[-1]()
+    finally:
+        _wait(futures)
+
+
+def _wait(futures: Sequence[Future[None]]) -> None:
+    interrupt: KeyboardInterrupt | None = None
+    for future in futures:
+        while not future.done():
+            try:
+                future.exception()
+            except KeyboardInterrupt as caught:
+                interrupt = caught
+    if interrupt is not None:
+        raise interrupt
+    for future in futures:
+        future.result()
+
+
+class _Threads:
+    def __init__(self) -> None:
+        self._queue: SimpleQueue[tuple[Task, Future[None]]] = SimpleQueue()
+        self._count = 0
+        self._lock = threading.Lock()
+
+    def submit(self, tasks: Sequence[Task]) -> list[Future[None]]:
+        """Run tasks in as many threads."""
+        from concurrent.futures import Future  # slow to import
+
+        self._provide(len(tasks))
+        futures: list[Future[None]] = [Future() for _ in tasks]
+        for pair in zip(tasks, futures, strict=True):
+            self._queue.put(pair)
+        return futures
+
+    def _provide(self, count: int) -> None:
+        """Start threads until there are `count`."""
+        with self._lock:
+            if self._count >= count:
+                return
+            before = threading.stack_size(_STACK_BYTES)
+            try:
+                while self._count < count:
+                    threading.Thread(target=self._work, name="crs-fleet", daemon=True).start()
+                    self._count += 1
+            finally:
+                threading.stack_size(before)
+
+    def _work(self) -> None:
+        while True:
+            _complete(*self._queue.get())
+
+
+def _complete(task: Task, future: Future[None]) -> None:
+    try:
+        task()
+    except BaseException as error:  # it is raised where the task is waited for
+        future.set_exception(error)
+    else:
+        future.set_result(None)
+
+
+@functools.cache
+def _threads(_process: int) -> _Threads:
+    """Return the threads of this process; a forked child has none of its parent's."""
+    return _Threads()
