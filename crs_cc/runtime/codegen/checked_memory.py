@@ -377,11 +377,12 @@ class CheckedMemory(PlainMemory):
             self.proved.add(where, int(it.size.value), valued=True)
 
     def check_message(self, address: Operand, location: Location) -> None:
-        """Check that the message of a request is accessible."""
-        push = self.writer.value(address)
-        lowest = ByteState.WITHOUT_VALUE
-        self.writer.code += inline_ranges.some_clear(SHADOW, push, MESSAGE.itemsize, lowest)
-        self.writer.fail_if(Site("memory", location, "read", MESSAGE.itemsize), [push])
+        """Check that the message of a request is accessible, its first word alone as elsewhere."""
+        push, size = self.writer.value(address), MESSAGE.itemsize
+        first = [push, shadow.load(8, 0), *shadow.not_accessible(8)]
+        for test in (first, inline_ranges.some_clear(SHADOW, push, size, ByteState.WITHOUT_VALUE)):
+            self.writer.code += test
+            self.writer.fail_if(Site("memory", location, "read", size), [push])
 
     def lifetime(self, it: Lifetime) -> None:
         """Start or end the lifetime of an object in a slot."""

@@ -85,3 +85,20 @@ def test_a_copy_from_the_last_addresses_names_its_first_byte(tmp_path: Path, dis
     failure = Run(build_executable([source], Diagnostics())).to_end().failure
     assert failure is not None
     assert (failure.kind, failure.value) == ("pointer outside memory", 2**32 - distance)
+
+
+@pytest.mark.parametrize("distance", [8, 16, 100])
+def test_a_message_at_the_last_addresses_names_its_first_byte(
+    tmp_path: Path, distance: int
+) -> None:
+    source = tmp_path / "post.c"
+    source.write_text(f"""
+        #include <crs_request.h>
+        int main(int argc, char **argv)
+        {{
+            return __crs_request(CRS_VM, (struct __crs_message *) (-{distance} * argc));
+        }}
+        """)
+    failure = Run(build_executable([source], Diagnostics())).to_end().failure
+    assert failure is not None
+    assert (failure.kind, failure.value) == ("pointer outside memory", 2**32 - distance)
