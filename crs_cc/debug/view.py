@@ -229,12 +229,12 @@ class View:
     def evaluator(self, robot: int) -> Evaluator:
         """Return the evaluator of a robot's program."""
         program = self.run.programs[robot]
-        memory = id(self.session.fleet.memory(robot))  # differs between builds
-        if (robot, memory) not in self._evaluators:
+        build = id(self.session.fleet.executable(robot))
+        if (robot, build) not in self._evaluators:
             names = self._names.setdefault(id(program), SourceNames(program))
             stopped = functools.partial(self.run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
             made = Evaluator(stopped, names, self.convenience_values, fields)
-            self._evaluators[robot, memory] = made
-        return self._evaluators[robot, memory]
+            self._evaluators[robot, build] = made
+        return self._evaluators[robot, build]

@@ -47,7 +47,7 @@ class Mailbox(wasmtime.SharedMemory):
 
     def view(self) -> ByteArray:
         """Return it as an array."""
-        return _array(self.data_ptr(), self.data_len(), self)
+        return _array(ctypes.addressof(self.data_ptr().contents), self.data_len(), self)
 
     def headers(self) -> Records:
         """Return the headers of the shards, of dtype `HEADER`."""
@@ -62,25 +62,39 @@ class Mailbox(wasmtime.SharedMemory):
 
 @dataclass(frozen=True, slots=True)
 class Sandbox:
-    """An instance of a program, and its memories.
+    """An instance of a program; there may be many, so it is small.
 
     Attributes:
         executable: the program.
+        store: the store that it is in.
         resume, prefetch: its functions for the driver.
-        memory, shadow: live views of them; the shadow is empty in unchecked builds.
-        marks: that of breakpoints; empty in builds without.
+        memory_address, shadow_address: where its memories are in this process; there is no shadow
+            in unchecked builds, its address is 0 then.
+        marks: its memory of breakpoints; empty in builds without.
         initial: chunks of its memory that hold initialised objects.
         begun: the global counting statements begun; None in builds without statements.
     """
 
     executable: Executable
+    store: wasmtime.Store
     resume: wasmtime.Func
     prefetch: wasmtime.Func
-    memory: ByteArray
-    shadow: ByteArray
+    memory_address: int
+    shadow_address: int
     marks: ByteArray
     initial: range
     begun: wasmtime.Global | None
+
+    @property
+    def memory(self) -> ByteArray:
+        """A live view of its memory."""
+        return _array(self.memory_address, MEMORY_BYTES, self.store)
+
+    @property
+    def shadow(self) -> ByteArray:
+        """A live view of the states of its memory; empty in unchecked builds."""
+        size = MEMORY_BYTES if self.shadow_address else 0
+        return _array(self.shadow_address, size, self.store) if size else _NONE
 
 
 class Shard:
@@ -128,19 +142,23 @@ class Shard:
         self.raise_instance_limit()
         instance = wasmtime.Instance(self.store, executable.module(), [self.mailbox])
         own = instance.exports(self.store)
-        resume, prefetch, heap = own["resume"], own["prefetch"], own["heap"]
-        assert isinstance(resume, wasmtime.Func)
-        assert isinstance(prefetch, wasmtime.Func)
+        heap = own["heap"]
         assert isinstance(heap, wasmtime.Global)
-        memory = view(self.store, own["memory"])
-        shadow = view(self.store, own["shadow"]) if "shadow" in own else _NONE
         marks = view(self.store, own["marks"]) if "marks" in own else _NONE
         begun = own.get("begun", None)
         assert begun is None or isinstance(begun, wasmtime.Global)
         end = -(-int(heap.value(self.store)) // CHUNK)
-        initial = range(STACK_TOP // CHUNK, end)
-        shadow = shadow[:MEMORY_BYTES]
-        return Sandbox(executable, resume, prefetch, memory, shadow, marks, initial, begun)
+        return Sandbox(
+            executable,
+            self.store,
+            _function(own["resume"]),
+            _function(own["prefetch"]),
+            _address(self.store, own["memory"]),
+            _address(self.store, own["shadow"]) if "shadow" in own else 0,
+            marks,
+            range(STACK_TOP // CHUNK, end),
+            begun,
+        )
 
     def assign(self, robot: int, sandbox: Sandbox) -> None:
         """Make the driver run a robot's program in a sandbox of this shard."""
@@ -192,10 +210,21 @@ class Shard:
 def view(store: wasmtime.Store, memory: object) -> ByteArray:
     """Return a memory as an array that keeps the store alive; our memories never move."""
     assert isinstance(memory, wasmtime.Memory)
-    return _array(memory.data_ptr(store), memory.data_len(store), store)
+    return _array(_address(store, memory), memory.data_len(store), store)
 
 
-def _array(start: Any, size: int, owner: object) -> ByteArray:
-    buffer = (ctypes.c_uint8 * size).from_address(ctypes.addressof(start.contents))
+def _function(export: object) -> wasmtime.Func:
+    """Return a function apart from its export, which takes more memory."""
+    assert isinstance(export, wasmtime.Func)
+    return wasmtime.Func._from_raw(_ffi.wasmtime_func_t.from_buffer_copy(export._func))
+
+
+def _address(store: wasmtime.Store, memory: object) -> int:
+    assert isinstance(memory, wasmtime.Memory)
+    return ctypes.addressof(memory.data_ptr(store).contents)
+
+
+def _array(address: int, size: int, owner: object) -> ByteArray:
+    buffer = (ctypes.c_uint8 * size).from_address(address)
     buffer.owner = owner  # type: ignore[attr-defined]
     return np.frombuffer(memoryview(buffer), np.uint8)
