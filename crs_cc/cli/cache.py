@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -11,8 +12,6 @@ from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.messages import say
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from crs_cc.session.cache_size import StoredEntry
 
 _UNITS: Final = ((2**30, "GiB"), (2**20, "MiB"), (2**10, "KiB"))

@@ -14,9 +14,9 @@ from crs_cc.cli.inputs import check_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
 from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.frontend.preprocess.options import Dialect
 
 if TYPE_CHECKING:
-    from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.ir.program import Program
 
 _EXAMPLES: Final = """

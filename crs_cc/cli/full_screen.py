@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
@@ -16,8 +17,6 @@ import click
 from crs_cc.cli.messages import say
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.host import Input, Output

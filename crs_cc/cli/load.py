@@ -11,15 +11,15 @@ import click
 from crs_cc.cli.compiler_options import gathered, merged
 from crs_cc.cli.inputs import check_readable
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.preprocess.options import Dialect
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.session.empty_world import empty_world
 from crs_cc.sim.files.known_robots import known_robots
+from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.cli.program_options import ProgramOptions
-    from crs_cc.frontend.preprocess.options import Dialect
-    from crs_cc.runtime.executable import Executable
-    from crs_cc.sim.model.world import Robot, WorldModel
 
 
 _ARGUMENT_HINT: Final = "arguments of the program follow --"

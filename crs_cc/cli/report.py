@@ -14,11 +14,10 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from crs_cc.cli.messages import is_coloured, printable, render, say
-from crs_cc.core.source import Diagnostic
+from crs_cc.core.source import Diagnostic, Location
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.core.source import Location
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.objects import Object
     from crs_cc.runtime.diagnosis.report import ErrorReport

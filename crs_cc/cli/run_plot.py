@@ -12,17 +12,16 @@ import numpy as np
 
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.tracks import Tracks
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.engine.drawings import drawings_in
 from crs_cc.sim.engine.sensor_overlay import sights
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model.world import Pose, Thing
+from crs_cc.sim.model.world import Pose, Thing, WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
-    from crs_cc.core.arrays import FloatArray
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
-    from crs_cc.sim.model.world import WorldModel
 
 _MOVED_M: Final = 0.005
 

@@ -12,13 +12,12 @@ from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
 from crs_cc.cli.start_debugger import file_input, make_debugger
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.dap.serve import serve_port, serve_stdio
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.session.host import no_input
+from crs_cc.session.host import Output, no_input
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.session.host import Output
 
 
 def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> int:

@@ -20,15 +20,14 @@ from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics
-from crs_cc.session.session import Session
+from crs_cc.session.session import Listener, Session
+from crs_cc.sim.engine.step import Step
+from crs_cc.sim.model.world import WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.session.session import Listener
-    from crs_cc.sim.engine.step import Step
-    from crs_cc.sim.model.world import WorldModel
 
 _AT_ONCE_S: Final = 5.0
 """Simulated time between two looks at interrupts: a program computes less than a second for it."""

@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crs_cc.cli import full_screen
+from crs_cc.cli.compiler_options import CompilerOptions
 from crs_cc.cli.exit_status import SYSTEM
-from crs_cc.cli.load import load
+from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import is_coloured, show_before_run
 from crs_cc.cli.save_files import save_all
 from crs_cc.core.source import Diagnostics
@@ -22,16 +23,12 @@ from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.preprocess.options import Options
-from crs_cc.session.host import no_input
+from crs_cc.frontend.preprocess.options import Dialect, Options
+from crs_cc.session.host import Input, Output, no_input
 from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
-    from crs_cc.cli.compiler_options import CompilerOptions
     from crs_cc.cli.debug_options import DebugOptions
-    from crs_cc.cli.load import Loaded
-    from crs_cc.frontend.preprocess.options import Dialect
-    from crs_cc.session.host import Input, Output
 
 
 def debug_programs(options: DebugOptions) -> int:

@@ -8,13 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from crs_cc.debug.view import View
 from crs_cc.debug.world.robot_rows import robot_rows
-
-if TYPE_CHECKING:
-    from crs_cc.debug.view import View
-    from crs_cc.debug.world.rows import Row
+from crs_cc.debug.world.rows import Row
 
 Facts = dict[tuple[str, str], str]
 """Comparable state by robot and name."""

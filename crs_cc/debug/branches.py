@@ -7,17 +7,15 @@ up to the current position; the session itself is shared and switched between th
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.console import ReplayConsole
+from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import Position
-
-if TYPE_CHECKING:
-    from crs_cc.debug.timeline.console import ReplayConsole
-    from crs_cc.debug.timeline.history import History
-    from crs_cc.debug.timeline.recorded_run import RecordedRun
-    from crs_cc.debug.world.event_history import EventHistory
+from crs_cc.debug.timeline.recorded_run import RecordedRun
+from crs_cc.debug.world.event_history import EventHistory
 
 FIRST: Final = "main"
 """The name of the branch that a run begins as."""

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.locations import BreakpointLocation
 from crs_cc.debug.world.events import is_of, world_events
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.debug.locations import BreakpointLocation
     from crs_cc.debug.timeline.recorded_run import RecordedRun
     from crs_cc.debug.timeline.run_event import RunEvent, WatchHit
     from crs_cc.debug.watch import WatchedObject

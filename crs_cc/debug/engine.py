@@ -13,13 +13,14 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.branch_comparison import Difference, differences, facts
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
+from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.step_conditions import (
     ActiveCalls,
     ProgramPoint,
@@ -39,11 +40,8 @@ from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import WorldEvent
 from crs_cc.session.host import Client, Input, Output, discard, no_input
-
-if TYPE_CHECKING:
-    from crs_cc.debug.program import DebugProgram
-    from crs_cc.session.session import Session
-    from crs_cc.sim.model.world import WorldModel
+from crs_cc.session.session import Session
+from crs_cc.sim.model.world import WorldModel
 
 Move = Callable[[], Stop]
 

@@ -18,6 +18,7 @@ from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.call_statements import calling
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.program import DebugProgram
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES
 from crs_cc.robot_api import GROUPS
@@ -25,7 +26,6 @@ from crs_cc.robot_api.device import DEVICE_GROUPS
 from crs_cc.session.device_library import device_groups
 
 if TYPE_CHECKING:
-    from crs_cc.debug.program import DebugProgram
     from crs_cc.runtime.sites import StatementSite
 
 _PLACE: Final = re.compile(r"(?:(?P<file>.+):)?(?:(?P<line>[0-9]{1,9})|(?P<function>[A-Za-z_]\w*))")

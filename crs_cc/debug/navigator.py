@@ -10,7 +10,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.breakpoints import BreakpointHit, Breakpoints
 from crs_cc.debug.step_conditions import (
@@ -24,9 +24,7 @@ from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.timeline.run_event import RunEvent, StopRequest
 from crs_cc.ir.names import in_library
-
-if TYPE_CHECKING:
-    from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 Accept = Callable[[BreakpointHit, bool], tuple[bool, str]]
 """Returns whether a hit stops the run, and a remark.

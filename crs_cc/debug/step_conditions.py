@@ -8,12 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from crs_cc.core.source import Location
-
-if TYPE_CHECKING:
-    from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
+from crs_cc.debug.view import View
 from crs_cc.debug.watch import KINDS, MAX, AccessKind
 from crs_cc.debug.watchpoints import change_text, same_activation, watchpoint
 from crs_cc.debug.world.events import check_event_kind
-
-if TYPE_CHECKING:
-    from crs_cc.debug.view import View
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 

@@ -6,7 +6,6 @@ import contextlib
 import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
@@ -19,11 +18,9 @@ from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import RecordedRun
 from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
+from crs_cc.ir.types import CType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-
-if TYPE_CHECKING:
-    from crs_cc.ir.types import CType
-    from crs_cc.session.session import Session
+from crs_cc.session.session import Session
 
 
 @dataclass(frozen=True, slots=True)

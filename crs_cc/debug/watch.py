@@ -22,14 +22,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 import numpy as np
 
 from crs_cc.core.arrays import Records
+from crs_cc.core.source import Location
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.codegen.watchpoints import accesses
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.layout import STACK_TOP
 from crs_cc.runtime.watch_ranges import (
     ENTER,
@@ -42,12 +46,6 @@ from crs_cc.runtime.watch_ranges import (
     grains,
     offset,
 )
-
-if TYPE_CHECKING:
-    from crs_cc.core.source import Location
-    from crs_cc.runtime.diagnosis.inspect import StackFrame
-    from crs_cc.runtime.executable import Executable
-    from crs_cc.runtime.fleet import Fleet
 
 MAX: Final = RANGES // 2
 """Most objects of one robot that can be watched at once: each needs a range, some one more."""

@@ -9,20 +9,17 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
+from crs_cc.debug.data.evaluate import Evaluator
+from crs_cc.debug.data.memory_inspection import MemoryInspector
 from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import Content, MemoryAccess, WatchedObject
+from crs_cc.debug.watch import AccessKind, Content, MemoryAccess, WatchedObject
 from crs_cc.ir.names import plain_name
+from crs_cc.ir.types import CType
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
-
-if TYPE_CHECKING:
-    from crs_cc.debug.data.evaluate import Evaluator
-    from crs_cc.debug.data.memory_inspection import MemoryInspector
-    from crs_cc.debug.watch import AccessKind
-    from crs_cc.ir.types import CType
-    from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
 _MAX_DEPTH: Final = 20

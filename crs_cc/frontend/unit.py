@@ -16,7 +16,7 @@ import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import Final, TypeVar
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
@@ -29,12 +29,9 @@ from crs_cc.frontend.parse.lexer import lex
 from crs_cc.frontend.parse.parser import parse
 from crs_cc.frontend.preprocess.macro_notes import add_macro_notes
 from crs_cc.frontend.preprocess.options import Options
-from crs_cc.frontend.preprocess.preprocessor import preprocess, preprocess_text
+from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess, preprocess_text
 from crs_cc.frontend.warn.suspicious import warn_unit
 from crs_cc.ir.program import Program
-
-if TYPE_CHECKING:
-    from crs_cc.frontend.preprocess.preprocessor import Preprocessed
 
 Result = TypeVar("Result")
 

@@ -7,13 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Final, SupportsIndex, TypeAlias
+from typing import Any, Final, SupportsIndex, TypeAlias
 
+from crs_cc.core.source import Location
+from crs_cc.ir.types import CType
 from crs_cc.ir.value_type import MemoryType, ValueType
-
-if TYPE_CHECKING:
-    from crs_cc.core.source import Location
-    from crs_cc.ir.types import CType
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,10 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, cast
+from typing import Final, cast
 
-if TYPE_CHECKING:
-    from crs_cc.ir.value_type import ValueType
+from crs_cc.ir.value_type import ValueType
 
 
 @dataclass(frozen=True, slots=True)

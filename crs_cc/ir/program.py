@@ -35,8 +35,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from crs_cc.core.source import Location
 from crs_cc.ir.instruction import (
     VARARGS,
     Address,
@@ -73,11 +74,8 @@ from crs_cc.ir.instruction import (
     Unary,
     Variable,
 )
+from crs_cc.ir.types import CType
 from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE, MemoryType, ValueType
-
-if TYPE_CHECKING:
-    from crs_cc.core.source import Location
-    from crs_cc.ir.types import CType
 
 __all__ = [
     "MEMORY_SIZE",

@@ -9,12 +9,9 @@ skipped together afterwards.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from crs_cc.requests import SUSPENDED
-
-if TYPE_CHECKING:
-    from crs_cc.session.session_state import SessionState
+from crs_cc.session.session_state import SessionState
 
 
 def run_alone(state: SessionState, robot: int, until: int) -> tuple[int, bool]:

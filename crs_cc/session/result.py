@@ -6,15 +6,16 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-if TYPE_CHECKING:
-    import numpy.typing as npt
+import numpy.typing as npt
 
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import Snapshot
+from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot
+from crs_cc.sim.state.env_state import EnvState
+
+if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
-    from crs_cc.runtime.executable import Executable
-    from crs_cc.runtime.fleet import Snapshot
     from crs_cc.session.files import DiskSnapshot
-    from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot
-    from crs_cc.sim.state.env_state import EnvState
 
 Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""

@@ -30,25 +30,28 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
     TIME_SERVERS,
+    Client,
     Host,
     HostRequest,
+    Input,
+    Output,
+    TimeServer,
     discard,
     no_input,
 )
 from crs_cc.session.lone_program import run_alone
+from crs_cc.session.result import RobotResult, RunResult, SessionSnapshot
 from crs_cc.session.session_state import NEVER_S, SessionState
+from crs_cc.sim.engine.step import Step
+from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.runtime.executable import Executable
-    from crs_cc.session.host import Client, Input, Output, TimeServer
-    from crs_cc.session.result import RobotResult, RunResult, SessionSnapshot
-    from crs_cc.sim.engine.step import Step
-    from crs_cc.sim.model.world import Robot, WorldModel
 
 _ON_LINK = np.isin(
     np.arange(DEVICE_CODES.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *DEVICE_CODES]

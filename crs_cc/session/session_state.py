@@ -19,6 +19,7 @@ import numpy.typing as npt
 from crs_cc.core.arrays import IndexArray
 from crs_cc.core.suggest import unknown
 from crs_cc.requests import FAILED
+from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_driver
 from crs_cc.session.result import (
@@ -30,12 +31,11 @@ from crs_cc.session.result import (
     robot_state,
 )
 from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.runtime.executable import Executable
     from crs_cc.session.host import Host
-    from crs_cc.sim.model.world import Robot, WorldModel
 
 NEVER_S: Final = math.inf
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import parse_numbers, reject_arguments, require_argument
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.stop_text import position_text
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
     from crs_cc.debug.branches import Checkpoint
-    from crs_cc.debug.commands.context import CommandContext
 
 
 def _checkpoint(context: CommandContext, text: str) -> Answer:

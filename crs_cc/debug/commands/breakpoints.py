@@ -17,13 +17,12 @@ from crs_cc.debug.commands.arguments import (
 )
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
-from crs_cc.debug.commands.context import CommandInput
+from crs_cc.debug.commands.context import CommandContext, CommandInput
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
     from crs_cc.debug.watch import AccessKind
 
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.world.edits import EDITS
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
 
 
 def _change(context: CommandContext, text: str, *, name: str) -> Answer:

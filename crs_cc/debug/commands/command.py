@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from crs_cc.debug.commands.answer import Answer
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.context import CommandContext
 
 Completes = Literal[
     "", "command", "place", "expression", "robot", "breakpoint", "display", "file", "catch",

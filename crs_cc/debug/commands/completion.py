@@ -8,9 +8,10 @@ import os
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.command import Completes
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.commands.table import find, matching
 from crs_cc.debug.errors import DebugError
@@ -18,9 +19,6 @@ from crs_cc.debug.locations import is_file
 from crs_cc.debug.world.edits import FAULTS
 from crs_cc.debug.world.events import KINDS
 from crs_cc.sim.model.degradation import degradables
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
 
 _LAST_WORD: Final = re.compile(r"[\w.]*$")
 _LAST_PART: Final = re.compile(r"\S*$")

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.arguments import OutputFormat
+from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.stop_text import Selection, selection, stop_lines
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.stop import Stop
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.arguments import OutputFormat
-    from crs_cc.debug.commands.display import Display
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.stop import Stop
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from crs_cc.debug.commands.arguments import (
     require_argument,
 )
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, quoted
 from crs_cc.debug.commands.stack import frame
@@ -22,7 +23,6 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.ir.types import ArrayType, RecordType, VoidType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.data.variables import Variable
 

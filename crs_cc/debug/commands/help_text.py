@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.answer import Answer
-    from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.command import Command, Group
 
 _WIDTH: Final = 79
 

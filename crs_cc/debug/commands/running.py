@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import re
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.stop_text import when_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import BEGINNING
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
 
 
 def _start(context: CommandContext, text: str) -> Answer:

@@ -6,17 +6,15 @@ import os
 import stat
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.core.file_names import from_text
+from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
-
-if TYPE_CHECKING:
-    from crs_cc.debug.breakpoints import Breakpoint
-    from crs_cc.debug.commands.context import CommandContext
 
 MAX_SCRIPT_BYTES: Final = 1 << 20
 _MAX_DEPTH: Final = 16

@@ -10,12 +10,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.command import Command
 from crs_cc.debug.commands.context import CommandContext, CommandInput
 from crs_cc.debug.commands.table import find
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.command import Command
     from crs_cc.debug.engine import Debugger
 
 PROMPT: Final = "(crs) "

@@ -9,14 +9,13 @@ from crs_cc.core.source import Location
 from crs_cc.debug.commands.answer import Answer, SourceLine
 from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
 from crs_cc.debug.commands.command import Command, Group
-from crs_cc.debug.commands.context import Listing
+from crs_cc.debug.commands.context import CommandContext, Listing
 from crs_cc.debug.commands.stop_text import frame_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import find_location, is_file
 from crs_cc.ir.names import in_library, plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
     from crs_cc.debug.view import BacktraceFrame
 
 _LINES: Final = 10

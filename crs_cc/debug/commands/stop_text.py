@@ -6,16 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
 from crs_cc.debug.commands.breakpoint_text import name_of
-from crs_cc.debug.stop import WORDS
+from crs_cc.debug.stop import WORDS, Stop
+from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.robot_rows import activity
 
 if TYPE_CHECKING:
-    from crs_cc.debug.breakpoints import Breakpoint
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.stop import Stop
-    from crs_cc.debug.timeline.position import Position
     from crs_cc.debug.view import BacktraceFrame
 
 _SAID: Final = frozenset({"start", "beginning", "interrupt"})

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import reject_arguments, require_argument
@@ -20,6 +20,7 @@ from crs_cc.debug.commands.branches import BRANCHES
 from crs_cc.debug.commands.breakpoints import BREAKPOINTS
 from crs_cc.debug.commands.changes import CHANGES
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.data import DATA
 from crs_cc.debug.commands.help_text import manual, mentions, overview, summaries
 from crs_cc.debug.commands.running import RUNNING
@@ -27,9 +28,6 @@ from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
 from crs_cc.debug.commands.world import WORLD
 from crs_cc.debug.errors import DebugError
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
 
 
 def _help(_context: CommandContext, text: str) -> Answer:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.core.quantity import LENGTH
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import parse_count, parse_robot, reject_arguments
 from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
 from crs_cc.debug.world.run_map import run_map
 from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.debug.world.world_rows import world_rows
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.context import CommandContext
 
 _COLUMNS: Final = 78
 _ROWS: Final = 24

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import ACCESS, RequestedBreakpoint, data_id
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession
 from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
 
 _TOO_FINE: Final = frozenset({"tick", "bumper-pressed", "bumper-released"})
 

@@ -9,18 +9,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Literal
+from typing import Final, Literal
 
+from crs_cc.core.source import Location
+from crs_cc.debug.breakpoints import Breakpoint
+from crs_cc.debug.dap.connection import Connection
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.locations import ClientLocations
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-
-if TYPE_CHECKING:
-    from crs_cc.core.source import Location
-    from crs_cc.debug.breakpoints import Breakpoint
-    from crs_cc.debug.dap.connection import Connection
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.locations import ClientLocations
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.watch import AccessKind
+from crs_cc.debug.watch import AccessKind
 
 Group = tuple[str, str]
 """What is replaced together: `line` with the file, `function`, `data`, `exception`."""

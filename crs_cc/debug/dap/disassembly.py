@@ -13,15 +13,13 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Final, Self
+from typing import Final, Self
 
 from crs_cc.core.source import Location
 from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.program import DebugProgram
+from crs_cc.ir.program import Function
 from crs_cc.ir.text import FunctionText
-
-if TYPE_CHECKING:
-    from crs_cc.debug.program import DebugProgram
-    from crs_cc.ir.program import Function
 
 _ROOM: Final = 2**20  # for the lines of a function, and before and behind them
 _FUNCTIONS: Final = 2**20

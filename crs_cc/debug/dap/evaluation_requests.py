@@ -5,19 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.completion import complete
+from crs_cc.debug.dap.arguments import Arguments
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession
 from crs_cc.debug.dap.stop_events import report_stop
 from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame, value_message
 from crs_cc.debug.dap.variables import expression_of
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.engine import Debugger
 
 _MAX_COMPLETIONS: Final = 1000  # chosen by us
 _WORD: Final = re.compile(r"(?<![\w.>])[A-Za-z_]\w*$")

@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.session import Execution
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession, Execution
 from crs_cc.debug.dap.stop_events import report_end
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.locations import find_location
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.stop import Stop
+from crs_cc.debug.stop import Stop
 
 _GRANULARITIES: Final = ("statement", "line", "instruction")
 

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.disassembly import address_of
+from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.locations import NO_PLACE
+from crs_cc.debug.dap.session import EditorSession
 from crs_cc.debug.dap.stop_events import thread_of
 from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame
 from crs_cc.debug.dap.variables import scopes_at
+from crs_cc.debug.view import BacktraceFrame
 from crs_cc.debug.world.robot_rows import activity
 
 if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.view import BacktraceFrame
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 

@@ -5,14 +5,11 @@ from __future__ import annotations
 import base64
 import binascii
 import re
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession
 
 _REFERENCE: Final = re.compile(r"(\d{1,9}):0x([0-9a-f]{1,8})")
 _MAX_READ: Final = 2**20  # bytes in one answer; chosen by us

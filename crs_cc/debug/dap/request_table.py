@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Mapping
+from typing import Final
 
 from crs_cc.debug.dap import (
     breakpoint_requests,
@@ -14,11 +15,7 @@ from crs_cc.debug.dap import (
     source_requests,
     variables,
 )
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from crs_cc.debug.dap.server import Handler
+from crs_cc.debug.dap.server import Handler
 
 HANDLERS: Final[Mapping[str, Handler]] = {
     "initialize": session_requests.initialize,

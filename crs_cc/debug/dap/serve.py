@@ -11,7 +11,7 @@ import sys
 import threading
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any, BinaryIO, Final
+from typing import Any, BinaryIO, Final
 
 from crs_cc.debug.dap.arguments import MAX_INTEGER, Arguments, RefusalError
 from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
@@ -19,10 +19,7 @@ from crs_cc.debug.dap.framing import BadMessageError, BrokenStreamError, Message
 from crs_cc.debug.dap.inbox import ClientRequest, Inbox
 from crs_cc.debug.dap.request_table import HANDLERS
 from crs_cc.debug.dap.server import Server, explain
-from crs_cc.debug.dap.session import EditorSession
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.session import OpenRun
+from crs_cc.debug.dap.session import EditorSession, OpenRun
 
 _STACK_BYTES: Final = 64 * 2**20
 """Of the thread in which programs run; they may use 6 MiB of it, see `runtime.executable`. It is

@@ -11,20 +11,17 @@ from __future__ import annotations
 import os
 import traceback
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
 
 from crs_cc.core.errors import CrsError
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.connection import ClientGoneError
 from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.inbox import ClientRequest, Inbox
+from crs_cc.debug.dap.session import EditorSession, Execution
 from crs_cc.debug.dap.stop_events import report_stop
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
-    from crs_cc.debug.dap.session import EditorSession, Execution
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.stop import Stop
+from crs_cc.debug.stop import Stop
 
 Handler = Callable[["EditorSession", Arguments], "Message | None"]
 """Fulfils a request: gives the body of the response; raises `RefusalError` or `DebugError`."""

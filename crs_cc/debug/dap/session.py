@@ -6,22 +6,20 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
+from crs_cc.debug.dap.connection import Connection
 from crs_cc.debug.dap.handles import Handles
+from crs_cc.debug.dap.inbox import ClientRequest, Inbox
+from crs_cc.debug.dap.launch import Launch
 from crs_cc.debug.dap.locations import ClientLocations
 from crs_cc.debug.dap.output_events import OutputEvents
 from crs_cc.debug.engine import Debugger
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.connection import Connection
-    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
-    from crs_cc.debug.dap.launch import Launch
-    from crs_cc.debug.stop import Stop
-    from crs_cc.session.host import Output
+from crs_cc.debug.stop import Stop
+from crs_cc.session.host import Output
 
 ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
 """Requests that want the programs to stop."""

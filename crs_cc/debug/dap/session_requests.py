@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoint_requests import FILTERS
+from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.launch import read_launch
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
+from crs_cc.debug.dap.session import EditorSession
 
 CAPABILITIES: Final[Message] = {
     "supportsConfigurationDoneRequest": True,

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.disassembly import CodeAddress, CodeLine, code_of
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession
 from crs_cc.ir.names import plain_name
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.ir.program import Function
+from crs_cc.ir.program import Function
 
 _MAX_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
 

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.core.errors import ProgramError
-from crs_cc.debug.dap.session import Execution
-from crs_cc.debug.stop import WORDS
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession, Execution
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.stop import WORDS, Reason, Stop
 from crs_cc.debug.world.rows import instant
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.stop import Reason, Stop
 
 _REASONS: Final[dict[Reason, str]] = {
     "start": "entry",

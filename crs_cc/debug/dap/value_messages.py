@@ -5,17 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.memory import reference_of
+from crs_cc.debug.dap.session import EditorSession
+from crs_cc.debug.data.values import Value
 from crs_cc.ir.types import ArrayType, PointerType, RecordType
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.data.values import Value
 
 _POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
 """Expressions that need no parentheses before another postfix operator (C17 6.5.2)."""

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.session import EditorSession
 from crs_cc.debug.dap.value_messages import (
     ExpandableValue,
     FrameHandle,
@@ -15,17 +17,12 @@ from crs_cc.debug.dap.value_messages import (
     child_messages,
     value_message,
 )
+from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.world.robot_rows import robot_rows
+from crs_cc.debug.world.rows import Row
 from crs_cc.debug.world.state_rows import state_rows
 from crs_cc.debug.world.world_rows import world_rows
 from crs_cc.ir.types import ArrayType
-
-if TYPE_CHECKING:
-    from crs_cc.debug.dap.arguments import Arguments
-    from crs_cc.debug.dap.framing import Message
-    from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.data.variables import Variable
-    from crs_cc.debug.world.rows import Row
 
 _INDEX: Final = re.compile(r"\[(\d+)\].*")
 _HIDDEN: Final = " (hidden)"

@@ -9,8 +9,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import Final, Protocol
 
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import (
     ArrayType,
@@ -25,9 +26,6 @@ from crs_cc.ir.types import (
     VoidType,
 )
 from crs_cc.runtime.diagnosis.values import Values, bit_field
-
-if TYPE_CHECKING:
-    from crs_cc.debug.world.state_fields import StateField
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])

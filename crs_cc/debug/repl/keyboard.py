@@ -8,14 +8,12 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.completion import complete
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.repl.terminal import Terminal
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.repl.terminal import Terminal
 
 _DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
 

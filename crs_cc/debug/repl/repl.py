@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.scripts import read_script
 from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.repl.keyboard import Keyboard, offer_completion
-
-if TYPE_CHECKING:
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.repl.terminal import Terminal
+from crs_cc.debug.repl.terminal import Terminal
 
 
 @dataclass(frozen=True, slots=True)

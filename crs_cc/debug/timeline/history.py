@@ -18,16 +18,14 @@ import copy
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 
 from crs_cc.debug.timeline.chunk_store import ChunkStore
+from crs_cc.debug.timeline.console import ConsolePosition
 from crs_cc.debug.timeline.position import Position
-
-if TYPE_CHECKING:
-    from crs_cc.debug.timeline.console import ConsolePosition
-    from crs_cc.session.result import SessionSnapshot
+from crs_cc.session.result import SessionSnapshot
 
 MAX_BYTES: Final = 256 * 2**20
 """Memory for snapshots by default [bytes]; chosen by us."""

@@ -9,16 +9,14 @@ a piece of the past as there is memory for.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Self
+from typing import Final, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import ByteArray, IndexArray, Int64Array, Records
 from crs_cc.debug.timeline.position import Position
 from crs_cc.requests import MESSAGE
-
-if TYPE_CHECKING:
-    from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.fleet import Fleet
 
 MAX_BYTES: Final = 128 * 2**20
 """Memory for what is noted [bytes]; chosen by us."""

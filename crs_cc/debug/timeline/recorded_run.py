@@ -14,11 +14,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
@@ -28,15 +29,12 @@ from crs_cc.debug.watch import WatchSet
 from crs_cc.debug.world.event_history import EventHistory
 from crs_cc.requests import CODES, FAILED, SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.sites import StatementSite
 from crs_cc.session.build import build_watching
 from crs_cc.session.session import Session
-
-if TYPE_CHECKING:
-    from crs_cc.debug.program import DebugProgram
-    from crs_cc.runtime.executable import Executable
-    from crs_cc.runtime.sites import StatementSite
-    from crs_cc.sim.engine.step import Step
-    from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.engine.step import Step
+from crs_cc.sim.model.world import WorldModel
 
 
 class InterruptedRunError(Exception):

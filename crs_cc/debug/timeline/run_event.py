@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
-if TYPE_CHECKING:
-    from crs_cc.debug.timeline.position import Position
-    from crs_cc.debug.watch import MemoryAccess, WatchedObject
-    from crs_cc.sim.engine.step import Step
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.watch import MemoryAccess, WatchedObject
+from crs_cc.sim.engine.step import Step
 
 
 @dataclass(frozen=True, slots=True)

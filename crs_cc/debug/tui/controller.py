@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from rich.style import Style
 from rich.text import Text
@@ -16,16 +16,14 @@ from crs_cc.debug.commands.answer import Line, SourceLine
 from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.tui.backend import BackendReply, BackendRequest
 from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.program_streams import ProgramStreams
 from crs_cc.debug.tui.screen_data import OutputLine, ScreenData
 from crs_cc.debug.tui.snapshot_builder import build_snapshot, written
-
-if TYPE_CHECKING:
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.timeline.position import Position
 
 _STYLES: Final = {
     "stop": Style(bold=True),

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Iterator
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from rich.text import Text
 
+from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.stop_text import frame_text, selection
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.tui.backend import BackendRequest
+from crs_cc.debug.tui.program_streams import Piece
 from crs_cc.debug.tui.screen_data import (
     Badge,
     BreakpointMark,
@@ -20,15 +25,7 @@ from crs_cc.debug.tui.screen_data import (
 from crs_cc.debug.tui.value_rows import variables
 from crs_cc.debug.world.robot_rows import activity
 from crs_cc.debug.world.run_map import run_map
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.tui.backend import BackendRequest
-    from crs_cc.debug.tui.program_streams import Piece
-    from crs_cc.session.session import Session
+from crs_cc.session.session import Session
 
 _BLOCK: Final = 1000
 """Pieces of output that leave the screen at once; the last one to two thousand are shown."""

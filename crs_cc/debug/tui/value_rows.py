@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.tui.screen_data import Key, ValueRow
+from crs_cc.debug.world import rows
 from crs_cc.debug.world.robot_rows import robot_rows
 from crs_cc.debug.world.state_rows import state_rows
 from crs_cc.debug.world.world_rows import world_rows
-
-if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.data.values import Value
-    from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.world import rows
 
 _CHUNK: Final = 100
 """Parts of a value that come at once; those behind have a row of their own to unfold."""

@@ -28,13 +28,11 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.rows import angle, instant, pose_text
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.model.degradation import degradables, described
-from crs_cc.sim.model.world import Pose
+from crs_cc.sim.model.degradation import Degradation, degradables, described
+from crs_cc.sim.model.world import Pose, Robot
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
-    from crs_cc.sim.model.degradation import Degradation
-    from crs_cc.sim.model.world import Robot
 
 Words = Sequence[str]
 

@@ -8,17 +8,14 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.debug.world.events import KINDS, WorldEvent, world_events
-
-if TYPE_CHECKING:
-    from crs_cc.sim.engine.environment import Environment
-    from crs_cc.sim.engine.step import Step
-
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.step import Step
 
 _KINDS: Final = tuple(kind for kind in KINDS if kind != "tick" and "-" not in kind)
 _MAX_EVENTS: Final = 20_000

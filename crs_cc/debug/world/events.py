@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 
@@ -26,12 +26,10 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.sim.comms import message_log
 from crs_cc.sim.comms.message_log import Fate
 from crs_cc.sim.devices.bumper.element import switches_of
+from crs_cc.sim.engine.step import Step
+from crs_cc.sim.model.robot import RobotModel
+from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state import events
-
-if TYPE_CHECKING:
-    from crs_cc.sim.engine.step import Step
-    from crs_cc.sim.model.robot import RobotModel
-    from crs_cc.sim.model.world import WorldModel
 
 KINDS: Final = {
     "tick": "a timestep ended",

@@ -22,13 +22,13 @@ from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.engine.step import AxisSlice, slice_of, slices_of
 from crs_cc.sim.model.degradation import described
+from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.state.messages import ARRIVED
 
 if TYPE_CHECKING:
     from crs_cc.session.result import RobotResult
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.environment import Environment
-    from crs_cc.sim.model.robot import RobotModel
 
 _TURNING: Final = frozenset({"steering", "turret"})
 

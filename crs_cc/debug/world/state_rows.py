@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.world.rows import Row
+from crs_cc.sim.model.robot import RobotModel
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.view import View
     from crs_cc.debug.world.state_fields import StateField
-    from crs_cc.sim.model.robot import RobotModel
 
 
 def state_rows(elements: Iterable[tuple[StateField, Value]]) -> list[Row]:

@@ -33,15 +33,14 @@ from crs_cc.core.quantity import round_length
 from crs_cc.debug.world.canvas import ACROSS, DOWN, Canvas, Pieces
 from crs_cc.sim.engine.robot_colours import colour
 from crs_cc.sim.engine.sensor_overlay import sights
+from crs_cc.sim.geometry.scene import Outlines
 from crs_cc.sim.model.colours import hexadecimal
-from crs_cc.sim.model.world import PLAIN, Robot, Wall, is_pushable
+from crs_cc.sim.model.world import PLAIN, Robot, Solid, Wall, is_pushable
 
 if TYPE_CHECKING:
     from rich.text import Text
 
     from crs_cc.sim.engine.environment import Environment
-    from crs_cc.sim.geometry.scene import Outlines
-    from crs_cc.sim.model.world import Solid
 
 
 _ARROWS: Final = "→↗↑↖←↙↓↘"

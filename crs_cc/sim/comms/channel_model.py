@@ -22,7 +22,7 @@ otherwise a few robots that send without end would make every message examine al
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -37,12 +37,9 @@ from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.comms.outages import is_shut
 from crs_cc.sim.geometry.cell_list import CellList, expand
 from crs_cc.sim.geometry.line_of_sight import Sight
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.messages import EVERYBODY, NO_GROUP, RECEPTION
-
-if TYPE_CHECKING:
-    from crs_cc.sim.geometry.scene import Scene
-    from crs_cc.sim.state.env_state import EnvState
-
 
 _AT_ONCE: Final = 256  # messages per batch, which bounds memory
 _STEP, _LOSS, _JITTER, _BYTE = range(4)  # purposes of random numbers

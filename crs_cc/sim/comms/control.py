@@ -21,9 +21,9 @@ from crs_cc.core.suggest import unknown
 from crs_cc.sim.comms.message_log import Fate
 from crs_cc.sim.comms.outages import reopen, shut
 from crs_cc.sim.model.communication import ANY
+from crs_cc.sim.state.messages import MessageState
 
 if TYPE_CHECKING:
-    from crs_cc.sim.state.messages import MessageState
     from crs_cc.sim.state.running_world import Running
 
 

@@ -10,17 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
-from typing import TYPE_CHECKING, Final, Protocol, Self
+from typing import Final, Protocol, Self
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import FloatArray, Records
+from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.events import Event
 from crs_cc.sim.state.messages import EVERYBODY, FATES, NO_GROUP, TRAFFIC, MessageState
-
-if TYPE_CHECKING:
-    from crs_cc.sim.model.world import WorldModel
 
 
 class Fate(IntEnum):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
@@ -12,15 +10,13 @@ from crs_cc.sim.comms import inbox, outages, outbox
 from crs_cc.sim.comms.channel_model import ChannelModel
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.inbox import Inboxes
+from crs_cc.sim.devices.request_context import RequestContext
+from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.model.communication import ANY
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.state.env_state import EnvState
+from crs_cc.sim.state.events import EventLog
 from crs_cc.sim.state.messages import COMING, EVERYBODY, GROUPS, NO_GROUP, PACKET
-
-if TYPE_CHECKING:
-    from crs_cc.sim.devices.request_context import RequestContext
-    from crs_cc.sim.devices.robot_constants import RobotConstants
-    from crs_cc.sim.model.world import WorldModel
-    from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.events import EventLog
 
 
 class Messenger:

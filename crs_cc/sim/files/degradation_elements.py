@@ -15,10 +15,11 @@ Values are in the unit of the device's element; `stuck="hold"` holds the last on
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from crs_cc.core.quantity import RATIO, TIME
 from crs_cc.core.suggest import unknown
+from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.degradable import Degradable
 from crs_cc.sim.model.degradation import (
     HOLD,
@@ -30,11 +31,8 @@ from crs_cc.sim.model.degradation import (
     memory_size,
     shown,
 )
-
-if TYPE_CHECKING:
-    from crs_cc.sim.files.document import Element, Reader
-    from crs_cc.sim.model.robot import RobotModel
-    from crs_cc.sim.model.world import Robot
+from crs_cc.sim.model.robot import RobotModel
+from crs_cc.sim.model.world import Robot
 
 _UNKNOWN: Final = -1
 

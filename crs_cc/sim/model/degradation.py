@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Final, Literal
+from typing import Final, Literal
 
 from crs_cc.core.quantity import (
     LENGTH,
@@ -32,9 +32,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.model.degradable import Degradable, numbered
 from crs_cc.sim.model.registry import devices
-
-if TYPE_CHECKING:
-    from crs_cc.sim.model.robot import RobotModel
+from crs_cc.sim.model.robot import RobotModel
 
 LONGEST_DELAY_S: Final = 60.0
 LONGEST_S: Final = 1e7
