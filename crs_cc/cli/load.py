@@ -30,7 +30,6 @@ class Loaded:
     """A world and its programs, loaded.
 
     Attributes:
-        world: the world.
         executables: each robot's program.
         sources: each robot's C files.
         dialects: the API that each robot's program calls; None to detect it.

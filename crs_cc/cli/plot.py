@@ -81,7 +81,6 @@ class Picture:
     Attributes:
         title: the heading.
         subtitle: the line below it.
-        world: the world.
         trips: the robots.
         contacts: robot number and position [m] of each contact.
         pushed: objects that were moved, at their final poses.

@@ -71,11 +71,7 @@ def _simulate(options: RunOptions) -> int:
 
 
 class Runner:
-    """Steps a session to its end, and collects the data of the plot.
-
-    Attributes:
-        session: the session.
-    """
+    """Steps a session to its end, and collects the data of the plot."""
 
     def __init__(self, loaded: Loaded, options: RunOptions) -> None:
         self._loaded = loaded

@@ -67,11 +67,7 @@ def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
 
 
 def file_input(path: Path) -> Input:
-    """Return a reader of a file, line by line.
-
-    Raises:
-        OSError: the file cannot be read.
-    """
+    """Return a reader of a file, line by line; raise OSError if the file cannot be read."""
     stream = io.BytesIO(path.read_bytes())
     return lambda _robot, wanted: stream.readline(wanted)
 

@@ -88,7 +88,6 @@ class Diagnostic:
 
     Attributes:
         severity: error, warning or note.
-        location: its location.
         text: the message, without location and severity.
         source_line: the source line at the location, empty when unknown.
         hint: what the user can do about it; may be empty.

@@ -28,7 +28,6 @@ class Checkpoint:
     Attributes:
         number: from 1 in each branch.
         name: the user's name for it; may be empty.
-        position: the position.
         time_s: the clock of the robot selected then [s].
     """
 
@@ -43,7 +42,6 @@ class Branch:
     """An alternative history.
 
     Attributes:
-        name: its name.
         history: its snapshots.
         console: its output and input.
         event_history: its events.
@@ -132,11 +130,7 @@ class Branches:
         return own[-1]
 
     def checkpoint(self, number: int) -> Checkpoint:
-        """Return a checkpoint of this branch.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Return a checkpoint of this branch; raise DebugError if it does not exist."""
         for each in self.current.checkpoints:
             if each.number == number:
                 return each

@@ -26,7 +26,6 @@ class Breakpoint:
 
     Attributes:
         number: its number, from 1; all kinds share one sequence.
-        kind: its kind.
         text: the location, expression or event kind as the user wrote it.
         place: the location of a breakpoint; None for the other kinds.
         watch: the object of a watchpoint; None for the other kinds.
@@ -62,7 +61,6 @@ class BreakpointHit:
     """A hit of a breakpoint.
 
     Attributes:
-        breakpoint: the breakpoint.
         robot: the robot that hit it; -1 for none.
         text: a description.
         watch_hit: the access to the watched object.
@@ -96,21 +94,13 @@ class Breakpoints:
         return self._all[self._made]
 
     def get(self, number: int) -> Breakpoint:
-        """Return a breakpoint.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Return a breakpoint; raise DebugError if it does not exist."""
         if number not in self._all:
             raise DebugError(f"no breakpoint {number}")
         return self._all[number]
 
     def remove(self, number: int) -> None:
-        """Remove a breakpoint.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Remove a breakpoint; raise DebugError if it does not exist."""
         self.get(number)
         del self._all[number]
 

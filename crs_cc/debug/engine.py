@@ -393,11 +393,7 @@ class Debugger:
         return self.branches.keep(name, self.view.time_s)
 
     def restart(self, number: int) -> Stop:
-        """Return to a checkpoint.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Return to a checkpoint; raise DebugError if it does not exist."""
         return self.goto(self.branches.checkpoint(number).position)
 
     def branch(self, name: str) -> Branch:

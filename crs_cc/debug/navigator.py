@@ -45,7 +45,6 @@ class _StopCandidate:
     """A reason to stop in the past.
 
     Attributes:
-        stop: its stop.
         target: the position to move to: for an access, before it, maybe before the whole round.
         function: the function that it is about, see `Stop`.
     """

@@ -47,7 +47,6 @@ class ActiveCalls:
     """Some active calls of a program's functions.
 
     Attributes:
-        functions: the functions.
         frames: the addresses of the frames, and how many statements had started at the call;
             -1 if that is unknown, as in a function that has failed.
     """
@@ -73,7 +72,6 @@ class StepCondition(Protocol):
     """The condition that ends a step of one robot's program.
 
     Attributes:
-        robot: the robot.
         calls: the calls in which it may be met; None for all.
     """
 
@@ -146,7 +144,6 @@ class ReverseStepCondition:
     """The target of a backward step of one robot's program: the first of consecutive statements.
 
     Attributes:
-        robot: the robot.
         calls: the calls in which they may be; None for all.
     """
 

@@ -29,7 +29,6 @@ class Stop:
     """A stop of a run.
 
     Attributes:
-        reason: the reason.
         position: the position in the run.
         time_s: the clock of the program that stopped, or else of the world [s].
         robot: the robot whose program it is; -1 for none.

@@ -110,30 +110,18 @@ class StopPoints:
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
-        """Remove a breakpoint.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Remove a breakpoint; raise DebugError if it does not exist."""
         self.breakpoints.remove(number)
 
     def enable(self, number: int, *, on: bool = True) -> None:
-        """Enable or disable a breakpoint.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Enable or disable a breakpoint; raise DebugError if it does not exist."""
         own = self.breakpoints.get(number)
         if on and own.watch and not own.enabled and own.robot is not None:
             self._make_room(own.robot)
         own.enabled = on
 
     def ignore(self, number: int, count: int) -> None:
-        """Ignore the next hits of a breakpoint.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Ignore the next hits of a breakpoint; raise DebugError if it does not exist."""
         self.breakpoints.get(number).ignore = max(0, count)
 
     def set_condition(self, number: int, condition: str) -> None:

@@ -46,7 +46,6 @@ class View:
     """A stopped run, seen from a selected robot and frame.
 
     Attributes:
-        run: the run.
         robot: the selected robot.
         frame: the number of the selected frame.
         convenience_values: the values of `$name` by name; that of `$` has an empty name.
@@ -135,11 +134,7 @@ class View:
         return ()
 
     def select_robot(self, robot: int | str) -> None:
-        """Select a robot by number or name.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Select a robot by number or name; raise DebugError if it does not exist."""
         names = self.names
         number = names.index(robot) if robot in names else robot
         if not isinstance(number, int) or not 0 <= number < len(names):
@@ -148,11 +143,7 @@ class View:
         self.frame = self.first_own_frame()
 
     def select_frame(self, number: int) -> None:
-        """Select a frame by number.
-
-        Raises:
-            DebugError: it does not exist.
-        """
+        """Select a frame by number; raise DebugError if it does not exist."""
         if not 0 <= number < len(self.frames()):
             raise DebugError(f"no frame {number}")
         self.frame = number

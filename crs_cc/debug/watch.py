@@ -67,7 +67,6 @@ class WatchedObject:
     """A watched object.
 
     Attributes:
-        number: its number.
         kind: which accesses count.
         address: its first byte.
         size: its size [bytes].

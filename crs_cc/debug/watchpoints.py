@@ -31,7 +31,6 @@ class Watchpoint:
 
     Attributes:
         text: the expression.
-        type: its type.
         watched: its bytes in memory.
     """
 

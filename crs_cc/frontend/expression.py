@@ -78,11 +78,7 @@ class FileNames:
     """
 
     def __init__(self, path: Path, options: Options) -> None:
-        """Read the file.
-
-        Raises:
-            CompileError: when there are errors in it.
-        """
+        """Read the file; raise CompileError when there are errors in it."""
         diagnostics = Diagnostics()
         self._unit, self._source = check_file(path, options, diagnostics)
         self.lines: Mapping[str, Sequence[str]] = diagnostics.lines

@@ -48,7 +48,6 @@ class FlagChange:
     """The change of a flag when its register is written.
 
     Attributes:
-        flag: the flag.
         source: the flag whose value it takes; None if the register now has a value.
     """
 

@@ -107,11 +107,7 @@ def _offset(offset: int) -> str:
 
 
 class FunctionText:
-    """The text of one function.
-
-    Attributes:
-        function: the function.
-    """
+    """The text of one function."""
 
     def __init__(self, function: Function) -> None:
         self.function = function

@@ -64,7 +64,6 @@ class BlockVerifier:
 
     Attributes:
         program: the program that the function belongs to.
-        function: the function.
     """
 
     def __init__(self, program: Program, function: Function) -> None:

@@ -60,12 +60,7 @@ class Function:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """A group of related functions.
-
-    Attributes:
-        title: its title.
-        functions: the functions.
-    """
+    """A group of related functions."""
 
     title: str
     functions: tuple[Function, ...]

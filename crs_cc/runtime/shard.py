@@ -101,8 +101,6 @@ class Shard:
     """A store, with the driver that runs the sandboxes in it.
 
     Attributes:
-        store: the store.
-        mailbox: the mailbox.
         round: the driver's function.
         instances: number of instances made, the driver included.
     """

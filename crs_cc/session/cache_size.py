@@ -84,11 +84,7 @@ def stored_entries(folder: Path) -> list[StoredEntry]:
 
 
 def remove(folder: Path, entry: StoredEntry) -> None:
-    """Remove an entry, unless it is already gone.
-
-    Raises:
-        OSError: it cannot be removed.
-    """
+    """Remove an entry, unless it is already gone; raise OSError if it cannot be removed."""
     (folder / entry.name).unlink(missing_ok=True)
 
 

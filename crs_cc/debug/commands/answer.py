@@ -17,7 +17,6 @@ class Line:
 
     Attributes:
         text: its text, without colours.
-        kind: its kind.
     """
 
     text: str

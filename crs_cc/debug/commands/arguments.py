@@ -151,11 +151,7 @@ def parse_robot(text: str, names: Sequence[str]) -> int:
 
 
 def require_argument(text: str, what: str) -> str:
-    """Return a required argument.
-
-    Raises:
-        DebugError: it is empty.
-    """
+    """Return a required argument; raise DebugError if it is empty."""
     text = text.strip()
     if not text:
         raise DebugError(f"missing argument: {what}")
@@ -163,11 +159,7 @@ def require_argument(text: str, what: str) -> str:
 
 
 def reject_arguments(text: str) -> None:
-    """Check that a command has no arguments.
-
-    Raises:
-        DebugError: it has.
-    """
+    """Raise DebugError if a command has arguments."""
     if text.strip():
         raise DebugError(f"unexpected argument '{text.strip()}'")
 

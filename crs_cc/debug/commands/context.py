@@ -39,7 +39,6 @@ class CommandContext:
     """The state of a command line.
 
     Attributes:
-        debugger: the debugger.
         execute: executes a line, for commands that read others from a file.
         displays: by number, the expressions that are shown at every stop.
         scripts: by breakpoint, the commands that are executed when it is hit.

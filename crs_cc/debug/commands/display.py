@@ -20,11 +20,7 @@ class Display:
     format: OutputFormat
 
     def text(self, debugger: Debugger) -> str:
-        """Return the expression with its current value.
-
-        Raises:
-            DebugError: it is invalid here.
-        """
+        """Return the expression with its current value; raise DebugError if it is invalid here."""
         return (
             f"{self.expression} = {formatted(debugger.view.look_up(self.expression), self.format)}"
         )

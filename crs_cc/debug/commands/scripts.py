@@ -24,11 +24,7 @@ _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "acce
 
 
 def read_script(path: Path) -> list[str]:
-    """Return the lines of a script.
-
-    Raises:
-        DebugError: it cannot be read, or is not text.
-    """
+    """Return the lines of a script; raise DebugError if it cannot be read, or is not text."""
     try:
         with os.fdopen(
             os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb"

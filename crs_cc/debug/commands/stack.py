@@ -24,11 +24,7 @@ _MAX_FUNCTIONS: Final = 200
 
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
-    """Return the stack frames of the selected robot.
-
-    Raises:
-        DebugError: there are none.
-    """
+    """Return the stack frames of the selected robot; raise DebugError if there are none."""
     found = context.debugger.view.frames()
     if not found:
         name = context.debugger.names[context.debugger.view.robot]
@@ -37,11 +33,7 @@ def frames(context: CommandContext) -> list[BacktraceFrame]:
 
 
 def frame(context: CommandContext) -> BacktraceFrame:
-    """Return the selected frame.
-
-    Raises:
-        DebugError: there is none.
-    """
+    """Return the selected frame; raise DebugError if there is none."""
     found = frames(context)
     return next((each for each in found if each.number == context.debugger.view.frame), found[0])
 
@@ -177,11 +169,7 @@ def _here(context: CommandContext) -> Location:
 
 
 def find_line(context: CommandContext, text: str) -> Location:
-    """Return the line of a location.
-
-    Raises:
-        DebugError: there is no such line or function.
-    """
+    """Return the line of a location; raise DebugError if there is no such line or function."""
     debugger = context.debugger
     file = debugger.view.current_file()
     found = find_location(text, debugger.run.programs, [debugger.view.robot], file).location

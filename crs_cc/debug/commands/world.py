@@ -76,11 +76,7 @@ def _map(context: CommandContext, text: str) -> Answer:
 
 
 def _across_m(text: str) -> float:
-    """Return the height of a map.
-
-    Raises:
-        DebugError: it is not a valid length.
-    """
+    """Return the height of a map; raise DebugError if it is not a valid length."""
     try:
         across_m = LENGTH.parse(text)
     except ValueError as wrong:

@@ -44,11 +44,7 @@ class Arguments:
 
     @classmethod
     def of(cls, values: Any) -> Self:
-        """Wrap the arguments of a request.
-
-        Raises:
-            RefusalError: they are not an object.
-        """
+        """Wrap the arguments of a request; raise RefusalError if they are not an object."""
         if not isinstance(values, dict):
             raise RefusalError("'arguments' must be an object")
         return cls(values)

@@ -106,22 +106,14 @@ def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Messag
 
 
 def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
-    """Return the C expression to watch, and its scope.
-
-    Raises:
-        RefusalError: it is invalid.
-    """
+    """Return the C expression to watch, and its scope; raise RefusalError if it is invalid."""
     if "variablesReference" in arguments and arguments.integer("variablesReference"):
         return expression_of(session, arguments)
     return requested_frame(session, arguments), arguments.text("name")
 
 
 def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> None:
-    """Check that an expression names an object in memory.
-
-    Raises:
-        DebugError: it does not.
-    """
+    """Check that an expression names an object in memory; raise DebugError if it does not."""
     debugger = session.require_stopped()
     active = None if at.frame is None else debugger.view.frames(at.robot)[at.frame].active
     debugger.view.evaluator(at.robot).place(expression, active)

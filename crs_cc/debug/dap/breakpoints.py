@@ -31,9 +31,7 @@ class RequestedBreakpoint:
     """A breakpoint as a client requests it.
 
     Attributes:
-        kind: its kind.
         target: the function, the `data_id` of an object, the kind of event; of a line the file.
-        line: the line.
         access: for data: `write`, `read` or `readWrite`.
         condition: a C expression; empty for none.
         hits: the client's condition on the number of hits; empty for none.
@@ -195,10 +193,7 @@ def _remove(debugger: Debugger, obsolete: _ClientBreakpoint) -> None:
 
 
 def _ignore_count(hits: str) -> int:
-    """Return how many hits to ignore.
-
-    Raises:
-        DebugError: the hit condition is malformed.
+    """Return how many hits to ignore; raise DebugError if the hit condition is malformed.
 
     >>> _ignore_count(""), _ignore_count("3"), _ignore_count(">= 3"), _ignore_count(">3")
     (0, 2, 2, 3)

@@ -47,11 +47,7 @@ class Connection:
         self._answer(request, {"success": False, "message": word or text, "body": {"error": error}})
 
     def event(self, name: str, body: Message | None = None) -> None:
-        """Send an event.
-
-        Raises:
-            ClientGoneError: the client has closed the connection.
-        """
+        """Send an event; raise ClientGoneError if the client has closed the connection."""
         self._send({"type": "event", "event": name, **({"body": body} if body else {})})
 
     def _answer(self, request: ClientRequest, answer: dict[str, Any]) -> None:

@@ -60,11 +60,7 @@ class CodeAddress:
 
     @classmethod
     def read(cls, text: str) -> Self:
-        """Parse an address from a client.
-
-        Raises:
-            RefusalError: it is invalid.
-        """
+        """Parse an address from a client; raise RefusalError if it is invalid."""
         if not re.fullmatch(r"0x[0-9a-fA-F]{1,16}", text):
             raise RefusalError(f"'{text[:40]}' is not a code address")
         return cls.decode(int(text, 16))

@@ -29,22 +29,14 @@ class Handles:
         self._things.clear()
 
     def give(self, thing: Any) -> int:
-        """Assign a number to an object.
-
-        Raises:
-            RefusalError: there are too many.
-        """
+        """Assign a number to an object; raise RefusalError if there are too many."""
         if len(self._things) >= MAX:
             raise RefusalError("too many variables are expanded: collapse some, or resume")
         self._things.append(thing)
         return self._first + len(self._things) - 1
 
     def take(self, number: int) -> Any:
-        """Return the object with a number.
-
-        Raises:
-            RefusalError: it is unknown or stale.
-        """
+        """Return the object with a number; raise RefusalError if it is unknown or stale."""
         if not self._first <= number < self._first + len(self._things):
             raise RefusalError("the reference is no longer valid: the programs have moved on")
         return self._things[number - self._first]

@@ -49,11 +49,7 @@ class Inbox:
         self._interrupt: Callable[[ClientRequest | None], None] | None = None
 
     def put(self, request: ClientRequest) -> None:
-        """Append a request.
-
-        Raises:
-            RefusalError: too many are pending.
-        """
+        """Append a request; raise RefusalError if too many are pending."""
         with self._changed:
             if len(self._requests) >= MAX:
                 raise RefusalError(f"{MAX} requests are already pending")

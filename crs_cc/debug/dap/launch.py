@@ -24,12 +24,10 @@ class LaunchAttribute:
     """An attribute of `launch`.
 
     Attributes:
-        name: its name.
         kind: its type in JSON; an `array` contains strings, and a single string counts as one.
         meaning: its description for users.
         option: the option of `crs debug` that it becomes; empty for those of the editor only,
             and for positional arguments.
-        default: its default.
         choices: the valid values; empty for any.
     """
 

@@ -52,7 +52,6 @@ class EditorSession:
         client: the client's capabilities.
         locations: its conventions for source locations.
         launch: what it has launched; None for nothing.
-        breakpoints: its breakpoints.
         handles: objects that it can refer to until the run moves.
         output: the programs' output.
         execution: the execution to start after the response; None for none.
@@ -85,11 +84,7 @@ class EditorSession:
         self._folder = os.getcwd()  # noqa: PTH109
 
     def configure_client(self, client: Arguments) -> None:
-        """Store the client's capabilities.
-
-        Raises:
-            RefusalError: they are not supported.
-        """
+        """Store the client's capabilities; raise RefusalError if they are not supported."""
         self.locations.configure(client)
         self.client = client
 
@@ -99,11 +94,7 @@ class EditorSession:
         return self._debugger
 
     def require_debugger(self) -> Debugger:
-        """Return the debugger.
-
-        Raises:
-            RefusalError: nothing is launched.
-        """
+        """Return the debugger; raise RefusalError if nothing is launched."""
         if self._debugger is None:
             raise RefusalError("no program is launched")
         return self._debugger

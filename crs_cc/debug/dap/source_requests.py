@@ -61,11 +61,7 @@ def _instruction(session: EditorSession, address: int, row: CodeLine | None) -> 
 
 
 def _function(session: EditorSession, address: CodeAddress) -> Function:
-    """Return the function that contains an address.
-
-    Raises:
-        RefusalError: there is none.
-    """
+    """Return the function that contains an address; raise RefusalError if there is none."""
     programs = session.require_debugger().run.programs
     if 0 <= address.robot < len(programs):
         functions = list(programs[address.robot].executable.program.functions.values())

@@ -56,7 +56,6 @@ class ExpandableValue:
     """A value with parts.
 
     Attributes:
-        value: the value.
         expression: a C expression for it; empty for none.
         at: the scope of the expression.
     """

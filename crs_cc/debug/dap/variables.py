@@ -34,7 +34,6 @@ class ScopeHandle:
     """A scope of a stack frame.
 
     Attributes:
-        name: its name.
         at: the frame.
     """
 

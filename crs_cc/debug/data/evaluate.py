@@ -61,7 +61,6 @@ class Evaluation:
     """The result of an evaluation.
 
     Attributes:
-        value: its value.
         changed: whether the program's memory has changed.
     """
 
@@ -76,7 +75,6 @@ class ObjectLocation:
     Attributes:
         address: its first byte.
         size: its size [bytes].
-        type: its type.
         frame: the frame whose variables the expression uses, and with which the object ends;
             None if it uses only globals.
     """
@@ -175,11 +173,7 @@ class Evaluator:
         return bool(result)
 
     def check(self, text: str, function: str, place: Location) -> None:
-        """Check that an expression is valid at a location.
-
-        Raises:
-            DebugError: it is not.
-        """
+        """Check that an expression is valid at a location; raise DebugError if it is not."""
         with contextlib.suppress(UnknownSizeError):
             self._preparation.of(text, ExpressionContext(function, place))
 

@@ -60,7 +60,6 @@ class Use:
     """A variable that an expression uses.
 
     Attributes:
-        storage: its storage.
         inside: the function whose innermost frame has it; "" for the selected frame.
     """
 
@@ -153,11 +152,7 @@ class ExpressionCompiler:
         self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
     def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
-        """Compile an expression.
-
-        Raises:
-            DebugError: it is invalid there.
-        """
+        """Compile an expression; raise DebugError if it is invalid there."""
         key = text, standing.function, standing.place
         found = self._known.get(key)
         if found is not None and found.sizes == standing.sizes:

@@ -32,11 +32,7 @@ class Scratch:
         return self._start <= address < self._start + self._most
 
     def allocate(self, size: int) -> int:
-        """Return the address of zeroed bytes.
-
-        Raises:
-            EvaluationError: the capacity is exceeded.
-        """
+        """Return the address of zeroed bytes; raise EvaluationError if the capacity is exceeded."""
         first = -(-len(self._bytes) // ALIGN) * ALIGN
         if first + size > self._most:
             raise EvaluationError("the expression needs too much memory")
@@ -52,21 +48,13 @@ class Scratch:
         del self._bytes[mark:]
 
     def read(self, address: int, size: int) -> bytes:
-        """Return bytes.
-
-        Raises:
-            EvaluationError: they are not allocated.
-        """
+        """Return bytes; raise EvaluationError if they are not allocated."""
         at = address - self._start
         self._check(address, at + size)
         return bytes(self._bytes[at : at + size])
 
     def write(self, address: int, content: bytes) -> None:
-        """Change bytes.
-
-        Raises:
-            EvaluationError: they are not allocated.
-        """
+        """Change bytes; raise EvaluationError if they are not allocated."""
         at = address - self._start
         self._check(address, at + len(content))
         self._bytes[at : at + len(content)] = content

@@ -33,7 +33,6 @@ class SavedRegister:
     Attributes:
         name: the variable.
         ctype: its type.
-        address: its address.
         flag: the address of its initialised flag; None if it needs none.
         is_unset: whether it is certainly uninitialised.
     """

@@ -35,7 +35,6 @@ class Storage:
     """The storage of a variable.
 
     Attributes:
-        variable: the variable.
         kind: its kind; "static" is local to a function.
         at: its address; in a frame, the offset from the frame's lower end.
         in_frame: whether it is in a frame.

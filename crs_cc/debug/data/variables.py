@@ -16,8 +16,6 @@ class Variable:
     """A variable of a stopped program.
 
     Attributes:
-        name: its name.
-        value: its value.
         scope: "parameter", "local", "static" (of a function) or "global".
         is_hidden: whether it is shadowed at the current location.
     """

@@ -37,7 +37,6 @@ class WatchHit:
 
     Attributes:
         robot: the robot that runs the program.
-        access: the access.
         before: the last position before it: before its statement, or else before the round.
     """
 

@@ -55,7 +55,6 @@ class ValueRow:
 
     Attributes:
         key: its identity across stops.
-        name: its name.
         text: the value.
         has_parts: whether it can be expanded.
         parts: its parts, as far as they are expanded.
@@ -99,7 +98,6 @@ class ScreenData:
         place: the position, in counts of timesteps and statements.
         source: the file to show.
         frames: the stack, innermost first.
-        robots: the robots.
         variables: groups of values: locals, displays, globals and others.
         world_map: the map.
         output: the last lines of output.

@@ -74,11 +74,7 @@ class WorldEvent:
 
 
 def check_event_kind(name: str) -> str:
-    """Return an event kind if it is valid.
-
-    Raises:
-        DebugError: there is no such kind.
-    """
+    """Return an event kind if it is valid; raise DebugError if there is no such kind."""
     if name not in KINDS:
         raise DebugError(unknown("event kind", name, ("exit", *KINDS)))
     return name

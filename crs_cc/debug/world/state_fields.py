@@ -38,7 +38,6 @@ class StateField:
     """A field of `State[]`.
 
     Attributes:
-        index: its index.
         name: the constant of the index.
         unit: its unit, empty for none.
         nothing: the sentinel for no measurement; None if there is none.

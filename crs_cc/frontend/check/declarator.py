@@ -72,11 +72,7 @@ def _allows_int(words: list[str]) -> bool:
 
 
 def type_name(unit: Unit, node: Node) -> CType:
-    """Return the type of a `Typename` node.
-
-    Raises:
-        CheckError: it is not a valid type.
-    """
+    """Return the type of a `Typename` node; raise CheckError if it is not a valid type."""
     return declared_type(unit, node.type)
 
 
@@ -230,11 +226,7 @@ def parameter_type(unit: Unit, node: Node) -> CType:
 
 
 def require_complete(ctype: CType, location: Location, name: str) -> None:
-    """Check that a variable's type is complete.
-
-    Raises:
-        CheckError: it is not.
-    """
+    """Check that a variable's type is complete; raise CheckError if it is not."""
     if isinstance(ctype, VoidType) or not is_complete(ctype):
         raise CheckError(location, f"variable '{name}' has incomplete type '{ctype}'")
     if vla.is_variable(ctype):

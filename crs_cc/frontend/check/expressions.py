@@ -130,11 +130,7 @@ def access(record: Expression, found: Member) -> Expression:
 
 
 def find_member(ctype: CType, wanted: str, location: Location) -> Member:
-    """Return the member of a struct or union with a name.
-
-    Raises:
-        CheckError: there is none.
-    """
+    """Return the member of a struct or union with a name; raise CheckError if there is none."""
     if not isinstance(ctype, RecordType):
         is_pointer = isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType)
         hint = "use '->'" if is_pointer else ""

@@ -297,11 +297,7 @@ def is_lvalue(value: Expression) -> bool:
 
 
 def modifiable(target: Expression) -> Expression:
-    """Check that an expression is a modifiable lvalue.
-
-    Raises:
-        CheckError: it is not.
-    """
+    """Check that an expression is a modifiable lvalue; raise CheckError if it is not."""
     ctype = target.type
     if not is_lvalue(target):
         raise CheckError(target.location, "expression is not assignable")

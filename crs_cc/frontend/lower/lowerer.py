@@ -106,7 +106,6 @@ class Lowering:
 
     Attributes:
         unit: the state shared by the functions of the file.
-        function: the function.
         rules: the functions that lower nodes.
         block: the block that takes the next instruction; unreachable after a jump.
         places: the register or slot of each local variable.

@@ -58,7 +58,6 @@ class Macro:
     """A macro.
 
     Attributes:
-        name: its name.
         parameters: the names of its parameters; None for an object-like macro.
         variadic: whether the last parameter receives all remaining arguments.
         body: the tokens of its definition.

@@ -40,7 +40,6 @@ class Reader:
     r"""An open file.
 
     Attributes:
-        text: its text.
         name: its name, whatever the directory in which the program lies: that of the main file, or
             the way from there to a header, or a header's name in the directories of `-I`.
         folder: the directory that `#include "..."` searches first.

@@ -39,11 +39,7 @@ class Report:
     _warnings: int = 0
 
     def error(self, place: Place, text: str, hint: str = "") -> None:
-        """Record an error.
-
-        Raises:
-            StopError: there are too many.
-        """
+        """Record an error; raise StopError if there are too many."""
         self.diagnostics.error(self.places.location(place), text, hint)
         self._errors += 1
         if self._errors >= MAX_ERRORS:
@@ -61,10 +57,6 @@ class Report:
             self.diagnostics.add("note", self.places.location(place), text)
 
     def fatal(self, place: Place, text: str, hint: str = "") -> NoReturn:
-        """Record an error after which preprocessing cannot continue.
-
-        Raises:
-            StopError: always.
-        """
+        """Record an error after which preprocessing cannot continue; raise StopError."""
         self.diagnostics.error(self.places.location(place), text, hint)
         raise StopError

@@ -146,11 +146,7 @@ class State:
         return text
 
     def open(self, text: SourceText, folder: Path, header: Header | None, place: Place) -> None:
-        """Start to read a text.
-
-        Raises:
-            StopError: there is too much source.
-        """
+        """Start to read a text; raise StopError if there is too much source."""
         self.characters_left -= text.size + FILE_COST
         self.budget.grow(text.size)
         if self.characters_left < 0:

@@ -57,7 +57,6 @@ class Landing:
     """A node that is reached by number, from the function's entry or by a jump into a loop.
 
     Attributes:
-        node: the node.
         number: its number, from 1; known once `add_dispatchers` has run.
         prepaid: the fuel that must have been paid for the node when it is reached, see
             `fuel_charges`; a function that is resumed there pays it again.

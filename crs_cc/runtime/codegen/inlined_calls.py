@@ -68,7 +68,6 @@ class _Expansion:
     """A call in whose place code is written.
 
     Attributes:
-        call: the call.
         body: the function.
         then: the node where control continues after the call.
         side_exit: where control goes when a check fails; None if none can.

@@ -39,7 +39,6 @@ class Case:
     """A failure with its context.
 
     Attributes:
-        failure: the failure.
         expression: the text of the expression that failed, if known.
         variables: reads the program.
         frame: the innermost frame in the user's files.

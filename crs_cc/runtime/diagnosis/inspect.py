@@ -38,7 +38,6 @@ class Stopped:
     """A suspended or failed program, for inspection.
 
     Attributes:
-        memory: its memory.
         shadow: the states of its bytes; empty in unchecked builds.
         program: its IR.
         compiled: its code and debug information.

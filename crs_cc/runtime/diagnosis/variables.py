@@ -18,7 +18,6 @@ class Content(NamedTuple):
     """The content of a variable.
 
     Attributes:
-        variable: the variable.
         content: its bytes.
         states: their states; empty if all are initialised, and for registers.
     """

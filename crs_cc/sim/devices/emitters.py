@@ -75,7 +75,6 @@ class Sensed:
 
     Attributes:
         robot: the robot, as an index into the requested rows, in ascending order.
-        source: the source.
         distance_m: its distance, at least the minimum.
         bearing_rad: its bearing from the direction of the robot's mount.
         in_sight: whether nothing obstructs the line to it.

@@ -18,12 +18,7 @@ if TYPE_CHECKING:
 
 
 class Handling:
-    """The grippers and arms of a world's robots.
-
-    Attributes:
-        grippers: their grippers.
-        arms: their arms.
-    """
+    """The grippers and arms of a world's robots."""
 
     def __init__(self, grippers: Grippers, arms: Arms) -> None:
         self.grippers, self.arms = grippers, arms

@@ -25,14 +25,12 @@ class RobotConstants:
 
     Attributes:
         timestep_s: the world's timestep [s].
-        drives: the drives.
         vendor_model: the vendor's number of the model.
         numbers: the same for each device of `registry.devices()`, by its name.
         radius_m: the radius of the body.
         degradations: the filter of values from and to devices.
         world: the world before the first cycle.
         scene: the outlines of all objects, as they are now.
-        shapes: their shapes.
         inclines: the slopes of the ground, None where it is flat.
     """
 

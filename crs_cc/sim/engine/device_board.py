@@ -38,8 +38,6 @@ class DeviceBoard:
     """The devices of all robots of a world.
 
     Attributes:
-        sonars: the sonars.
-        bumpers: the bumpers.
         sensor_board: the devices read by the vendor's sensor board.
         handling: the grippers and arms.
         messenger: the communication between robots.

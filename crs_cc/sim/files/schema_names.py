@@ -34,7 +34,6 @@ class UnknownName(NamedTuple):
     """A name that the schema does not allow at its location.
 
     Attributes:
-        line: its line.
         text: the error message.
         hint: the suggested name, or the known ones.
     """

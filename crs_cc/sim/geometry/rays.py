@@ -53,7 +53,6 @@ class Fan:
         axis: its direction, of length 1.
         side_cos: cosine of the angle between its axis and its side.
         side_sin: sine of that angle.
-        range_m: its range.
         behind: number of beams before each of `_BINS` directions in a turn, for three turns.
         order: the index of each beam in the list that the fan was made from.
         widest_rad: the largest angle between an axis and a side.

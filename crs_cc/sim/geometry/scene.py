@@ -65,11 +65,9 @@ class Scene:
     """The outlines of a world: fixed ones, and those of movable bodies at any poses.
 
     Attributes:
-        world: the world.
         robots: number of robots: the first bodies.
         fixed: the outlines of fixed solids.
         pushables: the movable objects, in the order of the bodies.
-        fixed_solids: the fixed solids.
         objects: all of them: the robots, movable objects, fixed solids.
         present: the robots that are in the world; the others are invisible, (robots,).
         names: the id of each object, then `GROUND` if it is not flat.

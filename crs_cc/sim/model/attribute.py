@@ -115,11 +115,7 @@ class Colour:
     """Colours: names, or #rrggbb."""
 
     def parse(self, text: str) -> tuple[int, int, int]:
-        """Return red, green and blue, 0 to 255.
-
-        Raises:
-            ValueError: the text is not a colour.
-        """
+        """Return red, green and blue, 0 to 255; raise ValueError if the text is not a colour."""
         return rgb(text)
 
 

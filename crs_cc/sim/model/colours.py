@@ -31,11 +31,7 @@ _LONGEST: Final = 40
 
 
 def rgb(text: str) -> Colour:
-    """Parse a colour.
-
-    Raises:
-        ValueError: the text is neither #rrggbb nor a known name.
-    """
+    """Parse a colour; raise ValueError if the text is neither #rrggbb nor a known name."""
     name = text.strip()
     number = int(name[1:], 16) if _NUMBER.fullmatch(name) else NAMED.get(name.lower())
     if number is None:

@@ -52,11 +52,7 @@ def devices() -> tuple[Device, ...]:
 
 
 def device(name: str) -> Device:
-    """Return the device with a name.
-
-    Raises:
-        KeyError: there is no such device.
-    """
+    """Return the device with a name; raise KeyError if there is no such device."""
     return {each.name: each for each in devices()}[name]
 
 

@@ -129,9 +129,7 @@ class RobotModel:
     Attributes:
         name: the definition's name.
         radius_m: radius of its round body.
-        drive: its drive.
         odometry: its encoders and odometry errors.
-        mass_kg: its mass.
         board: the computer that reads its sensors.
         link: the link between host and robot.
         host_speed_hz: IR instructions that the host computer executes per second.

@@ -179,7 +179,6 @@ class Polygon:
         pose: the centroid of its area, and its rotation.
         corners_m: x and y of each corner relative to the centroid, before rotation,
             counter-clockwise.
-        mass_kg: its mass.
         heat: as of a box.
         material: as of a box.
         height_m: as of a box.

@@ -30,7 +30,6 @@ class Whole:
 
     Attributes:
         parts: the parts, and their poses in its frame: x, y [m], direction [rad].
-        mass_kg: its mass.
         moment_kgm2: its moment of inertia about the centre of mass.
         friction_n: the friction force, below which it does not slide.
         friction_nm: the friction torque, below which it does not turn.

@@ -32,7 +32,6 @@ class Event:
     """An event.
 
     Attributes:
-        time_s: its time.
         kind: one of `KINDS`.
         text: a description in the past tense.
         robot: the robot concerned, -1 for none.

@@ -26,7 +26,6 @@ class Between:
     """Objects between fingers, a row for each gripper and object, in ascending order of both.
 
     Attributes:
-        gripper: the gripper.
         thing: the object, as in `Scene.names`.
         right_m: y of its right side in the gripper's frame; mostly negative.
         left_m: y of its left side.

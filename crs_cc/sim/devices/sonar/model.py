@@ -98,7 +98,6 @@ class SonarMode:
     """A mode of a robot's sonars, such as far and coarse, or near and fine.
 
     Attributes:
-        name: its name.
         sonars: the sonars, with range and beam of the mode.
         board: their common properties; order and intervals are the same in all modes.
     """

@@ -146,7 +146,6 @@ class Arc:
         radius_m: the circle's.
         begin_rad: the direction of the first point from the centre.
         sense: 1 to the left, -1 to the right.
-        length_m: its length.
     """
 
     centre: complex
