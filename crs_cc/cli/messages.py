@@ -15,6 +15,7 @@ from typing import Final, TextIO
 import click
 
 from crs_cc.core.source import Diagnostic, underline
+from crs_cc.core.warning_names import MINOR
 
 MAX_MESSAGES: Final = 50
 WARNINGS_BEFORE_RUN: Final = 2
@@ -54,8 +55,10 @@ def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
     """Write messages to stderr as `show` does, but only the first few warnings.
 
     A program of 1989 has dozens of harmless ones, which must not bury the program's output.
+    Warnings of old habits are the first to be left out.
     """
     warnings = [each for each in diagnostics if each.severity == "warning"]
+    warnings.sort(key=lambda each: each.flag in MINOR)
     if len(warnings) <= WARNINGS_BEFORE_RUN:
         show(diagnostics)
         return

@@ -60,6 +60,8 @@ WARNINGS: Final = {
     "div-by-zero": "a division by the constant zero",
     "empty-case-range": "a case range without values",
     "format": "arguments of printf or scanf that do not match the format",
+    "integer-division": "a fraction is lost before a number becomes a floating-point number",
+    "overflow": "a constant that does not fit its type",
     "return-local-addr": "the address of a local variable is returned",
     "return-type": "a function returns no value although it should, or the reverse",
     "shift-count-overflow": "a shift by more bits than the type has",
@@ -67,7 +69,9 @@ WARNINGS: Final = {
     "sizeof-array-argument": "sizeof of an array parameter, which is a pointer",
     "string-compare": "the address of a string literal is compared",
     "uninitialized": "a variable is read that no path has assigned",
+    "unused-function": "a static function that nothing calls",
     "unused-value": "a computed value is dropped",
+    "unused-variable": "a local variable that is never used",
     # The command line and the run
     "missing-file": "a program did not find a file that exists outside its disk",
     "unconnected": "a robot function is called without a connection",
@@ -77,13 +81,17 @@ WARNINGS: Final = {
 """What each warning is about."""
 
 MINOR: Final = frozenset({
-    "implicit-int", "implicit-function-declaration", "macro-redefined",
+    "implicit-int", "implicit-function-declaration", "macro-redefined", "extra-tokens",
+    "unknown-pragmas", "unused-function", "unused-variable",
 })  # fmt: skip
 """Warnings of old habits and of tidiness; where few are shown, the others go first."""
 
 _EVERY: Final = frozenset({"all", "everything", "extra", "pedantic"})
 _ALIASES: Final = {
     "maybe-uninitialized": "uninitialized",
+    "constant-conversion": "overflow",
+    "integer-overflow": "overflow",
+    "unused-but-set-variable": "unused-variable",
     "undef": "cpp",
 }
 

@@ -118,6 +118,7 @@ def _compile(
         unit.diagnostics.error(unit.place, "the program is nested too deeply here")
     except GiveUp:
         pass  # the reason is in the diagnostics
+    _drop_consequences(diagnostics)
     diagnostics.sort()
     diagnostics.shorten(MAX_SHOWN)
     if diagnostics.errors:
@@ -127,8 +128,23 @@ def _compile(
     return results[0]
 
 
+def _drop_consequences(diagnostics: Diagnostics) -> None:
+    """Drop what the later stages report in lines that the preprocessor has rejected."""
+    rejected = {
+        (each.location.file, each.location.line)
+        for each in diagnostics.errors
+        if each.stage == "preprocessing"
+    }
+    diagnostics.messages[:] = [
+        each
+        for each in diagnostics.messages
+        if each.stage == "preprocessing" or (each.location.file, each.location.line) not in rejected
+    ]
+
+
 def _check(unit: Unit, source: Preprocessed) -> None:
-    _stop_on_errors(unit)
+    if not source.is_complete:
+        _stop_on_errors(unit)
     unit.diagnostics.stage = "parsing"
     tokens = lex(source.text, source.location, unit.diagnostics)
     if unit.dialect == "report":

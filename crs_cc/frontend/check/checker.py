@@ -204,7 +204,7 @@ class Unit:
         hint = header_hint(name, self.headers)
         if hint:
             return hint
-        macros = [] if kind else [each for each in self.macros if not each.startswith("_")]
+        macros = [each for each in self.macros if not each.startswith("_")]
         similar = self.scope.closest(name, kind, macros)
         return f"did you mean '{similar}'?" if similar is not None else ""
 

@@ -14,6 +14,7 @@ from typing import Final, NoReturn
 
 from crs_cc.frontend.check import fold, tree
 from crs_cc.frontend.check.checker import CheckError, Unit
+from crs_cc.frontend.check.lost_value_warnings import warn_constant, warn_division
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible
@@ -239,6 +240,8 @@ def assigned(
         return value
     target = unqualified(target)
     if is_arithmetic(target) and is_arithmetic(source):
+        warn_constant(unit, value, target)
+        warn_division(unit, value, target)
         return convert(value, target)
     if isinstance(target, PointerType):
         if isinstance(source, PointerType):

@@ -394,6 +394,7 @@ def _declare_local(
     symbol = ObjectSymbol(node.name, ctype, location)
     symbol.align = max(alignment(unit, node), natural_alignment(unit, node))
     symbol.in_memory = not is_scalar(ctype)
+    symbol.is_used = any(each.name in {"unused", "cleanup"} for each in attributes(node))
     is_static = bool({"static", "_Thread_local"} & set(node.storage or []))
     if is_static:
         symbol.link_name = unit.static_name(f"{unit.function.symbol.name}.{node.name}")

@@ -52,12 +52,14 @@ def name(unit: Unit, node: Node) -> Expression:
     location = unit.at(node)
     symbol = unit.scope.find(node.name)
     if isinstance(symbol, ObjectSymbol):
+        symbol.is_used = True
         found = tree.ObjectName(symbol.type, location, symbol)
         if symbol.is_indirect:
             assert isinstance(symbol.type, PointerType)
             return tree.Dereference(symbol.type.target, location, found)
         return found
     if isinstance(symbol, FunctionSymbol):
+        symbol.is_used = True
         return tree.FunctionName(symbol.type, location, symbol)
     if isinstance(symbol, EnumConstant):
         return tree.Literal(symbol.type, location, symbol.value)

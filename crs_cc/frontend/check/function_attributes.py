@@ -29,12 +29,16 @@ def apply_attributes(unit: Unit, symbol: FunctionSymbol, node: Node) -> None:
         match each.name:
             case "noreturn":
                 symbol.is_noreturn = True
+            case "unused" | "used":
+                symbol.is_used = True
             case "weak":
                 symbol.is_weak = True
             case "constructor":
                 symbol.starts = _priority(unit, each)
+                symbol.is_used = True
             case "destructor":
                 symbol.ends = _priority(unit, each)
+                symbol.is_used = True
             case "format":
                 symbol.format = _format(each)
 

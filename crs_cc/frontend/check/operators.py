@@ -22,6 +22,7 @@ from crs_cc.frontend.check.conversion import (
     usual,
 )
 from crs_cc.frontend.check.expressions import rvalue, size_of
+from crs_cc.frontend.check.lost_value_warnings import is_inexact, warn_divisions, warn_overflow
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.suspicious_operands import warn_signs, warn_string
 from crs_cc.frontend.check.tree import Expression
@@ -76,6 +77,7 @@ def operate(
     allowed = is_integer if op in {"%", "&", "|", "^"} else is_arithmetic
     if not allowed(left.type) or not allowed(right.type):
         raise _invalid(left, right, place)
+    warn_divisions(unit, left, right)
     left, right = usual(left, right)
     return _folded(unit, op, left.type, (left, right), place)
 
@@ -89,7 +91,8 @@ def _folded(
         if isinstance(left, tree.Literal):
             value = fold.binary(op, left.type, left.value, right.value)
             if value is not None:
-                return tree.Literal(ctype, place, value)
+                warn_overflow(unit, op, left, right, place)
+                return tree.Literal(ctype, place, value, is_inexact(op, left, right))
         if op in {"/", "%"} and right.value == 0 and is_integer(right.type):
             unit.warning(place, "division by zero is undefined", flag="div-by-zero")
     return tree.Binary(ctype, place, op, left, right)
@@ -122,6 +125,7 @@ def _comparison(
     if is_arithmetic(left.type) and is_arithmetic(right.type):
         if op not in {"==", "!="}:
             warn_signs(unit, left, right, place)
+        warn_divisions(unit, left, right)
         left, right = usual(left, right)
         return _folded(unit, op, INT, (left, right), place)
     warn_string(unit, left, right, place)

@@ -11,12 +11,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
 from crs_cc.core.source import Location
+from crs_cc.core.suggest import closest
 from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
 
@@ -33,6 +33,7 @@ class ObjectSymbol:
         link_name: the linker's name; None for an automatic variable.
         is_external: whether it has external linkage.
         is_defined: whether it has an initialiser or is static.
+        is_used: whether an expression names it, or an attribute says that nothing needs to.
         is_tentative: whether it is declared at file scope without `extern` and initialiser
             (C17 6.9.2).
         is_weak: whether a definition in another file overrides it.
@@ -51,6 +52,7 @@ class ObjectSymbol:
     link_name: str | None = None
     is_external: bool = False
     is_defined: bool = False
+    is_used: bool = False
     is_tentative: bool = False
     is_weak: bool = False
     is_array_parameter: bool = False
@@ -85,6 +87,8 @@ class FunctionSymbol:
 
     Attributes:
         is_implicit: whether it was declared only by a call.
+        is_used: whether an expression names it, or nothing needs to: it is inline, or an attribute
+            says so.
         is_noreturn: whether it never returns.
         is_weak: whether a definition in another file overrides it.
         starts: the priority with which it runs before `main`; None if it does not.
@@ -99,6 +103,7 @@ class FunctionSymbol:
     is_external: bool = True
     is_defined: bool = False
     is_implicit: bool = False
+    is_used: bool = False
     is_noreturn: bool = False
     is_weak: bool = False
     starts: int | None = None
@@ -191,11 +196,4 @@ class Scope:
             }
             scope = scope.outer
         known |= dict.fromkeys(others)
-        for each in known:
-            if each.lower() == name.lower():
-                return each
-        found = difflib.get_close_matches(name, list(known)[:_MOST_COMPARED], n=1, cutoff=0.7)
-        return found[0] if found else None
-
-
-_MOST_COMPARED = 5000
+        return closest(name, list(known))

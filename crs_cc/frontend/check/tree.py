@@ -33,9 +33,14 @@ class Expression:
 
 @dataclass(slots=True, eq=False)
 class Literal(Expression):
-    """An arithmetic or pointer constant; an integer is in the range of its type."""
+    """An arithmetic or pointer constant; an integer is in the range of its type.
+
+    Attributes:
+        is_truncated: whether it is the quotient of two integers, without a remainder that is not 0.
+    """
 
     value: int | float
+    is_truncated: bool = False
 
 
 @dataclass(slots=True, eq=False)

@@ -85,6 +85,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
     symbol = declare_function(unit, declaration.name, ctype, location, is_static)
     # An inline definition may be in a header that several files include (C17 6.7.4p7).
     symbol.is_weak = symbol.is_weak or ("inline" in storage and not is_static)
+    symbol.is_used = symbol.is_used or "inline" in storage
     apply_attributes(unit, symbol, declaration)
     if symbol.is_defined:
         text = f"redefinition of '{declaration.name}'"

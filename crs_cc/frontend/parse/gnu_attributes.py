@@ -11,7 +11,7 @@ them when it has read a declarator or a specifier (see `attributes`).
 >>> tokens = lex(source, lambda line, column: Location("a.c", line, column), messages)
 >>> rest, before = take_attributes(tokens, messages)
 >>> [each.value for each in rest], [each.name for each in before[rest[2]]]
-(['int', 'x', ';'], ['aligned', 'packed'])
+(['int', 'x', ';'], ['aligned', 'packed', 'unused'])
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ _INTERNAL: Final = frozenset({PACK, ASM_LABEL})
 
 _IMPLEMENTED: Final = frozenset({
     "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
+    "unused", "used",
 })  # fmt: skip
 """Attributes that are implemented."""
 
@@ -42,7 +43,7 @@ _IGNORED: Final = frozenset({
     "no_sanitize_address", "no_split_stack", "noclone", "nocommon", "noinit", "noinline", "noipa",
     "nonnull", "nonstring", "noplt", "nothrow", "optimize", "pure", "regparm", "retain",
     "returns_nonnull", "returns_twice", "section", "sentinel", "stack_protect", "stdcall",
-    "symver", "target", "target_clones", "tls_model", "unavailable", "unused", "used",
+    "symver", "target", "target_clones", "tls_model", "unavailable",
     "visibility", "warn_if_not_aligned", "warn_unused_result", "warning",
 })  # fmt: skip
 """Attributes that can be ignored: they do not change a program's behaviour."""

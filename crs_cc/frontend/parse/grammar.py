@@ -385,7 +385,9 @@ class Grammar(CParser):  # type: ignore[misc]
             if precedence < min_prec:
                 return left
             stream.index += 1
+            second = stream.index
             right = self._parse_binary_expression(precedence + 1)
+            self._warnings.operation(token, (left, start), (right, second))
             left = c_ast.BinaryOp(token.value, left, right, stream.span(start))
 
     def _parse_cast_expression(self) -> Node:

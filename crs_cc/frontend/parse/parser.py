@@ -9,7 +9,7 @@ A node's `coord` is a `Token` or a `Span` of tokens, which know their location i
 >>> nodes = parse(lex("main() { return 0 }", locate, diagnostics), diagnostics)
 >>> for message in diagnostics.messages:
 ...     print(message.render())
-a.c:1:1: warning: type specifier missing, defaults to 'int'
+a.c:1:1: warning: type specifier missing, defaults to 'int' [-Wimplicit-int]
 a.c:1:18: error: expected ';' after '0'
 """
 

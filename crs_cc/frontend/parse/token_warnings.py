@@ -1,4 +1,4 @@
-"""Warnings that only the tokens can justify: `if (a = b)`, `x =+ 1`, `if (x);`."""
+"""Warnings that only the tokens can justify: `if (a = b)`, `x =+ 1`, `if (x);`, `0 < n < 10`."""
 
 from __future__ import annotations
 
@@ -13,6 +13,10 @@ from crs_cc.frontend.parse.token_stream import TokenStream
 
 _REVERSIBLE: Final = frozenset({"+", "-", "*", "&", "!"})
 """Operators that form another one with a `=` on their other side."""
+
+_RELATIONS: Final = frozenset({"<", ">", "<=", ">="})
+_COMPARISONS: Final = _RELATIONS | {"==", "!="}
+_BITWISE: Final = frozenset({"&", "|", "^"})
 
 _CONDITIONS: Final = frozenset({"IF", "WHILE"})
 
@@ -36,6 +40,36 @@ class TokenWarnings:
         if token.value == "=":
             self._warn_reversed(token, value)
             self._warn_condition(token, target, node)
+
+    def operation(self, token: Token, left: tuple[Node, int], right: tuple[Node, int]) -> None:
+        """Check a binary operation.
+
+        Args:
+            token: its operator.
+            left: its left operand, and where that starts.
+            right: its right operand, and where that starts.
+        """
+        op = token.value
+        if op in _RELATIONS and self._open_operator(*left) in _RELATIONS:
+            text = "comparisons like 'a < b < c' do not have their mathematical meaning"
+            self._diagnostics.warning(
+                token.location, text, "write 'a < b && b < c'", flag="parentheses"
+            )
+        elif op in _BITWISE:
+            inner = {self._open_operator(*left), self._open_operator(*right)} & _COMPARISONS
+            for each in sorted(inner):
+                text = f"'{op}' has lower precedence than '{each}', which is evaluated first"
+                hint = f"write '(a {op} b) {each} c', or put parentheses around the comparison"
+                self._diagnostics.warning(token.location, text, hint, flag="parentheses")
+
+    def _open_operator(self, node: Node, start: int) -> str:
+        """Return the operator of a binary operation that is not in parentheses, else ""."""
+        if (
+            not isinstance(node, c_ast.BinaryOp)
+            or node.coord.first is not self._stream.buffer[start]
+        ):
+            return ""
+        return str(node.op)
 
     def _warn_reversed(self, token: Token, first: int) -> None:
         """Warn about `x =+ 1`, which means `x = +1`."""

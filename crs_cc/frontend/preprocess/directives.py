@@ -149,6 +149,7 @@ def _include(state: State, line: _Line) -> None:
         ours = state.headers.find_ours(name, quoted=quoted, folder=state.reader.folder)
         if ours is None:
             state.report.error(place, found.text, found.hint)
+            state.report.is_complete = False
             return
         meant, found = ours
         state.report.warning(

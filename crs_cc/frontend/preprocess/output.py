@@ -40,6 +40,8 @@ class Preprocessed:
         macros: the names of the macros at its end.
         uses: the macros that were replaced, by place.
         more: preprocesses another text, given its name and content, after the last line.
+        is_complete: whether all files were read to their ends. If not, what follows in the program
+            can depend on what is missing.
     """
 
     text: str
@@ -49,6 +51,7 @@ class Preprocessed:
     macros: tuple[str, ...] = ()
     uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
     more: Callable[[str, str], Preprocessed] | None = None
+    is_complete: bool = True
 
     @property
     def files(self) -> tuple[str, ...]:

@@ -55,12 +55,12 @@ def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Prepro
     content = read_regular_file(path)
     if isinstance(content, Refusal):
         diagnostics.error(Location(str(path)), content.text, content.hint)
-        return _preprocess("", path, options, diagnostics)
+        return replace(_preprocess("", path, options, diagnostics), is_complete=False)
     if is_binary(content):
         diagnostics.error(
             Location(str(path)), "is not a text file", "give the name of a C source file"
         )
-        return _preprocess("", path, options, diagnostics)
+        return replace(_preprocess("", path, options, diagnostics), is_complete=False)
     return _preprocess(decode(content), path, options, diagnostics)
 
 
@@ -134,9 +134,10 @@ class _Run:
             hint = "macros that use each other twice double the text at every step"
             place = report.places.location(error.place)
             report.diagnostics.error(place, "macro expansion is too large", hint)
-        except StopError:
-            pass  # the reason is in the diagnostics
-        return self.writer.finish(report.places)
+            report.is_complete = False
+        except StopError:  # the reason is in the diagnostics
+            report.is_complete = False
+        return replace(self.writer.finish(report.places), is_complete=report.is_complete)
 
     def _read_all(self) -> None:
         while self.state.readers:

@@ -31,10 +31,12 @@ class Report:
     Attributes:
         diagnostics: receives the messages.
         places: maps a place to a location.
+        is_complete: whether all text was read.
     """
 
     diagnostics: Diagnostics
     places: Places
+    is_complete: bool = True
     _errors: int = 0
     _warnings: int = 0
 

@@ -15,6 +15,7 @@ from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.fold import COMPARISONS
 from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.warn.flow import warn_paths
+from crs_cc.frontend.warn.unused import warn_unused_names
 from crs_cc.ir.types import ArrayType, VoidType
 
 _PURE: Final = frozenset({
@@ -39,6 +40,7 @@ _VALUES: Final = (
 
 def warn_unit(unit: Unit) -> None:
     """Check every function of a file."""
+    warn_unused_names(unit)
     for function in unit.functions:
         for node in walk(function.body):
             match node:
