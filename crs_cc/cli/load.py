@@ -48,11 +48,6 @@ class Loaded:
 def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = False) -> Loaded:
     """Load the world, and compile every program that its robots run once.
 
-    Args:
-        options: what to run.
-        diagnostics: receives the warnings.
-        debug: allow breakpoints on every statement.
-
     Raises:
         CompileError: a C source is invalid.
         WorldError: the world file is invalid.

@@ -48,14 +48,7 @@ class RunPlot:
     def picture(
         self, session: Session, run: Run, programs: Sequence[str], *, sensors: bool
     ) -> bytes:
-        """Return the plot of the finished run as SVG.
-
-        Args:
-            session: the session.
-            run: its results.
-            programs: the names of the programs.
-            sensors: whether to draw the last readings.
-        """
+        """Return the plot of the finished run as SVG."""
         state, world = session.environment.state, session.environment.world_now
         self._tracks.end(*_positions_m(session))
         gone = np.isfinite(state.presence.left_s)

@@ -52,13 +52,7 @@ def _changes(left: str, right: str) -> int:
 
 
 def unknown(kind: str, name: str, known: Sequence[str]) -> str:
-    """Return the message for a name that is not known.
-
-    Args:
-        kind: what the name should refer to.
-        name: the unknown name.
-        known: the names that would have been valid.
-    """
+    """Return the message for a name that is not known."""
     names = ", ".join(known[:_MAX_KNOWN_SHOWN]) or "none"
     more = f" and {len(known) - _MAX_KNOWN_SHOWN} more" if len(known) > _MAX_KNOWN_SHOWN else ""
     return f"unknown {kind} {name[:_MAX_NAME_LENGTH]!r} (known: {names}{more})"

@@ -50,13 +50,6 @@ def watchpoint(
 ) -> Watchpoint:
     """Resolve the object that an expression names.
 
-    Args:
-        number: the number of the watchpoint.
-        text: the expression.
-        kind: which accesses count.
-        evaluator: the evaluator of the robot's program.
-        frame: the frame whose scope applies.
-
     Raises:
         DebugError: it names no existing object.
     """

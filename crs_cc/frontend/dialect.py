@@ -23,12 +23,7 @@ _VENDORS_GUARDS: Final = frozenset({"_HOST_CLIENT_NCLIENT_H_", "_HOST_CLIENT_H_"
 
 
 def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
-    """Return the dialect of a program.
-
-    Args:
-        paths: its C files.
-        options: header directories and macro definitions.
-    """
+    """Return the dialect of a program."""
     if not any(_mentions_runcode(path) for path in paths):
         return "nomad"
     found = [form(path, options) for path in paths]

@@ -46,11 +46,6 @@ _RECURSION_LIMIT: Final = 60_000
 def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Program:
     """Compile a C file.
 
-    Args:
-        path: the file.
-        options: header directories and macro definitions.
-        diagnostics: receives errors and warnings.
-
     Returns:
         The program, not verified yet.
 

@@ -88,9 +88,6 @@ def argument_offsets(sizes: list[int]) -> list[int]:
 def check_sizes(program: Program) -> None:
     """Check what fits into no robot's memory, whatever else a program contains.
 
-    Args:
-        program: a program, or a part of one.
-
     Raises:
         CompileError: an object is too large for a robot's memory, or a local variable needs a
             stricter alignment than frames have.

@@ -66,11 +66,6 @@ class Library(Protocol):
 def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -> Program:
     """Link a program.
 
-    Args:
-        units: the user's files.
-        library: the C library.
-        diagnostics: receives the errors.
-
     Raises:
         CompileError: a name is defined twice, or undefined.
     """

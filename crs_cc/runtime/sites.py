@@ -66,13 +66,7 @@ class StatementSite:
 
 
 def call_word(site: int, frame_size: int, arguments_size: int) -> int:
-    """Return the call word that a call stores in the callee's header.
-
-    Args:
-        site: number of the call site.
-        frame_size: of the calling function [bytes].
-        arguments_size: of all arguments, each rounded up to 4 [bytes].
-    """
+    """Return the call word that a call stores in the callee's header."""
     arguments = arguments_size // ARGUMENT_UNIT
     return site + (frame_size // FRAME_UNIT << SITE_BITS) + (arguments << SITE_BITS + FRAME_BITS)
 

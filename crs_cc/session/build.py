@@ -182,9 +182,6 @@ def build_watching(executable: Executable) -> Executable:
 
     Both builds have the same debug information, see `codegen.watchpoints`; so this shares that of
     the other.
-
-    Args:
-        executable: its debug build.
     """
     name = cache.key("watching", executable.machine_code)
     entry = cache.load(name, bytes)

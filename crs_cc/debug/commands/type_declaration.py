@@ -30,12 +30,7 @@ _INDENT: Final = "    "
 
 
 def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
-    """Return the C declaration of a type, with the definition of its struct, union or enum.
-
-    Args:
-        ctype: the type.
-        declarator: the declarator.
-    """
+    """Return the C declaration of a type, with the definition of its struct, union or enum."""
     core = ctype
     while not isinstance(core, RecordType | EnumType):
         match core:

@@ -96,14 +96,7 @@ def code_of(function: Function) -> Sequence[CodeLine]:
 
 
 def address_of(program: DebugProgram, robot: int, name: str, location: Location) -> int:
-    """Return the address of the first instruction for a location in a function.
-
-    Args:
-        program: the robot's program.
-        robot: its number.
-        name: the linker's name of the function.
-        location: the place.
-    """
+    """Return the address of the first instruction for a location in a function."""
     functions = program.executable.program.functions
     rows = code_of(functions[name])
     line = next((n for n, each in enumerate(rows) if each.location == location), 0)

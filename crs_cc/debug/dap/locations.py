@@ -89,12 +89,7 @@ class ClientLocations:
         return next((file for file in self._files if os.path.realpath(file) == key), None)
 
     def text(self, file: str, lines: Sequence[str]) -> str:
-        """Return the text of a file.
-
-        Args:
-            file: its name.
-            lines: its lines as the programs have them; none for the C library.
-        """
+        """Return the text of a file."""
         if not file.startswith(LIBRARY):
             return "\n".join(lines)
         return (SOURCES / file.removeprefix(LIBRARY)).read_text("utf-8")

@@ -68,14 +68,7 @@ class ExpandableValue:
 def child_messages(
     session: EditorSession, parts: ExpandableValue, start: int, count: int
 ) -> Iterator[Message]:
-    """Return the messages for some parts of a value.
-
-    Args:
-        session: the session.
-        parts: the value.
-        start: the number of the first part.
-        count: how many, at most.
-    """
+    """Return the messages for some parts of a value."""
     for name, value in parts.value.children(start, count):
         expression = child_expression(parts.expression, name)
         yield {"name": name, **value_message(session, value, expression, parts.at)}

@@ -61,13 +61,7 @@ class MemoryInspector:
         scratch: Callable[[int, int], bytes],
         fields: tuple[StateField, ...] = (),
     ) -> None:
-        """Create an inspector.
-
-        Args:
-            stopped: the program.
-            scratch: reads the scratch memory of expressions.
-            fields: the fields of `State[]` for its robot.
-        """
+        """Create an inspector."""
         self.stopped = stopped
         self._fields = fields
         self._scratch = scratch

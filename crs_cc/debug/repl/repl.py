@@ -56,10 +56,6 @@ class Repl:
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Execute scripts, then the user's commands.
 
-        Args:
-            scripts: the scripts.
-            batch: whether to exit after the scripts.
-
         Returns:
             How many commands or scripts have failed.
         """

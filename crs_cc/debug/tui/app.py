@@ -52,11 +52,7 @@ class InputRequested(Message):
 
 
 class DebugApp(App[int]):
-    """The full screen of the debugger.
-
-    Args:
-        backend: the backend.
-    """
+    """The full screen of the debugger."""
 
     TITLE = "crs debug"
     CSS_PATH = "layout.tcss"

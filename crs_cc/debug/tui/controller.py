@@ -46,13 +46,7 @@ class Controller:
     def __init__(
         self, debugger: Debugger, streams: ProgramStreams, scripts: Iterable[str] = ()
     ) -> None:
-        """Store the debugger and start with its scripts.
-
-        Args:
-            debugger: the debugger.
-            streams: the standard streams of its programs.
-            scripts: commands to execute first.
-        """
+        """Store the debugger and start with its scripts."""
         self.shell = Shell(debugger)
         self._streams = streams
         self._scripts = scripts

@@ -66,12 +66,7 @@ class Panes(Container):
         self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
 
     def show(self, snapshot: ScreenData, *, moved: bool) -> None:
-        """Show a stopped run.
-
-        Args:
-            snapshot: the data to show.
-            moved: whether the run has moved since.
-        """
+        """Show a stopped run."""
         self.query_one(SourcePane).show(snapshot.source)
         self.query_one(MapPane).world_map = snapshot.world_map
         self.query_one(VariablesPane).show(snapshot.variables, moved=moved)

@@ -76,10 +76,6 @@ def take_attributes(
 ) -> tuple[list[Token], dict[Token, list[Attribute]]]:
     """Separate a file's attributes from its other tokens.
 
-    Args:
-        tokens: the file.
-        diagnostics: receives messages about invalid, unknown or unsupported attributes.
-
     Returns:
         The other tokens, and the attributes by the token that they precede. `#pragma pack` is
         attached to the token after the keyword `struct` or `union`.

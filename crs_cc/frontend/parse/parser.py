@@ -26,10 +26,6 @@ from crs_cc.frontend.parse.nodes import Node
 def parse(tokens: Sequence[Token], diagnostics: Diagnostics) -> list[Node]:
     """Return the external declarations of a preprocessed file.
 
-    Args:
-        tokens: the file.
-        diagnostics: receives the messages.
-
     Returns:
         The declarations; a `Broken` for each one with a syntax error.
 
@@ -42,11 +38,5 @@ def parse(tokens: Sequence[Token], diagnostics: Diagnostics) -> list[Node]:
 def parse_expression(
     tokens: Sequence[Token], type_names: Iterable[str], diagnostics: Diagnostics
 ) -> Node | None:
-    """Return the tree of a single expression; None if it has a syntax error.
-
-    Args:
-        tokens: the expression.
-        type_names: the names that are types.
-        diagnostics: receives the messages.
-    """
+    """Return the tree of a single expression; None if it has a syntax error."""
     return Grammar(tokens, diagnostics, type_names).expression()

@@ -29,14 +29,7 @@ class TokenWarnings:
         self._diagnostics = diagnostics
 
     def assignment(self, token: Token, target: int, value: int, node: Node) -> None:
-        """Check an assignment.
-
-        Args:
-            token: its operator.
-            target: the position of its target.
-            value: the position of its value.
-            node: the value.
-        """
+        """Check an assignment."""
         if token.value == "=":
             self._warn_reversed(token, value)
             self._warn_condition(token, target, node)

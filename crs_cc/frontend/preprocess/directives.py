@@ -52,11 +52,6 @@ class _Line:
 def run_directive(state: State, text: str, place: Place) -> bool:
     """Execute a line if it is a directive.
 
-    Args:
-        state: the run.
-        text: the line.
-        place: its place.
-
     Returns:
         Whether it is one.
 

@@ -112,10 +112,6 @@ class State:
     def include(self, header: Header, place: Place) -> None:
         """Open a header, to be read next.
 
-        Args:
-            header: the file.
-            place: the place of the `#include`.
-
         Raises:
             StopError: headers are nested too deeply, or there is too much source.
         """

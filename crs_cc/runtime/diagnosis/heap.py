@@ -57,10 +57,6 @@ def blocks(memory: ByteArray, addresses: Mapping[str, int]) -> Iterator[Block]:
     """Return the blocks of the heap, sorted by address.
 
     An unchecked program may have corrupted its heap; the list ends at the first invalid header.
-
-    Args:
-        memory: the robot's memory.
-        addresses: the addresses of the program's global objects.
     """
     end_name = f"{ALLOCATOR}:unused"
     if end_name not in addresses:

@@ -31,11 +31,7 @@ class CommunicationControl:
     """The communication links of a running world, to be changed between two steps."""
 
     def __init__(self, running: Running) -> None:
-        """Create the control.
-
-        Args:
-            running: the world; its state is changed.
-        """
+        """Create the control."""
         self._running = running
 
     @property

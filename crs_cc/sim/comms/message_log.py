@@ -101,13 +101,7 @@ def take(messages: MessageState) -> Records:
 
 
 def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> Iterator[Event]:
-    """Return the records as events.
-
-    Args:
-        traffic: the records, of dtype `TRAFFIC`.
-        channels: the channels' names.
-        robots: the robots' names.
-    """
+    """Return the records as events."""
     for row in traffic.tolist():
         time_s, fate, channel, sender, receiver, group, kind, size, number = row
         if receiver != EVERYBODY:
@@ -136,12 +130,7 @@ class Monitor:
     """
 
     def __init__(self, channels: Sequence[str], robots: Sequence[str]) -> None:
-        """Create a counter with all counts 0.
-
-        Args:
-            channels: the channels' names, in the order of their numbers.
-            robots: the robots' names.
-        """
+        """Create a counter with all counts 0."""
         self.channels = tuple(channels)
         self.robots = tuple(robots)
         self._counts: dict[tuple[int, int, int, int], int] = {}

@@ -102,17 +102,7 @@ def sense(
     range_m: FloatArray,
     fan: Fan,
 ) -> Sensed:
-    """Return the sources in the range of robots, except their own ones.
-
-    Args:
-        state: has the robots' poses.
-        constants: their constants.
-        rays: casts rays.
-        rows: the robots, k of them.
-        sources: the sources.
-        range_m: maximum range of each robot's sensor, (k,).
-        fan: of `line_of_sight`.
-    """
+    """Return the sources in the range of robots, except their own ones."""
     mounts = mount_poses(state, constants, rows)
     places = sources.place_m
     cells = CellList(places[:, 0].copy(), places[:, 1].copy(), float(range_m.max(initial=0.0)))

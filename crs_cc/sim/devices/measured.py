@@ -33,12 +33,6 @@ def measured(
 ) -> FloatArray:
     """Return what a device measures, (k, values).
 
-    Args:
-        device: the device.
-        measure: its measuring function.
-        measurement: the function's argument, a `sensor.Measurement` of k robots.
-        shape: the shape of the result.
-
     Raises:
         DeviceError: a device of another package raised an exception, or its result is not an array
             of numbers of this shape.

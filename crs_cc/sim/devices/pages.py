@@ -16,12 +16,7 @@ if TYPE_CHECKING:
 
 
 def page(context: RequestContext, *, installed: Mapping[str, Installed]) -> BoolArray:
-    """Answer READINGS with a page of what an earlier reply announced; refuse other sensors.
-
-    Args:
-        context: the requests.
-        installed: the devices, by their names.
-    """
+    """Answer READINGS with a page of what an earlier reply announced; refuse other sensors."""
     sensor, first = context["sensor"].copy(), context["first"].copy()
     good = np.zeros(len(context), dtype=np.bool_)
     for row in devices():

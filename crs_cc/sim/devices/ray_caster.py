@@ -45,12 +45,7 @@ class RayCaster:
     """
 
     def __init__(self, scene: Scene, fans: Sequence[Fan]) -> None:
-        """Index the fixed objects.
-
-        Args:
-            scene: the objects.
-            fans: all beams that will be cast.
-        """
+        """Index the fixed objects."""
         reach_m = max((fan.reach_m for fan in fans), default=0.0)
         start_m = max((fan.start_m for fan in fans), default=0.0)
         moving = scene.moving(scene.start[:, :2], scene.start[:, 2])

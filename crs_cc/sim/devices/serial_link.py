@@ -29,11 +29,7 @@ class SerialLine:
     """The serial lines to all robots of a world."""
 
     def __init__(self, world: WorldModel) -> None:
-        """Create the lines of a world's robots.
-
-        Args:
-            world: the world.
-        """
+        """Create the lines of a world's robots."""
         links = [robot.model.link for robot in world.robots]
         kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
         self._kind = np.array([kinds[link] for link in links], dtype=np.intp)

@@ -25,13 +25,7 @@ LONGEST_DELAY_S: Final = 60.0
 
 
 def communication(root: Element, robots: Sequence[str], reader: Reader) -> Communication:
-    """Return the channels and outages of a world file; errors go to the reader.
-
-    Args:
-        root: the root element.
-        robots: the robots' ids.
-        reader: reads the values.
-    """
+    """Return the channels and outages of a world file; errors go to the reader."""
     channels = {channel.name: channel for channel in PREDEFINED}
     elements = [child for element in root.all("communication") for child in element.children]
     said: dict[str, Element] = {}

@@ -40,13 +40,7 @@ _UNKNOWN: Final = -1
 def degradations(
     elements: Iterable[Element], robots: Iterable[tuple[Element, Robot]], reader: Reader
 ) -> tuple[Degradation, ...]:
-    """Return the degradations of a world file; errors go to the reader.
-
-    Args:
-        elements: the elements, with ids.
-        robots: all robots, each with its element.
-        reader: reads the values.
-    """
+    """Return the degradations of a world file; errors go to the reader."""
     known = {robot.id: (place, robot.model) for place, robot in robots}
     found, room = [], MAX_MEMORY
     for element in elements:

@@ -38,13 +38,7 @@ def _model(device: Device, root: Element, reader: Reader) -> Any | None:
 
 
 def read_attributes(model: type, element: Element, reader: Reader) -> Any:
-    """Return the model that the attributes of a device's element describe.
-
-    Args:
-        model: its dataclass, whose fields are made by `attribute`.
-        element: the element.
-        reader: reads the values; errors go to it.
-    """
+    """Return the model that the attributes of a device's element describe."""
     values = {}
     for field in dataclasses.fields(model):
         row = field.metadata.get("attribute")

@@ -47,9 +47,6 @@ def grey_values(data: bytes) -> FloatArray:
     Colours are converted to luma (ITU-R BT.601); transparent pixels are blended with white. Images
     with one channel of 16 bits keep their full depth.
 
-    Args:
-        data: the contents of the file.
-
     Returns:
         0 (black) to 1 (white), shape (rows, columns), from the top row.
 

@@ -28,12 +28,6 @@ _LINK: Final = "symbolic links are not allowed: copy the file into the world's f
 def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
     """Return the contents of a file.
 
-    Args:
-        folder: the folder of the world file.
-        name: the file's path, relative to it.
-        ending: required suffix of the name, such as `.png`.
-        most: maximum size [bytes].
-
     Raises:
         ValueError: the name is not allowed, or the file cannot be read; the message says why.
     """

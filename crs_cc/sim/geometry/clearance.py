@@ -16,11 +16,6 @@ def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> 
 
     All pairs are tried, so it is meant for few bodies. Inside an object it is 0 or less, without a
     robot infinite.
-
-    Args:
-        scene: the world's outlines.
-        position_m: the bodies' positions, shape (bodies, 2).
-        angle_rad: their headings, shape (bodies,).
     """
     moving = scene.moving(position_m, angle_rad)
     x_m, y_m, radii_m = moving.circles[: np.count_nonzero(scene.present), :, None].transpose(

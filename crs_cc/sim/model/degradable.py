@@ -61,12 +61,7 @@ def at_numbers(numbers: Sequence[int]) -> tuple[str, ...]:
 def elements_of(
     device: str, names: Callable[[Any], tuple[str, ...]]
 ) -> Callable[[RobotModel], tuple[str, ...]]:
-    """Return the function that returns the names of a device's elements, none without the device.
-
-    Args:
-        device: the device's name in the registry.
-        names: returns the names for the model of the device.
-    """
+    """Return the function that names a device's elements, none without the device."""
 
     def elements(robot: RobotModel) -> tuple[str, ...]:
         model = robot.device(device)

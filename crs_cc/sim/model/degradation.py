@@ -148,10 +148,6 @@ def degradables() -> Mapping[str, Degradable]:
 def complaint(degradation: Degradation, model: RobotModel) -> str:
     """Validate a degradation for a robot.
 
-    Args:
-        degradation: the degradation.
-        model: the model of the robot that it names.
-
     Returns:
         the error message; empty if the degradation is valid.
     """

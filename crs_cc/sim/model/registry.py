@@ -101,12 +101,7 @@ def _of_other_packages() -> Iterator[tuple[str, object]]:
 
 
 def _numbered(rows: list[Device], ours: int) -> Iterator[Device]:
-    """Yield rows with their missing numbers filled in, in order.
-
-    Args:
-        rows: all devices, built-in ones first.
-        ours: number of built-in devices.
-    """
+    """Yield rows with their missing numbers filled in, in order."""
     numbers = {row.number for row in rows}
     free = (number for number in itertools.count(_FIRST_NUMBER) if number not in numbers)
     our_codes, other_codes = iter(REGISTERED[:_FOREIGN]), iter(REGISTERED[_FOREIGN:])

@@ -151,12 +151,7 @@ class EnvState:
         return self.bodies.position_m[: len(self.heading_rad), 1]
 
     def device(self, name: str, kind: type[S]) -> S:
-        """Return the state of a device of `registry.devices()`.
-
-        Args:
-            name: the device's name.
-            kind: the class of its state.
-        """
+        """Return the state of a device of `registry.devices()`."""
         state = getattr(self.devices, name)
         assert isinstance(state, kind)
         return state

@@ -197,13 +197,7 @@ def pictures(
 
 
 def picture(state: EnvState, camera: Camera, number: int) -> Int32Array:
-    """Return colour, 0xRRGGBB, and range [0.1 in] of each column, -1 for no range, (columns, 2).
-
-    Args:
-        state: the state.
-        camera: the camera's constants.
-        number: its number among all cameras.
-    """
+    """Return colour, 0xRRGGBB, and range [0.1 in] of each column, -1 for no range, (columns, 2)."""
     background = np.array([packed(camera.background)], dtype=np.int32)
     columns = np.array([camera.columns])
     return np.concatenate(pictures(state, np.array([number]), columns, background)).T

@@ -157,14 +157,7 @@ class _Compasses:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Measure with the compasses that are on and may measure again.
-
-        Args:
-            state: changed in place.
-            constants: the robots' constants.
-            rows: which robots, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
-        """
+        """Measure with the compasses that are on and may measure again."""
         compass = compasses(state)
         mine = constants.numbers[self._row.name][rows]
         due = compass.measured.are_due(mine, at_s, self._interval_s) & compass.on[mine]

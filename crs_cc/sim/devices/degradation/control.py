@@ -58,12 +58,7 @@ class DegradationControl:
     """The degradations of a running world, to be read and changed between two steps."""
 
     def __init__(self, running: Running, log: EventLog) -> None:
-        """Create the control.
-
-        Args:
-            running: the world; its state is changed.
-            log: receives the events.
-        """
+        """Create the control."""
         self._running, self._log = running, log
 
     @property

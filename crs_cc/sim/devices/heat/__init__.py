@@ -86,12 +86,6 @@ def hot_things(
 ) -> tuple[IndexArray, IndexArray, FloatArray]:
     """Return pairs of a robot and a hot object, other than itself, in its range.
 
-    Args:
-        state: the state.
-        constants: the robots' and the objects' constants.
-        rows: robots, k of them.
-        range_m: maximum range of each, (k,).
-
     Returns:
         the robot of each pair, as an index into `rows`, the object, as in `Scene.names`, and
             their distance.

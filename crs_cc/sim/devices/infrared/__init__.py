@@ -200,15 +200,7 @@ class InfraredRing:
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
-        """Measure with the rings that may measure again.
-
-        Args:
-            state: changed in place.
-            constants: the robots' constants.
-            rays: casts rays.
-            rows: which robots, k of them, whose axes were turned to `at_s`.
-            at_s: when, for each, shape (k,).
-        """
+        """Measure with the rings that may measure again."""
         ring = rings(state)
         mine = constants.numbers[self._row.name][rows]
         due = ring.measured.are_due(mine, at_s, self._interval_s)
@@ -260,13 +252,6 @@ class InfraredRing:
         poses: FloatArray,
     ) -> Int32Array:
         """Return the rings' readings without errors if their mounts were at other poses.
-
-        Args:
-            state: has the poses of all objects.
-            constants: the robots' constants.
-            rays: casts rays.
-            rows: robots with such a ring, k of them.
-            poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
         Returns:
             readings, shape (k, 16).
