@@ -1,0 +1,143 @@
+"""Measures how many planted errors are found, beside gcc's sanitizers and valgrind.
+
+The programs are in `tests/c/planted`. Each way of finding errors is asked three things: is the
+program with the error stopped or reported, on the line of the error, and is the same program
+without the error left alone?
+
+    python bench/planted.py [--verbose] [FOLDER ...]
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent))
+
+from tests.c.planted_errors import RIGHT, WRONG, Found, Planted, look, planted
+
+GCC = ["gcc", "-std=gnu17", "-g", "-w", "-fno-common"]
+SANITIZERS = ["-O1", "-fno-omit-frame-pointer", "-fsanitize=address,undefined",
+              "-fsanitize=pointer-compare,pointer-subtract"]  # fmt: skip
+ASAN = "detect_stack_use_after_return=1:detect_invalid_pointer_pairs=2:strict_string_checks=1"
+ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": ASAN, "UBSAN_OPTIONS": "print_stacktrace=1"}
+TIMEOUT_S = 20
+
+Way = Callable[[Planted, str], Found]
+
+
+@dataclass
+class Tally:
+    """What one way has found."""
+
+    found: list[str] = field(default_factory=list)
+    on_line: list[str] = field(default_factory=list)
+    clean: list[str] = field(default_factory=list)
+
+
+def crs(case: Planted, definition: str) -> Found:
+    """Run in the sandbox."""
+    return look(case.path, definition)
+
+
+def crs_trapping(case: Planted, definition: str) -> Found:
+    """Run in the sandbox with `--trap-overflow`."""
+    return look(case.path, definition, trap_overflow=True)
+
+
+def sanitized(case: Planted, definition: str) -> Found:
+    """Run with ASan and UBSan."""
+    return _native(case, definition, [*GCC, *SANITIZERS], [], r"ERROR: |runtime error: ")
+
+
+def valgrind(case: Planted, definition: str) -> Found:
+    """Run in valgrind's memcheck."""
+    command = ["valgrind", "-q", "--leak-check=full", "--error-exitcode=99"]
+    return _native(case, definition, [*GCC, "-O0"], command, r"==\d+== +(?=\w)")
+
+
+def _native(
+    case: Planted, definition: str, compiler: list[str], command: list[str], mark: str
+) -> Found:
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "program"
+        build = [*compiler, "-D", definition, str(case.path), "-o", str(program), "-lm"]
+        subprocess.run(build, check=True, capture_output=True)
+        try:
+            done = subprocess.run(
+                [*command, program], check=False, capture_output=True, env=ENVIRONMENT,
+                timeout=TIMEOUT_S,
+            )  # fmt: skip
+        except subprocess.TimeoutExpired:
+            return Found()
+    text = done.stderr.decode(errors="replace")
+    if re.search(mark, text):
+        place = re.search(rf"{re.escape(case.path.name)}:(\d+)", text)
+        return Found("error", text, int(place[1]) if place else 0)
+    return Found("crash") if done.returncode < 0 else Found()
+
+
+def matches(case: Planted, found: Found) -> bool:
+    """Return whether the planted error was found, and not something else by our own checks."""
+    if case.severity == "warning":
+        return case.text in found.text or found.severity == "error"
+    return found.severity not in {"", "warning"}
+
+
+def main() -> None:
+    """Print the comparison."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folders", nargs="*", default=["first", "second"])
+    parser.add_argument("--verbose", action="store_true", help="name what was not found")
+    parser.add_argument("--only-crs", action="store_true", help="leave the other tools out")
+    options = parser.parse_args()
+    ways: dict[str, Way] = {"crs": crs}
+    if not options.only_crs:
+        ways["crs --trap-overflow"] = crs_trapping
+        ways["gcc, ASan and UBSan"] = sanitized
+        if shutil.which("valgrind"):
+            ways["valgrind"] = valgrind
+    for folder in options.folders:
+        cases = list(planted(folder))
+        print(f"{folder}: {len(cases)} programs")
+        for name, way in ways.items():
+            _print(name, cases, _measure(way, cases), verbose=options.verbose)
+
+
+def _measure(way: Way, cases: list[Planted]) -> Tally:
+    tally = Tally()
+    for case in cases:
+        found = way(case, WRONG)
+        if matches(case, found):
+            tally.found.append(case.name)
+            if found.line == case.line:
+                tally.on_line.append(case.name)
+        if not way(case, RIGHT).severity:
+            tally.clean.append(case.name)
+    return tally
+
+
+def _print(name: str, cases: list[Planted], tally: Tally, *, verbose: bool) -> None:
+    rows = tally.found, tally.on_line, tally.clean
+    counts = "   ".join(
+        f"{what} {len(row)}"
+        for what, row in zip(("found", "on the line", "twins clean"), rows, strict=True)
+    )
+    print(f"  {name:22} {counts}")
+    if verbose:
+        for what, row in zip(("not found", "other line", "twin blamed"), rows, strict=True):
+            before = tally.found if what == "other line" else [case.name for case in cases]
+            missing = [each for each in before if each not in row]
+            print(f"      {what}: {' '.join(missing) or 'none'}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,95 @@
+"""Programs with one planted error each, and the same programs without it.
+
+In each file of `planted/`, `PLANT(wrong, right)` is the error or its remedy. A comment
+`// error: kind` stands at the line where a run must stop, `// warning: text` at a line that the
+compiler must warn of, and `// leak: N` says how many blocks nothing points to at the end. The
+programs of `first/` were written before the checks that they test, those of `second/` after.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from crs_cc.core.source import Diagnostics
+from crs_cc.runtime.diagnosis.report import report
+from crs_cc.runtime.executable import Executable
+from crs_cc.session.build import build_executable
+from tests.c.execution import Run
+
+FOLDER: Final = Path(__file__).parent / "planted"
+WRONG: Final = "PLANT(wrong, right)=wrong"
+RIGHT: Final = "PLANT(wrong, right)=right"
+_COMMENT: Final = re.compile(r"// (error|warning|leak): (.+)$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Planted:
+    """A program with a planted error.
+
+    Attributes:
+        path: its file.
+        severity: "error" at run time, "warning" of the compiler, or "leak".
+        text: the kind of the error, a part of the warning, the number of lost blocks.
+        line: the line of the error.
+    """
+
+    path: Path
+    severity: str
+    text: str
+    line: int
+
+    @property
+    def name(self) -> str:
+        """The name of the folder and the file."""
+        return f"{self.path.parent.name}/{self.path.stem}"
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was found in a program.
+
+    Attributes:
+        severity: as in `Planted`; empty if nothing was found.
+        text: the message.
+        line: its line; 0 if unknown.
+    """
+
+    severity: str = ""
+    text: str = ""
+    line: int = 0
+
+
+def planted(folder: str = "*") -> Iterator[Planted]:
+    """Return the planted programs of a folder in a fixed order."""
+    for path in sorted(FOLDER.glob(f"{folder}/*.c")):
+        text = path.read_text()
+        (found,) = _COMMENT.finditer(text)
+        yield Planted(path, found[1], found[2], text[: found.start()].count("\n") + 1)
+
+
+def look(path: Path, definition: str, *, trap_overflow: bool = False) -> Found:
+    """Compile and run a program; return the error, the warning or the lost blocks found."""
+    diagnostics = Diagnostics()
+    program = build_executable(
+        [path], diagnostics, defines=[definition], trap_overflow=trap_overflow
+    )
+    found = _run(program)
+    if found.severity:
+        return found
+    for each in diagnostics.messages:
+        if each.severity == "warning":
+            return Found("warning", each.text, each.location.line)
+    return Found()
+
+
+def _run(program: Executable) -> Found:
+    run = Run(program)
+    outcome = run.to_end()
+    if outcome.failure is not None:
+        made = report(outcome.failure)
+        return Found("error", made.text, made.location.line)
+    return Found()
