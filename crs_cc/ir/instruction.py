@@ -10,7 +10,7 @@ from enum import IntEnum
 from typing import Any, Final, SupportsIndex, TypeAlias
 
 from crs_cc.core.source import Location
-from crs_cc.ir.types import CType
+from crs_cc.ir.types import ArrayType, CType
 from crs_cc.ir.value_type import MemoryType, ValueType
 
 
@@ -170,6 +170,28 @@ class Address(Instruction):
     result: Register
     base: Base
     offset: int
+
+
+@dataclass(slots=True, eq=False)
+class Bounds(Instruction):
+    """Stops the program if `index + shift` is not the index of an element of an array.
+
+    It has no effect in unchecked builds, and costs no fuel.
+
+    Attributes:
+        index: an i32.
+        base: where the array starts, together with `offset`.
+        array: its type, of known length.
+        shift: a constant that is added to the index.
+        element: where the element is, as a register and an offset; None if `index` is a constant.
+    """
+
+    index: Operand
+    base: Base
+    offset: int
+    array: ArrayType
+    shift: int = 0
+    element: tuple[Register, int] | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -359,7 +381,9 @@ class Block:
     @property
     def fuel(self) -> int:
         """The cost of the block: one unit, and one for each instruction that generates code."""
-        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
+        return 1 + sum(
+            not isinstance(each, Statement | Lifetime | Bounds) for each in self.instructions
+        )
 
     def successors(self) -> list[Block]:
         """Return the blocks that may follow, in a fixed order, each once."""

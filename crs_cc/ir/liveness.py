@@ -18,6 +18,7 @@ from crs_cc.ir.program import (
     Address,
     Binary,
     Block,
+    Bounds,
     Branch,
     Call,
     Callers,
@@ -46,6 +47,7 @@ _OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
     Binary: ("left", "right"),
     Load: ("base",),
     Address: ("base",),
+    Bounds: ("index", "base"),
     Store: ("base", "source"),
     Copy: ("target", "source", "size"),
     Fill: ("target", "value", "size"),
@@ -88,6 +90,8 @@ def reads(instruction: Instruction) -> list[Register]:
     if isinstance(instruction, Call):
         values = [argument.value for argument in instruction.arguments]
         found += [value for value in values if isinstance(value, Register)]
+    elif isinstance(instruction, Bounds) and instruction.element is not None:
+        found.append(instruction.element[0])
     return found
 
 

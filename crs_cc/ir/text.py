@@ -33,6 +33,7 @@ from crs_cc.ir.program import (
     Base,
     Binary,
     Block,
+    Bounds,
     Branch,
     ByteState,
     Call,
@@ -215,6 +216,11 @@ class FunctionText:
         place = self._address(address.base, address.offset)
         return f"{self._operand(address.result)} = address {place}"
 
+    def _bounds(self, bounds: Bounds) -> str:
+        place = self._address(bounds.base, bounds.offset)
+        index = self._operand(bounds.index) + (f" + {bounds.shift}" if bounds.shift else "")
+        return f"bounds {index} < {bounds.array.length} [{place}]"
+
     def _copy(self, copy: Copy) -> str:
         operands = (copy.target, copy.source, copy.size)
         return "copy [{}], [{}], size {}".format(*map(self._operand, operands))
@@ -288,6 +294,7 @@ _RENDER: Final[dict[type[Instruction], Callable[..., str]]] = {
     Load: FunctionText._load,
     Store: FunctionText._store,
     Address: FunctionText._take_address,
+    Bounds: FunctionText._bounds,
     Copy: FunctionText._copy,
     Fill: FunctionText._fill,
     Lifetime: FunctionText._lifetime,

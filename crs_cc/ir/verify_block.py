@@ -21,6 +21,7 @@ from crs_cc.ir.program import (
     Base,
     Binary,
     Block,
+    Bounds,
     Branch,
     ByteState,
     Call,
@@ -197,6 +198,14 @@ class BlockVerifier:
         yield from self._base(address.base)
         yield from self._register("result", address.result, "i32")
 
+    def _bounds(self, bounds: Bounds) -> Faults:
+        yield from self._base(bounds.base)
+        yield from self._operand("index", bounds.index, "i32")
+        if bounds.element is not None:
+            yield from self._register("element", bounds.element[0], "i32")
+        if bounds.array.length is None:
+            yield "the length of the array is unknown"
+
     def _copy(self, copy: Copy) -> Faults:
         yield from self._operand("target", copy.target, "i32")
         yield from self._operand("source", copy.source, "i32")
@@ -305,6 +314,7 @@ _RULES: Final[dict[type[Instruction], Callable[..., Faults]]] = {
     Load: BlockVerifier._load,
     Store: BlockVerifier._store,
     Address: BlockVerifier._address,
+    Bounds: BlockVerifier._bounds,
     Copy: BlockVerifier._copy,
     Fill: BlockVerifier._fill,
     Lifetime: BlockVerifier._lifetime,

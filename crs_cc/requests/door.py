@@ -46,7 +46,7 @@ SLOT: Final = np.dtype(
             "<u4",
         ),  # 1: every statement is marked, else those in `marks` (the same)
         ("stopped", "<u4"),  # 1 + number of the marked statement it stopped before, 0 for none
-        ("reserved", "<u4"),
+        ("error_base", "<u4"),  # address of the array whose bounds an index exceeds
         ("message", MESSAGE),
     ]
 )

@@ -316,8 +316,13 @@ class Fleet:
             found = find_object(stopped, value)
         elif site.variable is not None:
             found = of_variable(stopped, site.variable)
+        array = None
+        if site.array is not None:
+            array = site.array, int(slot["error_base"])
+            found = find_object(stopped, array[1])
         size = size or int(slot["error_size"])
-        return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
+        access = site.access
+        return Failure(kind, site.location, value, stack, access, size, found, stopped, array)
 
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True

@@ -20,6 +20,7 @@ from typing import Final, Literal
 
 from crs_cc.core.source import Location
 from crs_cc.ir.program import Variable
+from crs_cc.ir.types import ArrayType
 
 Access = Literal["", "read", "write"]
 
@@ -40,6 +41,7 @@ class Site:
         access: what an access does; empty for all other failures.
         size: the number of accessed bytes; 0 if it is in the slot's `error_size`.
         variable: the variable to blame, where that is known.
+        array: the type of the array whose index is out of bounds.
     """
 
     kind: str
@@ -47,6 +49,7 @@ class Site:
     access: Access = ""
     size: int = 0
     variable: Variable | None = None
+    array: ArrayType | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,7 @@ from crs_cc.ir.program import (
     Base,
     Binary,
     Block,
+    Bounds,
     Branch,
     ByteState,
     Call,
@@ -408,7 +409,7 @@ class Interpreter:
                 )
                 self._memory.mark(address, size, it.state)
             case _:
-                assert isinstance(it, Statement | Lifetime | Callers), it
+                assert isinstance(it, Statement | Lifetime | Callers | Bounds), it
 
     def _compute(self, op: str, *operands: float) -> Any:
         if ".trunc_f" in op:  # C's conversions saturate to the lowest value here, see `selection`

@@ -10,17 +10,19 @@ from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.bit_field import read_bits
-from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, place, value
 from crs_cc.frontend.lower.memory import load
 from crs_cc.ir.program import (
+    Bounds,
     Constant,
     Move,
     Operand,
     Register,
 )
-from crs_cc.ir.types import PointerType
+from crs_cc.ir.types import ArrayType, PointerType, RecordType
 
 _LARGEST_OFFSET = 1 << 30
 
@@ -45,23 +47,41 @@ def _member(low: Lowering, expression: tree.MemberAccess) -> Place:
     return base, offset + expression.member.offset
 
 
+def place_of_address(low: Lowering, expression: Expression) -> Place:
+    """Return the place of an lvalue whose address is formed, but which is not accessed."""
+    match expression:
+        case tree.MemberAccess():
+            base, offset = place_of_address(low, expression.record)
+            return base, offset + expression.member.offset
+        case tree.Dereference():
+            return pointee(low, expression.pointer)
+    return place(low, expression)
+
+
 def _dereference(low: Lowering, expression: tree.Dereference) -> Place:
-    return pointee(low, expression.pointer)
+    return pointee(low, expression.pointer, expression.location)
 
 
 def _function(low: Lowering, expression: tree.FunctionName) -> Place:
     return low.refer(expression.symbol.link_name, expression.location), 0
 
 
-def pointee(low: Lowering, pointer: Expression) -> Place:
-    """Return the place that a pointer points to."""
+def pointee(low: Lowering, pointer: Expression, access: Location | None = None) -> Place:
+    """Return the place that a pointer points to.
+
+    Args:
+        low: the function.
+        pointer: the pointer.
+        access: the location of the access there, whose index must be that of an element; None if
+            only the address is formed.
+    """
     match pointer:
         case tree.AddressOf(operand=operand):
-            return place(low, operand)
+            return place_of_address(low, operand) if access is None else place(low, operand)
         case tree.PointerAdd():
-            return _moved(low, pointer)
+            return _moved(low, pointer, access)
         case tree.Convert(operand=operand) if isinstance(operand.type, PointerType):
-            return pointee(low, operand)
+            return pointee(low, operand, access)
     operand_ = value(low, pointer)
     if isinstance(operand_, Constant):
         register = low.register("i32")
@@ -70,25 +90,56 @@ def pointee(low: Lowering, pointer: Expression) -> Place:
     return operand_, 0
 
 
-def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
+def _moved(low: Lowering, moved: tree.PointerAdd, access: Location | None) -> Place:
     """Return the place of `pointer + index`, with its constant part in the offset."""
     assert isinstance(moved.type, PointerType)
     size, location = moved.type.target.size, moved.location
-    base, offset = pointee(low, moved.pointer)
+    array = None if access is None else _indexed_array(moved)
+    base, offset = pointee(low, moved.pointer, access)
     index, extra = _split(moved.index)
     step = extra * size
     if abs(offset + step) > _LARGEST_OFFSET:
-        index, step = moved.index, 0
+        index, extra, step = moved.index, 0, 0
     if moved.minus:
         step = -step
     if index is None:
+        if array is not None and not 0 <= extra < (array.length or 0):
+            wrong = Constant("i32", wrap(extra, 32, signed=True))
+            low.emit(Bounds(access or location, wrong, base, offset, array))
         return base, offset + step
-    scaled = _scaled(low, index, size, location)
+    operand = value(low, index)
+    scaled = _scaled(low, operand, size, location)
     op = "i32.sub" if moved.minus else "i32.add"
     if isinstance(base, Register):
-        return low.binary(location, op, base, scaled), offset + step
-    start = low.address((base, offset + step), location)
-    return low.binary(location, op, start, scaled), 0
+        found = low.binary(location, op, base, scaled), offset + step
+    else:
+        first = low.address((base, offset + step), location)
+        found = low.binary(location, op, first, scaled), 0
+    if array is not None:
+        low.emit(Bounds(access or location, operand, base, offset, array, extra, found))
+    return found
+
+
+def _indexed_array(moved: tree.PointerAdd) -> ArrayType | None:
+    """Return the type of the array in `array + index` if its length is known.
+
+    The last member of a struct may have more elements than it is declared with, as old programs
+    allocate, if these are none or one.
+    """
+    pointer = moved.pointer
+    if moved.minus or not isinstance(pointer, tree.AddressOf):
+        return None
+    designated, array = pointer.operand, pointer.operand.type
+    if not isinstance(array, ArrayType) or array.extent is not None or array.length is None:
+        return None
+    if isinstance(designated, tree.MemberAccess) and array.length <= 1:
+        record = designated.record.type
+        assert isinstance(record, RecordType)
+        if record.record.kind == "union" or record.record.members[-1] is designated.member:
+            return None
+    if isinstance(array.element, ArrayType) and array.element.extent is not None:
+        return None
+    return array
 
 
 def _split(index: Expression) -> tuple[Expression | None, int]:
@@ -105,13 +156,12 @@ def _split(index: Expression) -> tuple[Expression | None, int]:
     return index, 0
 
 
-def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> Operand:
+def _scaled(low: Lowering, operand: Operand, size: int, location: Location) -> Operand:
     """Return `index * size`."""
-    operand = value(low, index)
     if size == 1:
         return operand
     if isinstance(operand, Constant):
-        return constant(index.type, (int(operand.value) * size) & 0xFFFFFFFF)
+        return Constant("i32", wrap(int(operand.value) * size, 32, signed=True))
     if size & (size - 1) == 0:
         shift = Constant("i32", size.bit_length() - 1)
         return low.binary(location, "i32.shl", operand, shift)
@@ -134,11 +184,12 @@ def _value_of_object(low: Lowering, expression: Expression, into: Register | Non
 
 
 def _value_of_address(low: Lowering, expression: tree.AddressOf, into: Register | None) -> Operand:
-    return low.address(place(low, expression.operand), expression.location, into)
+    return low.address(place_of_address(low, expression.operand), expression.location, into)
 
 
 def _value_of_moved(low: Lowering, expression: tree.PointerAdd, into: Register | None) -> Operand:
-    return low.address(_moved(low, expression), expression.location, into)
+    where = _moved(low, expression, None)
+    return low.address(where, expression.location, into)
 
 
 RULES: Final = Rules(

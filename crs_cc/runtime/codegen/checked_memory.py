@@ -21,6 +21,7 @@ from crs_cc.ir.program import (
     VARARGS,
     Base,
     Block,
+    Bounds,
     ByteState,
     Constant,
     Copy,
@@ -53,7 +54,9 @@ from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
-Known: TypeAlias = tuple[ValueNumbers, KnownBytes]
+Checked: TypeAlias = "dict[tuple[Root | None, int], int]"
+"""The lengths that values are known to be less than, as unsigned numbers."""
+Known: TypeAlias = tuple[ValueNumbers, KnownBytes, Checked]
 """The facts known at one point."""
 
 LAST_BYTES: Final = -8
@@ -106,11 +109,12 @@ class CheckedMemory(PlainMemory):
         self._inherited = set(sole.values())
         self._at_end: dict[Block, Known] = {}
         self.places, self.proved = ValueNumbers(), KnownBytes()
+        self._indices: Checked = {}
         self._taken: set[Register] = set()
 
     def forget(self) -> None:
         """Discard known facts at a join of control flow."""
-        self.places, self.proved = ValueNumbers(), KnownBytes()
+        self.places, self.proved, self._indices = ValueNumbers(), KnownBytes(), {}
 
     def begin(self, block: Block) -> None:
         """Recall what is known at the start of a block: all that was at the end of the one before.
@@ -119,12 +123,16 @@ class CheckedMemory(PlainMemory):
         """
         known = self._at_end.get(self.sole.get(block))  # type: ignore[arg-type]
         if known is not None:
-            self.places, self.proved = known[0].copy(), known[1].copy()
+            self.places, self.proved, self._indices = (
+                known[0].copy(),
+                known[1].copy(),
+                known[2].copy(),
+            )
 
     def end(self, block: Block) -> None:
         """Note what is known at the end of a block."""
         if block in self._inherited:
-            self._at_end[block] = self.places, self.proved
+            self._at_end[block] = self.places, self.proved, self._indices
 
     def pass_facts(self, argument: Operand, parameter: Register, callee: CheckedMemory) -> None:
         """Pass on what is known of the bytes at an address to an inlined function."""
@@ -216,6 +224,34 @@ class CheckedMemory(PlainMemory):
         if self.writer.side_exit is not None:
             self.writer.code += [push, ("i32.const", LAST_BYTES), ("i32.ge_u",)]
             self.writer.fail_if(site, [])
+
+    def bounds(self, it: Bounds) -> None:
+        """Write the comparison of an index with the length of an array.
+
+        If the whole array is accessible, so is the element.
+        """
+        length = it.array.length or 0
+        root, constant = self.places.value(it.index)
+        place = root, constant + it.shift
+        if self._indices.get(place, length + 1) > length:
+            self._compare_index(it, length)
+            self._indices[place] = length
+        if it.element is not None and self._accessible(it.base, it.offset, it.array.size):
+            valued = self._valued(it.base, it.offset, it.array.size)
+            where = self.places.of(*it.element)
+            self.proved.add(where, it.array.element.size, valued=valued)
+
+    def _compare_index(self, it: Bounds, length: int) -> None:
+        writer, push = self.writer, [self.writer.value(it.index)]
+        if it.shift:
+            push += [("i32.const", it.shift), ("i32.add",)]
+        writer.code += [*push, ("i32.const", length), ("i32.ge_u",), UNLIKELY]
+        if writer.side_exit is None:
+            writer.code.append(("global.get", SLOT_GLOBAL))
+            writer.address(it.base, it.offset)
+            writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
+        writer.fail(Site("out of bounds", it.location, array=it.array), push)
+        writer.code.append(("end",))
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""

@@ -10,6 +10,7 @@ from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     Base,
     Block,
+    Bounds,
     ByteState,
     Callers,
     Constant,
@@ -75,6 +76,9 @@ class PlainMemory:
             return push, offset
         writer.code += [push, ("i32.const", offset), ("i32.add",), ("local.set", ADDRESS)]
         return ("local.get", ADDRESS), 0
+
+    def bounds(self, it: Bounds) -> None:
+        """Check that an index is that of an element of an array."""
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""

@@ -12,6 +12,7 @@ from typing import Final
 from crs_cc.ir.program import (
     Address,
     Binary,
+    Bounds,
     Callers,
     Constant,
     Copy,
@@ -171,6 +172,7 @@ _SELECT: Final[dict[type[Instruction], Callable[..., None]]] = {
     Address: Selector.address_of,
 }
 _ACCESS: Final[dict[type[Instruction], str]] = {
+    Bounds: "bounds",
     Load: "load",
     Store: "store",
     Copy: "copy",

@@ -23,6 +23,7 @@ from crs_cc.ir.program import (
     Address,
     Binary,
     Block,
+    Bounds,
     Branch,
     Call,
     Constant,
@@ -51,7 +52,7 @@ MOST_WORK: Final = 60
 """The fuel of the largest small function, with that of the functions that it calls."""
 
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
-_INLINED: Final = (Statement, Move, Unary, Binary, Load, Store, Address, Writable)
+_INLINED: Final = (Statement, Move, Unary, Binary, Load, Store, Address, Bounds, Writable)
 _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 _DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
 
@@ -219,6 +220,8 @@ class Bodies:
                 known = isinstance(it, Store) and proved.has(where, size, valued=False)
                 proved.add(where, size, valued=False)
                 return self.checked and not known
+            case Bounds():
+                return self.checked
             case Binary():
                 return self._operation_fails(it)
         return isinstance(it, Stop)

@@ -81,6 +81,10 @@ class ValueNumbers:
             case _:
                 self._origins[target] = self._new(), 0
 
+    def value(self, operand: Operand) -> tuple[Root | None, int]:
+        """Return the root and offset of a value."""
+        return self._origin(operand)
+
     def _origin(self, operand: Operand) -> tuple[Root | None, int]:
         if isinstance(operand, Constant):
             return None, int(operand.value)

@@ -14,7 +14,7 @@ from typing import Final
 
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Program
-from crs_cc.ir.types import CType, PointerType, spell
+from crs_cc.ir.types import ArrayType, CType, PointerType, spell
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.expression_text import names_in, pointer_in
 from crs_cc.runtime.diagnosis.failure import Failure
@@ -22,7 +22,7 @@ from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.diagnosis.object_text import count, object_name, object_notes
 from crs_cc.runtime.diagnosis.values import place_name
 from crs_cc.runtime.diagnosis.variables import Variables
-from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_SIZE
 
 _CALL: Final = re.compile(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(")
 LARGEST_SCALAR: Final = 8  # bytes; a larger access starts inside the object that it overruns
@@ -144,7 +144,7 @@ def _outside(case: Case) -> Explanation:
         return Explanation("the access is unknown without memory checks")
     text, value = case.pointer() or ("", None)
     address = case.failure.value
-    if text and value is not None:
+    if text and value is not None and value >= MEMORY_BYTES:
         what = f"'{text}' is {value:#x}"
     elif case.expression and case.callee is None:
         what = f"'{case.expression}' is at {address:#x}"
@@ -161,6 +161,8 @@ def _wild(case: Case) -> Explanation:
 
 def _out_of_bounds(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
+    if failure.array is not None:
+        return _index(failure, *failure.array)
     if found is None:
         return _wild(case)
     behind = failure.value - (found.address + found.size)
@@ -176,6 +178,22 @@ def _out_of_bounds(case: Case) -> Explanation:
         where += " the start of"
     text = f"{case.access} {where} {object_name(found)}"
     return Explanation(text, object_notes(found, failure.value))
+
+
+def _index(failure: Failure, array: ArrayType, address: int) -> Explanation:
+    """Explain an index that is out of an array's bounds."""
+    found, index = failure.object, failure.value - (failure.value >> 31 << 32)
+    where = "before the start" if index < 0 else "past the end"
+    whole = found is not None and found.distance(address) == 0
+    if found is None or not whole or found.variable is None:
+        inside = f" in {object_name(found)}" if found is not None and whole else ""
+        text = f"index {index} is {where} of an array of {count(array.length or 0, 'element')}"
+        return Explanation(text + inside, object_notes(found) if whole else ())
+    part = place_name(found.name, found.variable.ctype, address - found.address, array)
+    notes = object_notes(found)
+    if part != found.name:
+        notes = (f"'{part}' is {spell(array)}, {count(array.size, 'byte')}", *notes)
+    return Explanation(f"index {index} is {where} of '{part}'", notes)
 
 
 def _freed(case: Case) -> Explanation:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from crs_cc.core.source import Location
+from crs_cc.ir.types import ArrayType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.sites import Access
@@ -23,6 +24,7 @@ class Failure:
         access: "read" or "write" for an invalid memory access.
         size: number of bytes accessed.
         object: the object at or near `value`; the uninitialised variable.
+        array: the array whose index, `value`, is out of bounds, and its address.
         stopped: the program, for inspection; None if its stack cannot be trusted.
     """
 
@@ -34,3 +36,4 @@ class Failure:
     size: int = 0
     object: Object | None = None
     stopped: Stopped | None = None
+    array: tuple[ArrayType, int] | None = None

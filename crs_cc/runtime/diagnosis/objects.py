@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Final, Literal, TypeVar
 
 from crs_cc.core.source import Location
+from crs_cc.ir.names import in_library
 from crs_cc.ir.program import Data, Program, Slot, Variable
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.diagnosis import heap
@@ -157,8 +158,15 @@ def _local(slot: Slot, address: int, function: str) -> Object:
 
 
 def _globals(program: Program, compiled: Compiled) -> Iterator[Object]:
+    """Return the global objects, without those that only the library knows."""
     for data in program.data.values():
-        yield _global(data, compiled.addresses[data.name])
+        if not _is_private(data):
+            yield _global(data, compiled.addresses[data.name])
+
+
+def _is_private(data: Data) -> bool:
+    """Return whether an object of the library cannot be named by programs."""
+    return in_library(data.location) and (":" in data.name or data.name.startswith("_"))
 
 
 def _global(data: Data, address: int) -> Object:
