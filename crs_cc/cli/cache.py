@@ -12,7 +12,7 @@ from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.messages import say
 
 if TYPE_CHECKING:
-    from crs_cc.session.cache_size import StoredEntry
+    from crs_cc.toolchain.cache_size import StoredEntry
 
 _UNITS: Final = ((2**30, "GiB"), (2**20, "MiB"), (2**10, "KiB"))
 _EXAMPLES: Final = """
@@ -38,7 +38,7 @@ def cache(context: click.Context) -> int:
     """
     if context.invoked_subcommand is not None:
         return 0
-    from crs_cc.session.cache_size import LIMIT_VARIABLE, invalid_limit, limit_bytes
+    from crs_cc.toolchain.cache_size import LIMIT_VARIABLE, invalid_limit, limit_bytes
 
     folder = _folder()
     entries = _entries(folder)
@@ -54,7 +54,7 @@ def cache(context: click.Context) -> int:
 @cache.command(epilog="\b\nExamples:\n  crs cache clear", short_help="Remove all entries.")
 def clear() -> int:
     """Remove all entries; programs are compiled again when they are run next."""
-    from crs_cc.session.cache_size import remove
+    from crs_cc.toolchain.cache_size import remove
 
     folder = _folder()
     removed = []
@@ -77,7 +77,7 @@ def _folder() -> Path:
     Raises:
         click.UsageError: there is none.
     """
-    from crs_cc.session.cache import folder, is_private
+    from crs_cc.toolchain.cache import folder, is_private
 
     place = folder()
     if place is None:
@@ -93,7 +93,7 @@ def _entries(folder: Path) -> list[StoredEntry]:
     Raises:
         OSError: the folder cannot be read.
     """
-    from crs_cc.session.cache_size import stored_entries
+    from crs_cc.toolchain.cache_size import stored_entries
 
     try:
         return stored_entries(folder)

@@ -24,8 +24,8 @@ from crs_cc.runtime.executable import (
     load_executable,
     load_module,
 )
-from crs_cc.session import cache
 from crs_cc.session.device_library import device_sources
+from crs_cc.toolchain import cache
 
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess.options import Dialect, Options
@@ -259,7 +259,7 @@ def _unpack(entry: _Linked) -> tuple[Program, _Lines]:
     """Return what `_pack` packed; programs of one process share the library's definitions."""
     from crs_cc.ir.program import Program
 
-    functions, data, lines = pickle.loads(entry.content)  # noqa: S301 - see `crs_cc.session.cache`
+    functions, data, lines = pickle.loads(entry.content)  # noqa: S301 - see `crs_cc.toolchain.cache`
     missing = {name for each in (functions, data) for name, found in each.items() if found is None}
     theirs = _KNOWN
     if not missing <= theirs.keys():

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from crs_cc.session import cache
 from crs_cc.session.device_library import device_sources
-from crs_cc.session.fingerprint import WORLDS
 from crs_cc.sim.files.known_robots import known_robots
 from crs_cc.sim.model.world import WorldModel
+from crs_cc.toolchain import cache
+from crs_cc.toolchain.fingerprint import WORLDS
 
 
 def empty_world(setup: str, robot: str) -> WorldModel:

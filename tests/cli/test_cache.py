@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.session import cache
+from crs_cc.toolchain import cache
 
 
 @pytest.fixture(autouse=True)

@@ -18,10 +18,10 @@ from crs_cc.core.source import Diagnostics, Location
 from crs_cc.ir.program import Function
 from crs_cc.runtime import executable as executable_module
 from crs_cc.session import build as build_module
-from crs_cc.session import cache
-from crs_cc.session import library as library_module
 from crs_cc.session.build import build_executable
-from crs_cc.session.fingerprint import PACKAGE, sources
+from crs_cc.toolchain import cache
+from crs_cc.toolchain import library as library_module
+from crs_cc.toolchain.fingerprint import PACKAGE, sources
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
 

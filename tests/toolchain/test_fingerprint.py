@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.session import cache, fingerprint
+from crs_cc.toolchain import cache, fingerprint
 
 
 @pytest.fixture

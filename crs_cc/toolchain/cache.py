@@ -18,8 +18,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeVar
 
-from crs_cc.session.cache_size import TEMPORARY, StoreQuota
-from crs_cc.session.fingerprint import COMPILER, fingerprint, stamp
+from crs_cc.toolchain.cache_size import TEMPORARY, StoreQuota
+from crs_cc.toolchain.fingerprint import COMPILER, fingerprint, stamp
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")

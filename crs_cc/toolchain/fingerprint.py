@@ -12,7 +12,9 @@ from typing import Final
 
 PACKAGE: Final = Path(__file__).parent.parent
 
-COMPILER: Final = ("core", "requests", "robot_api", "ir", "frontend", "runtime", "session")
+COMPILER: Final = (
+    *("core", "requests", "robot_api", "ir", "frontend", "runtime", "toolchain", "session"),
+)
 """The folders that determine what a C program is compiled to."""
 
 WORLDS: Final = (*COMPILER, "sim")

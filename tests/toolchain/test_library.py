@@ -8,12 +8,14 @@ from pathlib import Path
 import pytest
 
 from crs_cc.core.errors import InternalError
-from crs_cc.session import library as library_module
-from crs_cc.session.library import SOURCES, CachedLibrary, index_of_sources
+from crs_cc.session.device_library import device_headers
+from crs_cc.toolchain import cache
+from crs_cc.toolchain import library as library_module
+from crs_cc.toolchain.library import SOURCES, CachedLibrary, index_of_sources
 
 
 def test_the_index_is_that_of_the_sources(check_golden: Callable[[Path, bytes], None]) -> None:
-    check_golden(SOURCES / "index.txt", index_of_sources().encode())
+    check_golden(SOURCES / "index.txt", index_of_sources(device_headers()).encode())
 
 
 def test_every_unit_is_in_the_index() -> None:
@@ -25,6 +27,7 @@ def test_every_unit_is_in_the_index() -> None:
 def test_only_the_units_that_are_needed_are_compiled(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    cache.version()  # which the cache holds, too
     monkeypatch.setenv("CRS_CACHE", str(tmp_path))
     library = CachedLibrary()
     assert library.find("abs") is not None
@@ -41,4 +44,4 @@ def test_a_name_defined_twice_in_the_library_is_an_internal_error(
     for unit in ("a.c", "b.c"):
         (tmp_path / unit).write_text("int twice;\n" if unit == "a.c" else "int twice = 2;\n")
     with pytest.raises(InternalError, match=r"'twice' in a\.c and b\.c"):
-        index_of_sources()
+        index_of_sources(())

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.session import cache, cache_size
-from crs_cc.session.cache_size import DEFAULT_LIMIT, StoreQuota, limit_bytes, stored_entries
+from crs_cc.toolchain import cache, cache_size
+from crs_cc.toolchain.cache_size import DEFAULT_LIMIT, StoreQuota, limit_bytes, stored_entries
 
 SIZE = 1000  # of an entry's content [bytes]; pickled and with its digest it is a little more
 STORES = """
 import sys
-from crs_cc.session import cache
+from crs_cc.toolchain import cache
 for number in range(100):
     cache.store(f"{int(sys.argv[1]) * 1000 + number:032x}", bytes(1000))
     cache.load(f"{number:032x}", bytes)

@@ -1,0 +1,102 @@
+"""A program of ours that computes for the simulation, in a memory of its own.
+
+Such a program has the same form as a robot's: it posts a request when it waits for work, and its
+whole state is in its memory, which numpy sees. A call is one C call into wasmtime, without the
+conversions of its Python interface, which cost ten times as much.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+from typing import Final
+
+import numpy as np
+import wasmtime
+from wasmtime import _bindings, _ffi
+
+from crs_cc.core.arrays import ByteArray
+from crs_cc.core.errors import InternalError
+from crs_cc.core.source import Location
+from crs_cc.requests import MESSAGE, SLOT, SUSPENDED, slot_offset
+from crs_cc.runtime.executable import Executable, engine
+
+_FUEL: Final = 1 << 62  # more than any call can use
+_RESUME: Final = struct.Struct("<iiiiIIq")
+"""The slot's fields from `run` to `fuel`."""
+_STATE: Final = struct.Struct("<ii")
+"""Status and code."""
+
+_call = ctypes.PYFUNCTYPE(
+    ctypes.c_void_p,
+    ctypes.c_void_p,
+    ctypes.c_void_p,
+    ctypes.c_void_p,
+    ctypes.c_size_t,
+    ctypes.c_void_p,
+)(("wasmtime_func_call_unchecked", _ffi.dll))
+"""wasmtime's quickest call, with the interpreter's lock held: others take longer than the work."""
+
+
+class KernelInstance:
+    """An instance of a program that computes whenever it is resumed.
+
+    Attributes:
+        memory: its memory; it never moves.
+        message: the integers of the request that it has posted.
+    """
+
+    def __init__(self, executable: Executable) -> None:
+        """Start the program, and run it up to its first request.
+
+        Raises:
+            InternalError: it stops with an error.
+        """
+        self._name = executable.name
+        self._store = wasmtime.Store(engine())
+        mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(wasmtime.Limits(1, 1)))
+        instance = wasmtime.Instance(self._store, executable.module(), [mailbox])
+        exports = instance.exports(self._store)
+        resume, memory = exports["resume"], exports["memory"]
+        assert isinstance(resume, wasmtime.Func)
+        assert isinstance(memory, wasmtime.Memory)
+        self.memory = _view(self._store, memory)
+        self._slot = memoryview(_view(self._store, mailbox)[: SLOT.itemsize])
+        self._function = resume._func
+        self._values = (_bindings.wasmtime_val_raw * 1)()
+        self._trap = ctypes.c_void_p()
+        self._arguments = (
+            ctypes.cast(self._store._context(), ctypes.c_void_p).value,
+            ctypes.addressof(self._function),
+            ctypes.addressof(self._values),
+            1,
+            ctypes.addressof(self._trap),
+        )
+        self.resume()
+        first = slot_offset("message")
+        self.message = np.frombuffer(self._slot, MESSAGE, 1, first)["i"][0]
+
+    def resume(self) -> None:
+        """Run the program up to its next request.
+
+        Raises:
+            InternalError: it stops with an error.
+        """
+        slot = self._slot
+        _RESUME.pack_into(slot, 0, 0, 0, 0, 0, 0, 0, _FUEL)
+        self._values[0].i32 = 0
+        failed = _call(*self._arguments)
+        _, code = _STATE.unpack_from(slot, 4)
+        if failed or self._trap.value or self._values[0].i32 != SUSPENDED or not code:
+            self._fail()
+
+    def _fail(self) -> None:
+        raise InternalError.at(Location(self._name), "it has stopped with an error")
+
+
+def _view(store: wasmtime.Store, memory: wasmtime.Memory) -> ByteArray:
+    """Return a memory as an array that keeps the store alive."""
+    address = ctypes.addressof(memory.data_ptr(store).contents)
+    buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)
+    buffer.store = store  # type: ignore[attr-defined]
+    return np.frombuffer(memoryview(buffer), np.uint8)
