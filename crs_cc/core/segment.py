@@ -36,4 +36,5 @@ def nearest_share(
 def distance(across_x: Number, across_y: Number, along_x: Number, along_y: Number) -> FloatArray:
     """Return how far places are from segments."""
     share = nearest_share(across_x, across_y, along_x, along_y)
-    return np.asarray(np.hypot(across_x - share * along_x, across_y - share * along_y))
+    x, y = across_x - share * along_x, across_y - share * along_y
+    return np.asarray(np.sqrt(x * x + y * y))

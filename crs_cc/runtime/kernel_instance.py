@@ -61,7 +61,7 @@ class KernelInstance:
         assert isinstance(resume, wasmtime.Func)
         assert isinstance(memory, wasmtime.Memory)
         self.memory = _view(self._store, memory)
-        self._slot = memoryview(_view(self._store, mailbox)[: SLOT.itemsize])
+        self._slot = _view(self._store, mailbox)[: SLOT.itemsize].data
         self._function = resume._func
         self._values = (_bindings.wasmtime_val_raw * 1)()
         self._trap = ctypes.c_void_p()

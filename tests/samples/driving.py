@@ -33,6 +33,7 @@ class Drive:
         files: what it wrote, by name.
         paths: x and y of the robots after each timestep [m], shape (timesteps, robots, 2).
         robots: the results.
+        state_hash: of the state in which it ends.
         things: x, y [m] and heading [rad] of what can be pushed, at the end, by name.
     """
 
@@ -83,6 +84,7 @@ class Drive:
             state = session.environment.state
             paths.append(np.column_stack([state.x_m, state.y_m]))
         self.paths = np.array(paths)
+        self.state_hash = session.state_hash()
         self.robots: tuple[RobotResult, ...] = session.result().robots
         self.output = b"".join(self._outputs)
         bodies, pushables = session.environment.state.bodies, Scene(world).pushables

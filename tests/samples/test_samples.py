@@ -79,8 +79,8 @@ class Run:
         words += ["--", *self.arguments] if self.arguments else []
         return " ".join(words).replace(f"{ROOT}/", "")
 
-    def drive(self, setup: str = "") -> Drive:
-        """Run it, with a setup of the robots."""
+    def drive(self, setup: str = "", longest_s: float = 300.0) -> Drive:
+        """Run it, with a setup of the robots, and stop it at a time."""
         return Drive(
             self.program(),
             load_world(self.world_file(), setup),
@@ -88,6 +88,7 @@ class Run:
             files={name: (ROOT / name).read_bytes() for name in self.reads},
             standard=self.standard,
             dialect=self.dialect,
+            longest_s=longest_s,
         )
 
 

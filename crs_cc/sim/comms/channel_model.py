@@ -38,6 +38,7 @@ from crs_cc.sim.comms.outages import is_shut
 from crs_cc.sim.geometry.cell_list import CellList, expand
 from crs_cc.sim.geometry.line_of_sight import Sight
 from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.messages import EVERYBODY, NO_GROUP, RECEPTION
 
@@ -86,7 +87,7 @@ class ChannelModel:
         fate[~state.presence.present[receiver]] = Fate.ABSENT
         channel = packets["channel"][packet]
         start, end = place[packets["sender"][packet]], place[receiver]
-        distance_m, range_m = np.abs(end - start), channels.range_m[channel]
+        distance_m, range_m = exact.magnitude(end - start), channels.range_m[channel]
         open_ = fate == Fate.DELIVERED
         fate[open_ & (distance_m > range_m)] = Fate.RANGE
         seen = np.flatnonzero((fate == Fate.DELIVERED) & (channels.walls[channel] < 1.0))
@@ -95,7 +96,9 @@ class ChannelModel:
             objects = self._sight.between(
                 bodies.position_m, bodies.angle_rad, start[seen], end[seen]
             )
-            reach_m = range_m[seen] * channels.walls[channel[seen]] ** objects
+            reach_m = range_m[seen] * exact.power(
+                channels.walls[channel[seen]], objects.astype(np.float64)
+            )
             fate[seen[distance_m[seen] > reach_m]] = Fate.BLOCKED
         self._lose(state, packets, packet, receiver, fate)
         lost = fate != Fate.DELIVERED
@@ -130,7 +133,7 @@ class ChannelModel:
             cells = CellList(place[robots].real, place[robots].imag, reach_m)
             sender, hearer = cells.near(from_.real, from_.imag)
             packet, receiver = many[sender], robots[hearer]
-            near = np.abs(place[receiver] - from_[sender]) <= reach_m
+            near = exact.magnitude(place[receiver] - from_[sender]) <= reach_m
             near &= _is_meant(state, packets[packet], receiver)
             found.append((packet[near], receiver[near]))
         packet, receiver = (np.concatenate(part) for part in zip(*found, strict=True))
@@ -148,7 +151,7 @@ class ChannelModel:
         robots = np.flatnonzero(which & state.presence.present)
         range_m = self._channels.range_m[packets["channel"]]
         away = place[robots] - place[packets["sender"]][:, None]
-        near = np.abs(away) <= range_m[:, None]
+        near = exact.magnitude(away) <= range_m[:, None]
         near &= _is_meant(state, packets[:, None], robots)
         return np.asarray((packets["to"] == EVERYBODY) & near.any(axis=1))
 

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from crs_cc.sim.kernels import exact
+
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.bodies import Bodies
@@ -24,7 +26,7 @@ def is_space_free(constants: RobotConstants, bodies: Bodies, thing: int) -> bool
     things, scene = constants.shapes, constants.scene
     poses, own = things.poses(bodies), scene.robots + thing
     lifted = bodies.holds.in_hands()[1] + scene.robots
-    away_m = np.hypot(poses[:, 0] - poses[own, 0], poses[:, 1] - poses[own, 1])
+    away_m = exact.hypot(poses[:, 0] - poses[own, 0], poses[:, 1] - poses[own, 1])
     near = away_m <= things.reach_m + things.reach_m[own]
     near[lifted] = False
     near[: scene.robots] &= scene.present

@@ -17,6 +17,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
@@ -108,10 +109,10 @@ def sense(
     cells = CellList(places[:, 0].copy(), places[:, 1].copy(), float(range_m.max(initial=0.0)))
     robot, source = cells.near(mounts[:, 0], mounts[:, 1])
     way_m = places[source] - mounts[robot, :2]
-    distance_m = np.hypot(way_m[:, 0], way_m[:, 1])
+    distance_m = exact.hypot(way_m[:, 0], way_m[:, 1])
     keep = (distance_m <= range_m[robot]) & (sources.owner[source] != rows[robot])
     robot, source, way_m, distance_m = robot[keep], source[keep], way_m[keep], distance_m[keep]
-    direction_rad = np.arctan2(way_m[:, 1], way_m[:, 0])
+    direction_rad = exact.arctan2(way_m[:, 1], way_m[:, 0])
     poses = np.column_stack([mounts[robot, :2], direction_rad])
     hit_m, thing = rays.seen(state, fan, poses, rows[robot])
     in_sight = hit_m[:, 0] >= distance_m - _SLACK_M

@@ -177,7 +177,7 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
     vector[:, BUMPER] = bumper_state(state).pressed[rows]
     vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, constants, rows)
     works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
-    vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
+    vector[:, MOTOR_STATUS] = ((works & ~take(state.drive.limp, rows)) * _BITS).sum(axis=1)
     return vector
 
 

@@ -24,6 +24,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.drawings import DrawingState
@@ -125,15 +126,15 @@ def _bow(
     sweep = max(-_TURN, min(end - begin, _TURN))
     count = max(2, math.ceil(abs(sweep) / _TURN * _POINTS) + 1)
     angle = tenths_deg_to_rad(np.linspace(begin, begin + sweep, count))
-    return np.array(middle) + np.column_stack([np.cos(angle), np.sin(angle)]) * half
+    return np.array(middle) + np.column_stack([exact.cos(angle), exact.sin(angle)]) * half
 
 
 def _spoke(x_m: float, y_m: float, heading_rad: float, length_m: float) -> FloatArray:
-    end = x_m + length_m * math.cos(heading_rad), y_m + length_m * math.sin(heading_rad)
+    end = x_m + length_m * exact.cos(heading_rad), y_m + length_m * exact.sin(heading_rad)
     return np.array([(x_m, y_m), end])
 
 
 def _arrow(x_m: float, y_m: float, heading_rad: float, length_m: float) -> FloatArray:
     angle = heading_rad + np.array([math.pi, 0.0, 0.7, 0.0, -0.7])
     size_m = length_m * np.array([1.0, 1.0, 0.6, 1.0, 0.6])
-    return np.column_stack([x_m + size_m * np.cos(angle), y_m + size_m * np.sin(angle)])
+    return np.column_stack([x_m + size_m * exact.cos(angle), y_m + size_m * exact.sin(angle)])

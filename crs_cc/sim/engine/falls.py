@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -37,7 +38,7 @@ def log_falls(
         return
     terrain, after_m = constants.inclines.terrain, before_m + went_m
     drop_m = terrain.height_m(*before_m.T) - terrain.height_m(*after_m.T)
-    slope = np.hypot(*terrain.gradient(*before_m.T).T)
-    fell = drop_m > constants.drives.step_m + slope * np.hypot(*went_m.T) * 1.001
+    slope = exact.hypot(*terrain.gradient(*before_m.T).T)
+    fell = drop_m > constants.drives.step_m + slope * exact.hypot(*went_m.T) * 1.001
     for robot in np.flatnonzero(fell).tolist():
         log.say(time_s, "fall", f"fell {drop_m[robot]:.2f} m", robot)

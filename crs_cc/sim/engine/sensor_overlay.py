@@ -18,6 +18,7 @@ from crs_cc.core.units import tenths_inch_to_m
 from crs_cc.sim.devices.camera import Camera, camera_state, picture
 from crs_cc.sim.devices.sonar.model import Sonar, sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 
@@ -82,7 +83,7 @@ def _cone(sonar: Sonar, echo_m: float) -> FloatArray:
     angles = sonar.direction_rad + np.linspace(-half_rad, half_rad, _ARC)
     start = np.array([[sonar.x_m, sonar.y_m]])
     return np.concatenate(
-        [start, start + echo_m * np.column_stack([np.cos(angles), np.sin(angles)])]
+        [start, start + echo_m * np.column_stack([exact.cos(angles), exact.sin(angles)])]
     )
 
 
@@ -91,9 +92,10 @@ def _line(camera: Camera, column: int, range_m: float) -> FloatArray:
     step_rad = camera.field_of_view_rad / camera.columns
     angle = camera.direction_rad + ((camera.columns - 1) / 2 - column) * step_rad
     start = np.array([camera.x_m, camera.y_m])
-    return np.array([start, start + range_m * np.array([math.cos(angle), math.sin(angle)])])
+    return np.array([start, start + range_m * np.array([exact.cos(angle), exact.sin(angle)])])
 
 
 def _turned(points: FloatArray, angle_rad: float) -> FloatArray:
-    cos, sin = math.cos(angle_rad), math.sin(angle_rad)
-    return np.asarray(points @ np.array([[cos, sin], [-sin, cos]]))
+    cos, sin = exact.cos(angle_rad), exact.sin(angle_rad)
+    x, y = points[..., 0], points[..., 1]
+    return np.stack([cos * x - sin * y, sin * x + cos * y], axis=-1)

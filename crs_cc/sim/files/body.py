@@ -7,6 +7,7 @@ from typing import Final
 
 from crs_cc.core.quantity import LENGTH
 from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.kernels import exact
 
 _ROUNDING_M: Final = 1e-4  # resolution of the positions of sensors on the shell
 
@@ -19,4 +20,4 @@ def body_radius_m(root: Element, reader: Reader) -> float:
 
 def is_outside(root: Element, x_m: float, y_m: float, reader: Reader) -> bool:
     """Return whether a position in the robot frame is outside of the body."""
-    return math.hypot(x_m, y_m) > body_radius_m(root, reader) + _ROUNDING_M
+    return exact.hypot(x_m, y_m) > body_radius_m(root, reader) + _ROUNDING_M

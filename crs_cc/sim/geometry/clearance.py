@@ -9,6 +9,7 @@ import numpy as np
 from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import Outlines, Scene
+from crs_cc.sim.kernels import exact
 
 
 def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> float:
@@ -36,7 +37,7 @@ def _to_segments(x_m: FloatArray, y_m: FloatArray, segments: FloatArray) -> Floa
 
 def _to_circles(x_m: FloatArray, y_m: FloatArray, outlines: Outlines) -> FloatArray:
     x, y, radius = outlines.circles.T
-    return np.asarray(np.hypot(x_m - x, y_m - y) - radius)
+    return np.asarray(exact.hypot(x_m - x, y_m - y) - radius)
 
 
 def _to_others(x_m: FloatArray, y_m: FloatArray, moving: Outlines) -> FloatArray:

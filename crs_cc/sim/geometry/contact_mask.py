@@ -33,6 +33,7 @@ from crs_cc.sim.geometry.cell_list import CellList, blocks, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 _ON_M: Final = 1e-9  # a sensor on a side must not be outside here and inside for `rays`
@@ -65,24 +66,25 @@ class Pieces:
         self._own_along = np.array([piece.along for piece in pieces], dtype=np.complex128)
         place = np.array([piece.place for piece in pieces], dtype=np.complex128)
         facing = np.array([piece.facing for piece in pieces], dtype=np.complex128)
-        self._middle = place + facing * self._own_middle
-        self._along = facing * self._own_along
+        self._middle = place + exact.product(facing, self._own_middle)
+        self._along = exact.product(facing, self._own_along)
         self._half_length_m = np.array([piece.half_length_m for piece in pieces])
         self._half_width_m = np.array([piece.half_width_m for piece in pieces])
         self._slants = np.array([piece.slants for piece in pieces]).reshape(-1, 2)
         self._slants_m = np.array([piece.slants_m for piece in pieces]).reshape(-1, 2)
         self._start_m = start_m + _ON_M
         self._grid = self._grid_of_fixed()
-        half_m = np.hypot(self._half_length_m[self._fixed :], self._half_width_m[self._fixed :])
+        half_m = exact.hypot(self._half_length_m[self._fixed :], self._half_width_m[self._fixed :])
         self._reach_m = self._start_m + float(half_m.max(initial=0.0))
         self._cells: CellList | None = None
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Update the poses of the movable bodies, as for `Scene.moving`."""
         x_m, y_m = position_m[self._bodies].T
-        facing = np.exp(1j * angle_rad[self._bodies])
-        self._middle[self._fixed :] = x_m + 1j * y_m + facing * self._own_middle[self._fixed :]
-        self._along[self._fixed :] = facing * self._own_along[self._fixed :]
+        facing = exact.turn(angle_rad[self._bodies])
+        off_m = exact.product(facing, self._own_middle[self._fixed :])
+        self._middle[self._fixed :] = x_m + 1j * y_m + off_m
+        self._along[self._fixed :] = exact.product(facing, self._own_along[self._fixed :])
         self._cells = None
 
     def cover(self, fan: Fan, poses: FloatArray, objects: IndexArray | None = None) -> BoolArray:
@@ -112,14 +114,14 @@ class Pieces:
         robots, shapes = self._near(place)
         # In the frame of the piece: its centre is the origin, x is its long axis.
         backturn = np.conjugate(self._along.take(shapes))
-        local = (place.take(robots) - self._middle.take(shapes)) * backturn
+        local = exact.product(place.take(robots) - self._middle.take(shapes), backturn)
         close = np.flatnonzero(self._within(local, shapes, self._start_m))
         if not len(close):
             return
         robots, shapes, local = robots.take(close), shapes.take(close), local.take(close)
-        facing = np.exp(1j * poses[robots, 2]) * backturn.take(close)
+        facing = exact.product(exact.turn(poses[robots, 2]), backturn.take(close))
         for part in blocks(np.full(len(close), len(fan))):
-            starts = local[part][:, None] + facing[part][:, None] * fan.start
+            starts = local[part][:, None] + exact.product(facing[part][:, None], fan.start)
             pairs, beams = np.nonzero(self._within(starts, shapes[part][:, None], _ON_M))
             left = self._left_of_slants(starts[pairs, beams], shapes[part].take(pairs))
             pairs, beams = pairs[left] + part.start, fan.order.take(beams[left])
@@ -133,7 +135,7 @@ class Pieces:
         return np.asarray(along & across)
 
     def _left_of_slants(self, local: ComplexArray, shapes: IndexArray) -> BoolArray:
-        outward = (np.conjugate(self._slants[shapes]) * local[:, None]).real
+        outward = exact.dot(self._slants[shapes], local[:, None])
         return np.asarray((outward <= self._slants_m[shapes] + _ON_M).all(axis=1))
 
     def _blocks(self, place: ComplexArray) -> Iterator[slice]:
@@ -206,11 +208,11 @@ def _pieces(solid: Solid) -> tuple[_Piece, ...]:
         return ()
     if isinstance(solid, Wall):
         start, end = complex(solid.x1_m, solid.y1_m), complex(solid.x2_m, solid.y2_m)
-        along = np.exp(1j * np.angle(end - start))
-        half_m = abs(end - start) / 2
+        along = exact.turn(exact.angle(end - start))
+        half_m = exact.magnitude(end - start) / 2
         return (_Piece((start + end) / 2, along, 0j, 1, half_m, solid.thickness_m / 2),)
     place = complex(solid.pose.x_m, solid.pose.y_m)
-    facing = complex(np.exp(1j * solid.pose.heading_rad))
+    facing = complex(exact.turn(solid.pose.heading_rad))
     if isinstance(solid, Box):
         return (_Piece(place, facing, 0j, 1, solid.length_m / 2, solid.width_m / 2),)
     corners = own_corners_m(solid)
@@ -219,16 +221,16 @@ def _pieces(solid: Solid) -> tuple[_Piece, ...]:
 
 
 def _triangle(place: complex, facing: complex, corners: ComplexArray) -> _Piece:
-    longest = int(np.abs(np.roll(corners, -1) - corners).argmax())
+    longest = int(exact.magnitude(np.roll(corners, -1) - corners).argmax())
     start, end, top = np.roll(corners, -longest).tolist()
-    length_m = abs(end - start)
+    length_m = exact.magnitude(end - start)
     along = (end - start) / length_m
-    height_m = ((top - start) / along).imag
+    height_m = exact.product(top - start, along.conjugate()).imag
     middle = (start + end) / 2 + 1j * along * height_m / 2
-    top = (top - middle) / along
+    top = exact.product(top - middle, along.conjugate())
     right, left = length_m / 2 - 1j * height_m / 2, -length_m / 2 - 1j * height_m / 2
-    slants = [-1j * (b - a) / abs(b - a) for a, b in ((right, top), (top, left))]
-    slants_m = [(slant.conjugate() * top).real for slant in slants]
+    slants = [-1j * (b - a) / exact.magnitude(b - a) for a, b in ((right, top), (top, left))]
+    slants_m = [exact.dot(slant, top) for slant in slants]
     return _Piece(
         place, facing, middle, along, length_m / 2, height_m / 2, tuple(slants), tuple(slants_m)
     )

@@ -56,6 +56,7 @@ from crs_cc.sim.geometry import cell_list
 from crs_cc.sim.geometry.cell_list import blocks, expand
 from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
+from crs_cc.sim.kernels import exact
 
 _SIDES: Final = np.array([-1.0, 1.0])
 _RAYS: Final = np.linspace(-1.0, 1.0, 17)
@@ -170,8 +171,8 @@ class _Block:
         """Return the first echo along rays of each beam, infinite for none."""
         pings, hushed = self.pings, self.hushed
         angle_rad = pings.half_rad[:, None] * shares
-        rays = np.exp(1j * angle_rad)
-        reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
+        rays = exact.turn(angle_rad)
+        reach_m = pings.reach_m(np.arange(len(pings))[:, None], angle_rad)
         loud_m = reach_m
         face_m, round_m = _hits_m(faces, rays), _hits_m(rounds, rays)
         if shaped:
@@ -182,7 +183,7 @@ class _Block:
         if hushed is not None:
             face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
             round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
-        glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
+        glancing_m = faces.away_m / np.maximum(exact.cos(pings.critical_rad[faces.ping]), 1e-12)
         glancing_m += _ON_M  # rounding must not silence a face at exactly the critical angle
         face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
         round_m[round_m > reach_m[rounds.ping]] = np.inf
@@ -217,9 +218,8 @@ class _Faces:
 
     def nearest_m(self) -> FloatArray:
         """Return the distances to the nearest points of the faces."""
-        square = self.along.real**2 + self.along.imag**2
-        share = -(self.start * self.along.conj()).real / square
-        return np.abs(self.start + np.clip(share, 0.0, 1.0) * self.along)
+        share = -exact.dot(self.start, self.along) / exact.dot(self.along, self.along)
+        return exact.magnitude(self.start + np.clip(share, 0.0, 1.0) * self.along)
 
     def where(self, kept: BoolArray | IndexArray | slice) -> Self:
         """Return a selection of the faces."""
@@ -237,8 +237,8 @@ class _Rounds:
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
         """Return the distances to the circles along rays of length 1, infinite for a miss."""
-        radius_m, turned = self.radius_m[which], self.middle[which][..., None] * rays.conj()
-        square = radius_m[..., None] ** 2 - turned.imag * turned.imag
+        turned = exact.product(self.middle[which][..., None], rays.conj())
+        square = self.radius_m[which][..., None] ** 2 - turned.imag * turned.imag
         hit = (square >= 0.0) & (turned.real > 0.0)
         return np.where(hit, turned.real - np.sqrt(np.maximum(square, 0.0)), np.inf)
 
@@ -267,7 +267,7 @@ def _faces(
     before = _cross(a_in - middle, b_in - middle) < -_ON_M * length_m[inside]
     between = _cross(middle, a_in) * _cross(middle, b_in) <= 0.0
     pierced = ping[inside[before & between]]
-    cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)
+    cos, sin = exact.cos(pings.half_rad).take(ping), exact.sin(pings.half_rad).take(ping)
     left_a, left_b = cos * a.imag - sin * a.real, cos * b.imag - sin * b.real
     right_a, right_b = -cos * a.imag - sin * a.real, -cos * b.imag - sin * b.real
     keep = (behind_m < -_ON_M) & (-behind_m <= pings.range_m.take(ping))
@@ -286,9 +286,9 @@ def _rounds(
     """Return the circles that may be in beams, and the pings whose transducers are in one."""
     ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
     middle = pings.local(ping, middle)
-    away_m = np.abs(middle)
+    away_m = exact.magnitude(middle)
     inside = away_m <= radius_m + _ON_M
-    cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)
+    cos, sin = exact.cos(pings.half_rad).take(ping), exact.sin(pings.half_rad).take(ping)
     aside_m = cos * np.abs(middle.imag) - sin * middle.real
     keep = ~inside & (aside_m <= radius_m) & (middle.real > -radius_m)
     keep &= away_m - radius_m <= pings.range_m.take(ping)
@@ -302,13 +302,13 @@ def _rounds(
 
 def _feet(faces: _Faces, rounds: _Rounds) -> Points:
     """Return the feet of perpendiculars on faces, and the nearest points of circles."""
-    square = faces.along.real**2 + faces.along.imag**2
-    share = -(faces.start * faces.along.conj()).real / square
+    share = -exact.dot(faces.start, faces.along) / exact.dot(faces.along, faces.along)
     foot = np.flatnonzero((share > 0.0) & (share < 1.0))
     place = faces.start[foot] + share[foot] * faces.along[foot]
-    front = rounds.middle * (1.0 - rounds.radius_m / np.abs(rounds.middle))
-    feet = faces.ping[foot], place, faces.share[foot]
-    return Points.at(feet, (rounds.ping, front, rounds.share))
+    front = rounds.middle * (1.0 - rounds.radius_m / exact.magnitude(rounds.middle))
+    return Points.at(
+        (faces.ping[foot], place, faces.share[foot]), (rounds.ping, front, rounds.share)
+    )
 
 
 def _ends(faces: _Faces) -> Points:
@@ -333,8 +333,8 @@ def _corner_ends(pings: Pings, faces: _Faces, end: ComplexArray, found_m: FloatA
     along, corner = faces.along, np.ones(len(which), dtype=np.bool_)
     for item, other in _pairs(faces.ping[which], faces.ping):
         one = which[item]
-        length_m, apart = np.abs(along[other]), end[one] - faces.start[other]
-        over_m = (apart * along[other].conj()).real / length_m
+        length_m, apart = exact.magnitude(along[other]), end[one] - faces.start[other]
+        over_m = exact.dot(apart, along[other]) / length_m
         goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
         goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
         goes_on &= _parallel(along[one], along[other])
@@ -369,11 +369,11 @@ def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
 
 def _in_beam(pings: Pings, points: Points) -> IndexArray:
     """Return which targets are in the beams and within reach."""
-    tan = np.tan(pings.half_rad).take(points.ping)
+    tan = exact.tan(pings.half_rad).take(points.ping)
     inside = np.flatnonzero(np.abs(points.place.imag) <= tan * points.place.real)
     points = points.where(inside)
-    reach_m = pings.reach_m(points.ping, np.angle(points.place)) * points.share
-    return inside[np.abs(points.place) <= reach_m]
+    reach_m = pings.reach_m(points.ping, exact.angle(points.place)) * points.share
+    return inside[exact.magnitude(points.place) <= reach_m]
 
 
 def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -> None:
@@ -402,7 +402,7 @@ def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -
 
 def _hidden(points: Points, faces: _Faces, rounds: _Rounds) -> BoolArray:
     """Return which targets are hidden."""
-    away_m = np.abs(points.place)
+    away_m = exact.magnitude(points.place)
     rays = (points.place / np.maximum(away_m, _ON_M))[:, None]
     free_m = np.full((len(points.ping), 1), np.inf)
     for shapes in (faces, rounds):
@@ -421,7 +421,7 @@ def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> Iterator[tuple[IndexAr
 
 
 def _parallel(a: ComplexArray, b: ComplexArray) -> BoolArray:
-    return np.asarray(np.abs(_cross(a, b)) <= _STRAIGHT * np.abs(a) * np.abs(b))
+    return np.asarray(np.abs(_cross(a, b)) <= _STRAIGHT * exact.magnitude(a) * exact.magnitude(b))
 
 
 def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:

@@ -15,13 +15,14 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
+from crs_cc.sim.kernels import exact
 
 _TURN: Final = 2 * math.pi
 
 
 def compose(frames: FloatArray, poses: FloatArray) -> FloatArray:
     """Transform poses from frames to the frame in which these are given, all (k, 3)."""
-    cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
+    cos, sin = exact.cos(frames[:, 2]), exact.sin(frames[:, 2])
     return np.column_stack([
         frames[:, 0] + (cos * poses[:, 0] - sin * poses[:, 1]),
         frames[:, 1] + (sin * poses[:, 0] + cos * poses[:, 1]),
@@ -32,7 +33,7 @@ def compose(frames: FloatArray, poses: FloatArray) -> FloatArray:
 def relative(frames: FloatArray, poses: FloatArray) -> FloatArray:
     """Transform poses to frames, with directions between -pi and pi, all (k, 3)."""
     x_m, y_m = poses[:, 0] - frames[:, 0], poses[:, 1] - frames[:, 1]
-    cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
+    cos, sin = exact.cos(frames[:, 2]), exact.sin(frames[:, 2])
     return np.column_stack([
         cos * x_m + sin * y_m, cos * y_m - sin * x_m, wrapped(poses[:, 2] - frames[:, 2])
     ])  # fmt: skip

@@ -42,6 +42,7 @@ from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.geometry.terrain import Terrain
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.ground import Ground, Patch
 from crs_cc.sim.model.world import TALL_M
 
@@ -85,7 +86,7 @@ class Outlook:
         corners_m = self.patches.corners_m()
         self.corners = corners_m[:, :, 0] + 1j * corners_m[:, :, 1]
         away = self.corners - self.patches.middle[:, None]
-        ahead_m = (away * self.patches.along[:, None].conj()).real
+        ahead_m = exact.dot(away, self.patches.along[:, None])
         self.corner_heights_m = (
             self.patches.middle_m[:, None] + self.patches.slope[:, None] * ahead_m
         )
@@ -124,9 +125,9 @@ class Outlook:
             order: the index of each of these in the result.
         """
         place = poses[:, 0] + 1j * poses[:, 1]
-        away = np.exp(1j * poses[:, 2])[:, None] * start
+        away = exact.product(exact.turn(poses[:, 2])[:, None], start)
         plane_m, rise = self.plane(place)
-        beam_m = (plane_m + z_m)[:, None] + (rise.conj()[:, None] * away).real
+        beam_m = (plane_m + z_m)[:, None] + exact.dot(rise[:, None], away)
         ends = (place[:, None] + away).ravel()
         ground_m = self.terrain.height_m(ends.real, ends.imag).reshape(away.shape)
         given = np.empty(away.shape, dtype=np.bool_)
@@ -210,7 +211,7 @@ class Level:
         obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
         viewers, middle, radius_m = obstacles.circles_near(place, own)
         away = middle - place.take(viewers)
-        away_m = np.maximum(np.abs(away), _ON_M)
+        away_m = np.maximum(exact.magnitude(away), _ON_M)
         front = away * np.maximum(1.0 - radius_m / away_m, 0.0)
         keep = self._is_high(plane, viewers, front, obstacles.circle_objects(place, own))
         return (viewers, middle, radius_m), keep
@@ -221,8 +222,8 @@ class Level:
     ) -> BoolArray:  # fmt: skip
         """Return which objects are above the lower sides of beams at their nearest points."""
         ground_m, rise = plane
-        beam_m = ground_m.take(viewers) + (rise.conj().take(viewers) * near).real
-        beam_m += self._above(viewers, np.abs(near))
+        beam_m = ground_m.take(viewers) + exact.dot(rise.take(viewers), near)
+        beam_m += self._above(viewers, exact.magnitude(near))
         return np.asarray(self.outlook.tops_m.take(objects) > beam_m)
 
     def _above(self, viewers: IndexArray, away_m: FloatArray) -> FloatArray:
@@ -242,11 +243,11 @@ class Level:
         local = patches.local(place.take(viewers), patch)
         beyond_x = np.maximum(np.abs(local.real) - patches.half_length_m.take(patch), 0.0)
         beyond_y = np.maximum(np.abs(local.imag) - patches.half_width_m.take(patch), 0.0)
-        above_m = self._above(viewers, np.hypot(beyond_x, beyond_y))
+        above_m = self._above(viewers, exact.hypot(beyond_x, beyond_y))
         ends = corners[patch]
         away = ends - place.take(viewers)[:, None]
         beam_m = (plane[0].take(viewers) + above_m)[:, None]
-        beam_m = beam_m + (plane[1].conj().take(viewers)[:, None] * away).real
+        beam_m = beam_m + exact.dot(plane[1].take(viewers)[:, None], away)
         sides = _cut(viewers, ends, self.outlook.corner_heights_m[patch] - beam_m)
         heights = self.outlook.terrain.heights
         if heights is None:
@@ -283,7 +284,7 @@ def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segm
     start = np.concatenate([start[side, which], crossing[cut, leaves[cut].argmax(axis=1)]])
     end = np.concatenate([end[side, which], crossing[cut, enters[cut].argmax(axis=1)]])
     viewers = np.concatenate([viewers[side], viewers[cut]])
-    length_m = np.abs(end - start)
+    length_m = exact.magnitude(end - start)
     kept = np.flatnonzero(length_m > _SHORTEST_M)
     return viewers[kept], start[kept], end[kept], length_m[kept]
 

@@ -23,6 +23,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.ground import HeightMap
 
 _AT_ONCE: Final = 1_000_000  # viewers times pixels in one block; bounds the memory
@@ -80,7 +81,7 @@ class Heights:
         nodes_m = self.nodes_m
         along_x = np.abs(np.diff(nodes_m, axis=1))
         along_y = np.abs(np.diff(nodes_m, axis=0))
-        steps_m = np.hypot(
+        steps_m = exact.hypot(
             np.maximum(along_x[1:], along_x[:-1]), np.maximum(along_y[:, 1:], along_y[:, :-1])
         )
         row, column = np.nonzero(steps_m > slope * self.pixel_m)
@@ -116,7 +117,7 @@ class Heights:
             part = some[first : first + count]
             away, away_m = self._away(place[part])
             beam_m = plane[0][part, None, None]
-            beam_m = beam_m + (plane[1].conj()[part, None, None] * away).real
+            beam_m = beam_m + exact.dot(plane[1][part, None, None], away)
             falls_m = spread[part, None, None] * away_m
             beam_m += np.maximum(z_m[part, None, None] - falls_m, 0.0)
             viewer, start, end = self._sides((self.nodes_m > beam_m) & (away_m <= reach_m))
@@ -131,7 +132,7 @@ class Heights:
         rows, columns = self.nodes_m.shape
         grid = np.arange(columns) + 0.5 + 1j * (np.arange(rows)[:, None] + 0.5)
         away = np.asarray(self.corner + self.pixel_m * grid - place[:, None, None], np.complex128)
-        return away, np.abs(away)
+        return away, exact.magnitude(away)
 
     def _sides(self, over: BoolArray) -> tuple[IndexArray, ComplexArray, ComplexArray]:
         """Return the sides between pixels above beams, (k, rows, columns), and other pixels."""

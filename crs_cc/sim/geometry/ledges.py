@@ -34,6 +34,7 @@ import numpy as np
 from crs_cc.core.arrays import ComplexArray, FloatArray
 from crs_cc.sim.geometry.scene import Scene, own_corners_m
 from crs_cc.sim.geometry.terrain import Terrain, corners_m
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import Cylinder, Thing
 
 STEP_M: Final = 0.02
@@ -45,7 +46,8 @@ CLIMB: Final = 1.0
 RIM_M: Final = 0.02
 """Width of a body's rim that may overhang; more than a body penetrates a wall."""
 
-_CIRCLE: Final = np.exp(2j * np.pi * np.arange(16) / 16)
+_CORNERS: Final = 16
+"""Points on the edge of a round body."""
 
 
 class Ledges:
@@ -61,7 +63,7 @@ class Ledges:
         self._feet = [_round_feet(model.radius_m) for model in models]
         self._feet += [_feet(obj) for obj in scene.pushables]
         self._step_m = [model.drive.step_m for model in models] + [STEP_M] * len(scene.pushables)
-        self._climb = [math.tan(model.drive.climb_rad) for model in models]
+        self._climb = [exact.tan(model.drive.climb_rad) for model in models]
         self._climb += [CLIMB] * len(scene.pushables)
         middle, highest_m, steep = _steep_squares(terrain, min([*self._climb, 1.0]))
         half_m = np.full(len(middle), terrain.heights.pixel_m / 2 if terrain.heights else 0.0)
@@ -82,13 +84,13 @@ class Ledges:
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Set the poses of the bodies at the start of a cycle."""
         self._place = position_m[:, 0] + 1j * position_m[:, 1]
-        self._turn = np.exp(1j * angle_rad)
+        self._turn = exact.turn(angle_rad)
         self._ground_m: dict[int, float] = {}
 
     def blocks(self, body: int, patch: int, touches_m: Sequence[tuple[float, float]]) -> bool:
         """Return whether a patch blocks a body that touches it at the given points."""
         middle, along, half_m = self._middle[patch], self._along[patch], self._half_length_m[patch]
-        local = (self._place[body] - middle) * along.conjugate()
+        local = exact.product(self._place[body] - middle, along.conjugate())
         if abs(local.real) <= half_m and abs(local.imag) <= self._half_width_m[patch]:
             return False
         if self._steep[patch] > self._climb[body]:
@@ -96,7 +98,7 @@ class Ledges:
         elif patch >= self.patches:
             return False
         else:
-            ahead_m = [((complex(x, y) - middle) * along.conjugate()).real for x, y in touches_m]
+            ahead_m = [exact.dot(complex(x, y) - middle, along) for x, y in touches_m]
             rises_m = np.clip(ahead_m, -half_m, half_m) * self._slope[patch]
             top_m = float(self._middle_m[patch] + rises_m.max())
         return top_m > self._stands_m(body) + self._step_m[body]
@@ -104,7 +106,7 @@ class Ledges:
     def _stands_m(self, body: int) -> float:
         """Return the height of the highest ground under a body."""
         if body not in self._ground_m:
-            feet = self._place[body] + self._turn[body] * self._feet[body]
+            feet = self._place[body] + exact.product(self._turn[body], self._feet[body])
             self._ground_m[body] = float(self._terrain.height_m(feet.real, feet.imag).max())
         return self._ground_m[body]
 
@@ -117,7 +119,8 @@ def _steep_squares(terrain: Terrain, slope: float) -> tuple[ComplexArray, FloatA
 
 
 def _round_feet(radius_m: float) -> ComplexArray:
-    return np.append(_CIRCLE * max(radius_m - RIM_M, 0.0), 0.0)
+    circle = exact.turn(np.linspace(0.0, 2 * math.pi, _CORNERS, endpoint=False))
+    return np.append(circle * max(radius_m - RIM_M, 0.0), 0.0)
 
 
 def _feet(obj: Thing) -> ComplexArray:
@@ -126,5 +129,5 @@ def _feet(obj: Thing) -> ComplexArray:
         return _round_feet(obj.radius_m)
     corners = own_corners_m(obj)
     feet = corners[:, 0] + 1j * corners[:, 1]
-    feet *= np.maximum(1.0 - math.sqrt(2.0) * RIM_M / np.maximum(np.abs(feet), 1e-9), 0.0)
+    feet *= np.maximum(1.0 - math.sqrt(2.0) * RIM_M / np.maximum(exact.magnitude(feet), 1e-9), 0.0)
     return np.append(feet, 0.0)

@@ -26,6 +26,7 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.scene import Outlines, Scene
+from crs_cc.sim.kernels import exact
 
 _PIECE_M: Final = 2.0
 _AT_ONCE: Final = 2048  # lines in one block: their pieces stay in the processor's cache
@@ -65,7 +66,7 @@ class Sight:
         return counts
 
     def _between(self, moving: Outlines, start: ComplexArray, end: ComplexArray) -> IndexArray:
-        pieces = np.maximum(np.ceil(np.abs(end - start) / _PIECE_M), 1).astype(np.intp)
+        pieces = np.maximum(np.ceil(exact.magnitude(end - start) / _PIECE_M), 1).astype(np.intp)
         line, number = expand(np.zeros(len(start), dtype=np.intp), pieces)
         step = ((end - start) / pieces)[line]
         a = start[line] + number * step

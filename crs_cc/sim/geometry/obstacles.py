@@ -19,6 +19,7 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry import cell_list
 from crs_cc.sim.geometry.cell_list import CellList, blocks, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
+from crs_cc.sim.kernels import exact
 
 _MOST_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 8
@@ -297,7 +298,7 @@ def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatA
     """Return the distances from points to segments, and their offsets to the left of the lines."""
     across_x, across_y = x - ends[:, 0], y - ends[:, 1]
     along_x, along_y = ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1]
-    length = np.hypot(along_x, along_y)
+    length = exact.hypot(along_x, along_y)
     length[length == 0.0] = 1.0
     left = (along_x * across_y - along_y * across_x) / length
     return segment.distance(across_x, across_y, along_x, along_y), left

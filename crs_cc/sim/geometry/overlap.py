@@ -19,6 +19,7 @@ import numpy as np
 from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import convex_parts_of, corners_m
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 
@@ -59,8 +60,10 @@ def _apart_m(one: FloatArray, other: FloatArray) -> float:
         return -np.inf
     sides = np.roll(one, -1, axis=0) - one
     normals = np.column_stack([sides[:, 1], -sides[:, 0]])
-    normals /= np.hypot(sides[:, 0], sides[:, 1])[:, None]
-    return float(((other @ normals.T).min(axis=0) - (one * normals).sum(axis=1)).max())
+    normals /= exact.hypot(sides[:, 0], sides[:, 1])[:, None]
+    return float(
+        ((other[:, None] * normals).sum(axis=2).min(axis=0) - (one * normals).sum(axis=1)).max()
+    )
 
 
 def _distance_m(corners: FloatArray, other: FloatArray) -> float:

@@ -10,6 +10,7 @@ from typing import Final, Self
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
+from crs_cc.sim.kernels import exact
 
 ANY_ANGLE: Final = math.pi / 2
 """The critical angle of diffuse faces, which return an echo at any angle of incidence."""
@@ -54,7 +55,7 @@ class Pings:
         return cls(
             np.array([place for place, _, _ in rows], dtype=np.complex128),
             np.array([start for _, start, _ in rows], dtype=np.complex128),
-            np.exp(1j * np.array([direction for _, _, direction in rows])),
+            exact.turn(np.array([direction for _, _, direction in rows])),
             np.full(count, half_rad),
             np.full(count, range_m),
             np.full(count, 1 / lobe_rad**2 if lobe_rad else 0.0),
@@ -71,12 +72,12 @@ class Pings:
 
     def local(self, which: IndexArray, place: ComplexArray) -> ComplexArray:
         """Transform points to the frames of transducers, whose axes are x."""
-        return (place - self.start.take(which)) * np.conjugate(self.axis.take(which))
+        return exact.product(place - self.start.take(which), np.conjugate(self.axis.take(which)))
 
     def reach_m(self, which: IndexArray, angle_rad: FloatArray) -> FloatArray:
         """Return the maximum range of transducers at an angle off their axes."""
         falloff = self.falloff.take(which)
-        return np.asarray(self.range_m.take(which) * np.exp2(-falloff * angle_rad * angle_rad))
+        return np.asarray(self.range_m.take(which) * exact.exp2(-falloff * angle_rad * angle_rad))
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +100,7 @@ class Points:
     def at(cls, *parts: tuple[IndexArray, ComplexArray, FloatArray]) -> Self:
         """Create targets that report their own distance."""
         ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
-        return cls(ping, place, np.abs(place), share)
+        return cls(ping, place, exact.magnitude(place), share)
 
     def of_pings(self, part: slice) -> Self:
         """Return the targets of a part of the pings, which are numbered anew."""

@@ -13,7 +13,6 @@ overlap other robots and movable objects: they may have moved by then.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from itertools import chain, islice
 from typing import Final
@@ -25,6 +24,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.geometry.cell_list import Discs, overlapping
 from crs_cc.sim.geometry.overlap import overlap_m
 from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.polygon import distances_m
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Wall, WorldModel, is_pushable
 
@@ -83,7 +83,7 @@ def distance_from_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArra
     across_x, across_y = x_m - solid.pose.x_m, y_m - solid.pose.y_m
     if isinstance(solid, Box):
         return _from_box_m(solid, across_x, across_y)
-    return np.asarray(np.hypot(across_x, across_y) - solid.radius_m)
+    return np.asarray(exact.hypot(across_x, across_y) - solid.radius_m)
 
 
 def _from_wall_m(wall: Wall, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
@@ -93,10 +93,10 @@ def _from_wall_m(wall: Wall, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
 
 
 def _from_box_m(box: Box, across_x: FloatArray, across_y: FloatArray) -> FloatArray:
-    cos, sin = math.cos(box.pose.heading_rad), math.sin(box.pose.heading_rad)
+    cos, sin = exact.cos(box.pose.heading_rad), exact.sin(box.pose.heading_rad)
     beyond_x = np.abs(cos * across_x + sin * across_y) - box.length_m / 2
     beyond_y = np.abs(cos * across_y - sin * across_x) - box.width_m / 2
-    outside = np.hypot(np.maximum(beyond_x, 0.0), np.maximum(beyond_y, 0.0))
+    outside = exact.hypot(np.maximum(beyond_x, 0.0), np.maximum(beyond_y, 0.0))
     return np.asarray(outside + np.minimum(np.maximum(beyond_x, beyond_y), 0.0))
 
 
@@ -147,21 +147,21 @@ def _disc_around(solid: Solid) -> tuple[float, float, float]:
     """Return x, y and radius [m] of a disc that covers a solid."""
     if isinstance(solid, Wall):
         x_m, y_m = (solid.x1_m + solid.x2_m) / 2, (solid.y1_m + solid.y2_m) / 2
-        length_m = math.hypot(solid.x2_m - solid.x1_m, solid.y2_m - solid.y1_m)
+        length_m = exact.hypot(solid.x2_m - solid.x1_m, solid.y2_m - solid.y1_m)
         return x_m, y_m, (length_m + solid.thickness_m) / 2
     x_m, y_m = solid.pose.x_m, solid.pose.y_m
     if isinstance(solid, Cylinder):
         return x_m, y_m, solid.radius_m
     if isinstance(solid, Box):
-        return x_m, y_m, math.hypot(solid.length_m, solid.width_m) / 2
-    return x_m, y_m, max(math.hypot(*corner) for corner in solid.corners_m)
+        return x_m, y_m, exact.hypot(solid.length_m, solid.width_m) / 2
+    return x_m, y_m, max(exact.hypot(*corner) for corner in solid.corners_m)
 
 
 def _overlapping(ids: list[str], robots: Discs, there: BoolArray) -> Iterator[tuple[int, str]]:
     for first, second in overlapping(robots, robots):
         before = (first < second) & there[first] & there[second]
         one, other = first[before], second[before]
-        distance_m = np.hypot(
+        distance_m = exact.hypot(
             robots.x_m[one] - robots.x_m[other], robots.y_m[one] - robots.y_m[other]
         )
         overlap = distance_m < robots.radius_m[one] + robots.radius_m[other] - TOLERANCE_M

@@ -32,6 +32,7 @@ import numpy as np
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import blocks, expand
 from crs_cc.sim.geometry.outline_query import Prospect
+from crs_cc.sim.kernels import exact
 
 NO_THING: Final = -1
 """The object of a beam that hits nothing."""
@@ -85,15 +86,15 @@ class Fan:
         order = np.argsort(table[:, 2], kind="stable")
         x_m, y_m, direction, half, range_m = np.ascontiguousarray(table[order].T)
         half = np.maximum(half, _THIN_RAD)
-        away_m = np.hypot(x_m, y_m)
-        tilt = (np.arctan2(y_m, x_m) - direction) % math.pi  # of the axis relative to the origin
+        away_m = exact.hypot(x_m, y_m)
+        tilt = (exact.arctan2(y_m, x_m) - direction) % math.pi  # of the axis relative to the origin
         tilt = np.minimum(tilt, math.pi - tilt) + half
-        aside_m = away_m * np.sin(np.minimum(tilt, math.pi / 2))
+        aside_m = away_m * exact.sin(np.minimum(tilt, math.pi / 2))
         return cls(
             x_m + 1j * y_m,
-            np.cos(direction) + 1j * np.sin(direction),
-            np.cos(half),
-            np.sin(half),
+            exact.turn(direction),
+            exact.cos(half),
+            exact.sin(half),
             range_m,
             _beams_behind(direction),
             order,
@@ -180,8 +181,9 @@ class _Robots:
     @classmethod
     def at(cls, fan: Fan, poses: FloatArray) -> Self:
         heading_rad = poses[:, 2].copy()
-        facing = (np.cos(heading_rad) + 1j * np.sin(heading_rad))[:, None]
-        start, backturn = facing * fan.start, np.conjugate(facing * fan.axis)
+        facing = exact.turn(heading_rad)[:, None]
+        start = exact.product(facing, fan.start)
+        backturn = np.conjugate(exact.product(facing, fan.axis))
         return cls(poses[:, 0] + 1j * poses[:, 1], heading_rad, start.ravel(), backturn.ravel())
 
 
@@ -203,7 +205,7 @@ def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -
         pairs, beams = pairs + part.start, beams % len(fan)
         numbers = viewers.take(pairs) * len(fan) + beams
         start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
-        ends = ((end.take(pairs) - start) * backturn for end in (a, b))
+        ends = (exact.product(end.take(pairs) - start, backturn) for end in (a, b))
         distance_m = _to_segment(fan, beams, *ends)
         hits.take(numbers, distance_m, None if objects is None else objects.take(pairs))
 
@@ -226,7 +228,8 @@ def _try_circles(
         pairs, beams = expand(starts[part], counts[part])
         pairs, beams = pairs + part.start, beams % len(fan)
         numbers = viewers.take(pairs) * len(fan) + beams
-        away = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
+        start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
+        away = exact.product(middle.take(pairs) - start, backturn)
         distance_m = _to_circle(fan, beams, away, radius.take(pairs))
         hits.take(numbers, distance_m, None if objects is None else objects.take(pairs))
 
@@ -261,16 +264,15 @@ def _sectors_of_segments(
 
     A segment with all beams' starts to its left is the back of its solid.
     """
-    product = np.conjugate(a) * b
-    dot, cross = product.real, product.imag
+    dot, cross = exact.dot(a, b), a.real * b.imag - a.imag * b.real
     share = (a.real**2 + a.imag**2 - dot) / (length * length)
     foot = a + np.minimum(np.maximum(share, 0.0), 1.0) * (b - a)
     distance2 = foot.real**2 + foot.imag**2
     near = (distance2 <= fan.reach_m * fan.reach_m) & (cross <= fan.start_m * length)
     keep = np.flatnonzero(near)
-    turn = np.arctan2(cross.take(keep), dot.take(keep))
+    turn = exact.arctan2(cross.take(keep), dot.take(keep))
     a = a.take(keep)
-    begin = np.arctan2(a.imag, a.real) + np.minimum(turn, 0.0)
+    begin = exact.arctan2(a.imag, a.real) + np.minimum(turn, 0.0)
     return keep, _Sectors(begin, np.abs(turn), np.sqrt(distance2.take(keep)))
 
 
@@ -284,7 +286,7 @@ def _sectors_of_circles(
     # Half of the angle that the circle covers, asin(radius / away), is less than its tangent.
     tangent_m = np.sqrt(np.maximum((away - radius) * (away + radius), _NEAR_M))
     half = np.minimum(radius / tangent_m, math.pi)
-    begin = np.arctan2(middle.imag, middle.real) - half
+    begin = exact.arctan2(middle.imag, middle.real) - half
     return keep, _Sectors(begin, 2 * half, away - radius)
 
 

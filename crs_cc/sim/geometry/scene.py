@@ -22,6 +22,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.polygon import is_convex, triangles
 from crs_cc.sim.model.world import (
     Box,
@@ -140,7 +141,7 @@ class _Sides:
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
         if not len(self.bodies):
             return _NO_SEGMENTS
-        cos, sin = np.cos(angle_rad[self.bodies]), np.sin(angle_rad[self.bodies])
+        cos, sin = exact.cos(angle_rad[self.bodies]), exact.sin(angle_rad[self.bodies])
         columns = []
         for ends_m in (self._starts_m, self._ends_m):
             x, y = ends_m.T
@@ -209,7 +210,7 @@ def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
 
 def _wall_segments(wall: Wall) -> FloatArray:
     start, end = np.array([wall.x1_m, wall.y1_m]), np.array([wall.x2_m, wall.y2_m])
-    along = (end - start) / np.hypot(*(end - start))
+    along = (end - start) / exact.hypot(*(end - start))
     left = np.array([-along[1], along[0]]) * wall.thickness_m / 2
     sides = [np.concatenate([start - left, end - left]), np.concatenate([end + left, start + left])]
     return _with_length(np.array(sides))
@@ -224,5 +225,5 @@ def _sides_of(objects: Sequence[Box | Polygon]) -> tuple[FloatArray, IndexArray]
 
 
 def _with_length(ends_m: FloatArray) -> FloatArray:
-    length_m = np.hypot(ends_m[:, 2] - ends_m[:, 0], ends_m[:, 3] - ends_m[:, 1])
+    length_m = exact.hypot(ends_m[:, 2] - ends_m[:, 0], ends_m[:, 3] - ends_m[:, 1])
     return np.column_stack([ends_m, length_m])

@@ -13,7 +13,6 @@ rectangle is a point and the margin its radius, for a wall it is a line. Polygon
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Protocol, Self
 
@@ -21,6 +20,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.polygon import distances_m
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Robot, Solid, Wall
 
@@ -80,7 +80,7 @@ class ShapeTable:
     @property
     def reach_m(self) -> FloatArray:
         """Maximum distance of each object's points from its centre, (objects,)."""
-        return np.hypot(self.half_m[:, 0], self.half_m[:, 1]) + self.margin_m
+        return exact.hypot(self.half_m[:, 0], self.half_m[:, 1]) + self.margin_m
 
     def poses(self, bodies: Placed) -> FloatArray:
         """Return x, y [m] and heading [rad] of all objects, (objects, 3)."""
@@ -100,10 +100,10 @@ class ShapeTable:
         """
         pose = poses[objects]
         east_m, north_m = x_m - pose[:, 0], y_m - pose[:, 1]
-        cos, sin = np.cos(pose[:, 2]), np.sin(pose[:, 2])
+        cos, sin = exact.cos(pose[:, 2]), exact.sin(pose[:, 2])
         own_m = np.column_stack([cos * east_m + sin * north_m, cos * north_m - sin * east_m])
         beyond_m = np.maximum(np.abs(own_m) - self.half_m[objects], 0.0)
-        distance_m = np.hypot(beyond_m[:, 0], beyond_m[:, 1]) - self.margin_m[objects]
+        distance_m = exact.hypot(beyond_m[:, 0], beyond_m[:, 1]) - self.margin_m[objects]
         angular = np.flatnonzero(self.corners[objects])
         if len(angular):
             distance_m[angular] = self._from_polygons_m(own_m[angular], objects[angular])
@@ -127,14 +127,14 @@ def _shape(obj: Robot | Solid) -> tuple[float, float, float]:
         case Robot():
             return 0.0, 0.0, obj.model.radius_m
         case Wall():
-            length_m = math.hypot(obj.x2_m - obj.x1_m, obj.y2_m - obj.y1_m)
+            length_m = exact.hypot(obj.x2_m - obj.x1_m, obj.y2_m - obj.y1_m)
             return length_m / 2, 0.0, obj.thickness_m / 2
         case Polygon():
-            return 0.0, 0.0, max(math.hypot(*corner) for corner in obj.corners_m)
+            return 0.0, 0.0, max(exact.hypot(*corner) for corner in obj.corners_m)
 
 
 def _pose(obj: Solid) -> tuple[float, float, float]:
     if isinstance(obj, Wall):
-        heading_rad = math.atan2(obj.y2_m - obj.y1_m, obj.x2_m - obj.x1_m)
+        heading_rad = exact.arctan2(obj.y2_m - obj.y1_m, obj.x2_m - obj.x1_m)
         return (obj.x1_m + obj.x2_m) / 2, (obj.y1_m + obj.y2_m) / 2, heading_rad
     return obj.pose.x_m, obj.pose.y_m, obj.pose.heading_rad

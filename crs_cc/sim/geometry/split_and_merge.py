@@ -20,6 +20,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
+from crs_cc.sim.kernels import exact
 
 Run = tuple[int, int]
 """Indices of the first and the last point of a segment."""
@@ -52,7 +53,7 @@ def _runs(points: FloatArray, gap: float) -> list[Run]:
     """Split points where neighbours are too far apart."""
     if not len(points):
         return []
-    steps = np.hypot(*np.diff(points, axis=0).T)
+    steps = exact.hypot(*np.diff(points, axis=0).T)
     cuts = np.flatnonzero(steps > gap).tolist()
     return list(zip([0, *(cut + 1 for cut in cuts)], [*cuts, len(points) - 1], strict=True))
 
@@ -87,9 +88,9 @@ def _from_chord(points: FloatArray, run: Run) -> FloatArray:
     """Return the distances between the points inside a run and its chord."""
     start, end = points[run[0]], points[run[1]]
     along, inner = end - start, points[run[0] + 1 : run[1]] - start
-    length = float(np.hypot(*along))
+    length = float(exact.hypot(*along))
     if length < _NEAR:
-        return np.asarray(np.hypot(*inner.T))
+        return np.asarray(exact.hypot(*inner.T))
     return np.asarray(np.abs(along[0] * inner[:, 1] - along[1] * inner[:, 0]) / length)
 
 
@@ -98,11 +99,11 @@ def _line(points: FloatArray, run: Run) -> tuple[FloatArray, FloatArray, float]:
     part = points[run[0] : run[1] + 1]
     middle = part.mean(axis=0)
     x, y = (part - middle).T
-    xx, yy, xy = float(x @ x), float(y @ y), float(x @ y)
-    angle = np.arctan2(2 * xy, xx - yy) / 2
-    direction = np.array([np.cos(angle), np.sin(angle)])
+    xx, yy, xy = (float((a * b).sum()) for a, b in ((x, x), (y, y), (x, y)))
+    angle = exact.arctan2(2 * xy, xx - yy) / 2
+    direction = np.array([exact.cos(angle), exact.sin(angle)])
     across = direction[0] * y - direction[1] * x
-    return middle, direction, float(across @ across) / len(part)
+    return middle, direction, float((across * across).sum()) / len(part)
 
 
 def _error(points: FloatArray, run: Run) -> float:
@@ -111,5 +112,5 @@ def _error(points: FloatArray, run: Run) -> float:
 
 def _ends(points: FloatArray, run: Run) -> FloatArray:
     middle, direction, _ = _line(points, run)
-    along = (points[[run[0], run[1]]] - middle) @ direction
+    along = ((points[[run[0], run[1]]] - middle) * direction).sum(axis=1)
     return np.concatenate([middle + share * direction for share in along])

@@ -27,6 +27,7 @@ import numpy as np
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.heightmap import Heights
 from crs_cc.sim.geometry.obstacles import Grid
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.ground import Ground
 
 _ON_M: Final = 1e-9  # rounding must not leave a gap between patches that touch
@@ -49,7 +50,7 @@ class Terrain:
         patches = ground.patches
         headings_rad = [patch.heading_rad for patch in patches]
         self.middle = np.array([complex(patch.x_m, patch.y_m) for patch in patches], np.complex128)
-        self.along = np.exp(1j * np.array(headings_rad, dtype=np.float64))
+        self.along = exact.turn(np.array(headings_rad, dtype=np.float64))
         self.half_length_m = np.array([patch.length_m / 2 for patch in patches])
         self.half_width_m = np.array([patch.width_m / 2 for patch in patches])
         self.middle_m = np.array([(patch.from_m + patch.to_m) / 2 for patch in patches])
@@ -70,7 +71,7 @@ class Terrain:
 
     def local(self, place: ComplexArray, patch: IndexArray) -> ComplexArray:
         """Transform points to the frames of patches, shape (n,)."""
-        return np.asarray((place - self.middle.take(patch)) * self.along.take(patch).conj())
+        return exact.product(place - self.middle.take(patch), self.along.take(patch).conj())
 
     def height_m(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
         """Return the height of the ground at points in the world frame [m], shape (n,)."""

@@ -100,6 +100,17 @@ def magnitude(a: ComplexArray | complex) -> FloatArray | float:
 
 
 @overload
+def dot(a: complex, b: complex) -> float: ...
+@overload
+def dot(a: ComplexArray, b: ComplexArray | complex) -> FloatArray: ...
+@overload
+def dot(a: ComplexArray | complex, b: ComplexArray) -> FloatArray: ...
+def dot(a: ComplexArray | complex, b: ComplexArray | complex) -> FloatArray | float:
+    """Return the inner product of vectors as complex numbers, the real part of a * conj(b)."""
+    return a.real * b.real + a.imag * b.imag
+
+
+@overload
 def angle(a: complex) -> float: ...
 @overload
 def angle(a: ComplexArray) -> FloatArray: ...

@@ -46,7 +46,7 @@ class Kernels:
 
         instance = KernelInstance(_executable(checked=checked))
         arguments, arena = (int(each) for each in instance.message[:2])
-        self._place, self._memory = arguments, memoryview(instance.memory)
+        self._place, self._memory = arguments, instance.memory.data
         memory = instance.memory[arena : arena + 3 * _BYTES].reshape(3, _BYTES)
         self.reals = tuple(memory.view(np.float64)[:, :BLOCK])
         self.complexes = tuple(memory.view(np.complex128))

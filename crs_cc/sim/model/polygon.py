@@ -21,6 +21,7 @@ import numpy as np
 
 from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.sim.kernels import exact
 
 SHORTEST_M: Final = 1e-3
 """Minimum length of a side, and minimum distance between sides that are not neighbours."""
@@ -88,7 +89,8 @@ def complaint(corners_m: FloatArray) -> str:
     if count < 3:
         return "fewer than 3 corners"
     ends_m = np.roll(corners_m, -1, axis=0)
-    length_m = np.hypot(*(ends_m - corners_m).T)
+    sides_m = ends_m - corners_m
+    length_m = exact.hypot(sides_m[:, 0], sides_m[:, 1])
     if length_m.min() < SHORTEST_M:
         corner = int(length_m.argmin())
         return f"corners {corner + 1} and {_next(corner, count) + 1} are less than 1mm apart"
@@ -178,9 +180,9 @@ def _meeting(starts_m: FloatArray, ends_m: FloatArray) -> tuple[int, int] | None
 
 def _folds(a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
     """Return whether the sides from a to b and from b to c fold back on each other."""
-    if (a - b) @ (c - b) <= 0:
+    if ((a - b) * (c - b)).sum() <= 0:
         return False
-    ends = (a, c) if np.hypot(*(a - b)) < np.hypot(*(c - b)) else (c, a)
+    ends = (a, c) if exact.hypot(*(a - b)) < exact.hypot(*(c - b)) else (c, a)
     return float(_to_segment_m(ends[0], b, ends[1])) < SHORTEST_M
 
 

@@ -32,6 +32,7 @@ from typing import Final, Literal, Self, TypeAlias
 
 import numpy as np
 
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.beacons import Light, Sound
 from crs_cc.sim.model.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.model.degradation import Degradation
@@ -59,7 +60,7 @@ class Pose:
 
     def within(self, frame: Pose) -> Pose:
         """Transform this pose from a frame, given by its pose in the world, to the world frame."""
-        cos, sin = math.cos(frame.heading_rad), math.sin(frame.heading_rad)
+        cos, sin = exact.cos(frame.heading_rad), exact.sin(frame.heading_rad)
         return Pose(
             frame.x_m + cos * self.x_m - sin * self.y_m,
             frame.y_m + sin * self.x_m + cos * self.y_m,

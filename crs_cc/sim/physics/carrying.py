@@ -19,6 +19,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.frames import compose, relative, wrapped
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.bodies import Bodies, Pull
 from crs_cc.sim.state.holds import GRIPPER, HAND, Holds
@@ -102,7 +103,7 @@ class Load:
             holds.grasp[hands, HAND],
             weight_kg,
             mass_kg,
-            float((np.hypot(grasp[:, 0], grasp[:, 1]) + size_m).max(initial=0.0)),
+            float((exact.hypot(grasp[:, 0], grasp[:, 1]) + size_m).max(initial=0.0)),
             len(world.robots),
             np.array([robot.model.radius_m for robot in world.robots]),
         )
@@ -144,7 +145,7 @@ class Load:
         fingers[:, 0], points[:, :2] = self.grip_m, self.point_m
         fingers = compose(mounts[self.sharers], fingers)
         points = compose(mounts[self.robots + self.shared], points)
-        return np.asarray(np.hypot(*(fingers - points)[:, :2].T))
+        return np.asarray(exact.hypot(*(fingers - points)[:, :2].T))
 
     def owned(
         self, pairs: IndexArray, places: FloatArray, position_m: FloatArray
@@ -166,7 +167,7 @@ class Load:
         for side in (0, 1):
             body = pairs[:, side]
             robot = np.minimum(body, self.robots)
-            away_m = np.hypot(*(places[:, :2] - position_m[body]).T)
+            away_m = exact.hypot(*(places[:, :2] - position_m[body]).T)
             far = (body < self.robots) & (carries[robot] >= 0) & (away_m > radius_m[robot] + _OWN_M)
             given[far, side] = carries[robot[far]]
             by_load |= far

@@ -8,13 +8,13 @@ a limited force: a force alone would let it creep.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.inclines import Incline
@@ -126,7 +126,7 @@ class DriveForce:
         needs_n = lag_mps.take(lagging, axis=0) * (mass_kg / substep_s)[:, None]
         if pull.limp.any():
             needs_n -= self._limp_n(pull, lagging, needs_n)
-        size_n = np.hypot(needs_n[:, 0], needs_n[:, 1])
+        size_n = exact.hypot(needs_n[:, 0], needs_n[:, 1])
         share = np.minimum(1.0, drawn.limit_n.take(lagging) / np.maximum(size_n, _SAME_N))
         force_n[:robots] = 0.0
         force_n[lagging] = needs_n * share[:, None]
@@ -157,7 +157,7 @@ class DriveForce:
             joint = pymunk.PivotJoint(space.floor, body, (0.0, 0.0), (0.0, 0.0))
         else:
             x, y = bodies.position_m[robot].tolist()
-            cos, sin = math.cos(pull.facing_rad[robot]), math.sin(pull.facing_rad[robot])
+            cos, sin = exact.cos(pull.facing_rad[robot]), exact.sin(pull.facing_rad[robot])
             ends = (x - cos, y - sin), (x + cos, y + sin)
             joint = pymunk.GrooveJoint(space.floor, body, *ends, (0.0, 0.0))
         joint.max_force, joint.max_bias = float(self._grip_n[robot]), 0.0
@@ -166,7 +166,7 @@ class DriveForce:
     def _limp_n(self, pull: Pull, lagging: IndexArray, needs_n: FloatArray) -> FloatArray:
         """Return the force that limp wheels do not transmit along them, because they roll."""
         facing_rad, roll_n = pull.facing_rad.take(lagging), self._roll_n.take(lagging)
-        ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
+        ahead = np.column_stack([exact.cos(facing_rad), exact.sin(facing_rad)])
         along_n = (needs_n * ahead).sum(axis=1)
         lacks_n = along_n - np.clip(along_n, -roll_n, roll_n)
         lacks_n = np.where(pull.limp.take(lagging), lacks_n, 0.0)

@@ -39,6 +39,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.terrain import Terrain
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.mass_properties import FLOOR_FRICTION, GRAVITY_MPS2
 from crs_cc.sim.model.world import WorldModel
 
@@ -125,7 +126,7 @@ class Inclines:
         gradient = self.terrain.gradient(position_m[:, 0], position_m[:, 1])
         grip = 1.0 / (1.0 + (gradient * gradient).sum(axis=1))
         pull_n = -(weight_n * grip)[:, None] * gradient
-        ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
+        ahead = np.column_stack([exact.cos(facing_rad), exact.sin(facing_rad)])
         left = np.column_stack([-ahead[:, 1], ahead[:, 0]])
         mine, robots = gradient[: self._robots], slice(self._robots)
         rise, lean = (mine * ahead).sum(axis=1), (mine * left).sum(axis=1)
@@ -134,7 +135,7 @@ class Inclines:
         pull_n[robots] *= -weight_n[robots, None]
         sloping = np.asarray(mine.any(axis=1))
         down_n = weight_n[robots] * np.sqrt(1.0 - grip2)
-        seen_n = np.hypot(pull_n[robots, 0], pull_n[robots, 1])
+        seen_n = exact.hypot(pull_n[robots, 0], pull_n[robots, 1])
         seen = np.divide(seen_n, down_n, out=np.ones_like(down_n), where=down_n > _LEAST_N)
         hold = np.sqrt(grip2) * seen
         along, across = np.sqrt(along2), np.sqrt(grip2 / along2)
@@ -153,9 +154,11 @@ class Inclines:
             y_m: their lengths along y on level ground, (k,).
         """
         gradient = self.terrain.gradient(position_m[:, 0], position_m[:, 1])
-        way_m = np.hypot(x_m, y_m)
+        way_m = exact.hypot(x_m, y_m)
         rise = x_m * gradient[:, 0] + y_m * gradient[:, 1]
-        share = np.divide(way_m, np.hypot(way_m, rise), out=np.ones_like(way_m), where=rise != 0.0)
+        share = np.divide(
+            way_m, exact.hypot(way_m, rise), out=np.ones_like(way_m), where=rise != 0.0
+        )
         return x_m * share, y_m * share
 
     def longer(self, position_m: FloatArray, direction: FloatArray) -> FloatArray:
@@ -166,7 +169,7 @@ class Inclines:
             direction: their directions, of length 1, (k, 2).
         """
         gradient = self.terrain.gradient(position_m[:, 0], position_m[:, 1])
-        return np.asarray(np.hypot(1.0, (gradient * direction).sum(axis=1)))
+        return np.asarray(exact.hypot(1.0, (gradient * direction).sum(axis=1)))
 
     def _any_near(self, position_m: FloatArray) -> bool:
         terrain, place = self.terrain, position_m[:, 0] + 1j * position_m[:, 1]

@@ -10,7 +10,6 @@ the sum over its parts, each with the lever of its distance from the centre of m
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Self
 
@@ -19,6 +18,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.mass_properties import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.model.world import Thing
 from crs_cc.sim.state.bodies import Bodies
@@ -44,14 +44,14 @@ class Whole:
     @classmethod
     def of(cls, parts: list[tuple[Thing, FloatArray]]) -> Self:
         """Combine parts, given with their poses in the frame of the centre of mass."""
-        off_m = [math.hypot(place[0], place[1]) for _, place in parts]
+        off_m = [exact.hypot(place[0], place[1]) for _, place in parts]
         pairs = [(obj, away_m) for (obj, _), away_m in zip(parts, off_m, strict=True)]
         return cls(
             tuple(parts),
             sum(obj.mass_kg for obj, _ in pairs),
             sum(moment_kgm2(obj) + obj.mass_kg * away_m**2 for obj, away_m in pairs),
             sum(friction_n(obj) for obj, _ in pairs),
-            sum(math.hypot(friction_nm(obj), friction_n(obj) * away_m) for obj, away_m in pairs),
+            sum(exact.hypot(friction_nm(obj), friction_n(obj) * away_m) for obj, away_m in pairs),
         )
 
 

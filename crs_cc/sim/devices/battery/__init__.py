@@ -195,11 +195,16 @@ class _Supply:
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
         """Return the voltages at states of charge."""
         curves = ((self._curve_v[kind], share) for kind, share in zip(kinds, charge, strict=True))
-        return np.array([np.interp(x, _places(curve_v), curve_v) for curve_v, x in curves])
+        return np.array([_volts(curve_v, share) for curve_v, share in curves])
 
 
-def _places(curve_v: tuple[float, ...]) -> FloatArray:
-    return np.linspace(0.0, 1.0, len(curve_v))
+def _volts(curve_v: tuple[float, ...], charge: FloatArray) -> FloatArray:
+    """Return the voltages at states of charge, from a curve at equal distances."""
+    curve = np.array([*curve_v, curve_v[-1]])
+    place = charge * (len(curve_v) - 1)
+    before = np.floor(place).astype(np.intp)
+    share = place - before
+    return np.asarray((1.0 - share) * curve[before] + share * curve[before + 1])
 
 
 def _byte(volts: FloatArray, factor: float) -> Int32Array:
@@ -213,7 +218,7 @@ def _bytes(curve_v: tuple[float, ...], factor: float) -> Int32Array:
     ([255, 255], 12.2)
     """
     charges = np.arange(_STEPS + 1) / _STEPS
-    return _byte(np.interp(charges, _places(curve_v), curve_v), factor)
+    return _byte(_volts(curve_v, charges), factor)
 
 
 def _least_charge(battery: MotorBattery) -> float:
@@ -224,6 +229,6 @@ def _least_charge(battery: MotorBattery) -> float:
     """
     charges = np.arange(_STEPS + 1) / _STEPS
     curve_v = battery.curve_v
-    volts = np.interp(charges, _places(curve_v), curve_v)
+    volts = _volts(curve_v, charges)
     enough = volts >= battery.cutoff_v
     return float(charges[np.argmax(enough)]) if enough.any() else 2.0

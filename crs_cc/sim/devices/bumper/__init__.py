@@ -26,6 +26,7 @@ from crs_cc.sim.devices.bumper.element import BUMPER_BITS, Switches, read, switc
 from crs_cc.sim.devices.bumper.state import BumperState, bumper_state
 from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.degradable import Degradable, at_numbers, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.state.bodies import Contacts
@@ -100,7 +101,9 @@ class Bumpers:
         began = ~np.isin(keys, state.contacts_before)
         state.contacts_before = keys.astype(np.int64)
         np.add.at(state.collisions, robot[began], 1)
-        bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
+        bearing_rad = exact.arctan2(
+            contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot]
+        )
         bearing_rad -= state.base_rad[robot]
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))

@@ -44,6 +44,7 @@ from crs_cc.sim.files.body import is_outside
 from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.surfaces import packed
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import COLOUR, Count, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
@@ -139,7 +140,7 @@ def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
     radius_m = reader.positive(place, "radius", LENGTH)
     return dataclasses.replace(
         camera,
-        field_of_view_rad=2 * math.atan2(radius_m, range_m),
+        field_of_view_rad=2 * exact.arctan2(radius_m, range_m),
         range_m=range_m,
         x_m=reader.quantity(place, "x-relative", LENGTH),
         y_m=reader.quantity(place, "y-relative", LENGTH),

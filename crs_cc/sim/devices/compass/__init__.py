@@ -34,6 +34,7 @@ from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import Choice, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
@@ -166,7 +167,7 @@ class _Compasses:
         rows, mine = rows[due], mine[due]
         angle_rad = mount_poses(state, constants, rows)[:, 2]
         deviation_rad = np.where(compass.calibrated[mine], 0.0, self._deviation_rad[mine])
-        angle_rad += self._offset_rad[mine] + deviation_rad * np.sin(angle_rad)
+        angle_rad += self._offset_rad[mine] + deviation_rad * exact.sin(angle_rad)
         if self._noise_rad.any():
             deviates = self._noise.rows(rows, compass.count[mine])[:, 0]
             angle_rad += deviates * self._noise_rad[mine]

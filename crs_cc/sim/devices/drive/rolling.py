@@ -23,6 +23,7 @@ import numpy as np
 
 from crs_cc.core.random_streams import ROLLING, Noise
 from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -56,7 +57,7 @@ class RollingNoise:
         off_m = way * self._way_m * np.sqrt(way_m)
         spin_rad = self._spin_rad * np.sqrt(turn_rad / _TURN)
         facing_rad = state.drive.facing_rad[robots]
-        state.drive.moved_m[robots, 0] += off_m * np.cos(facing_rad)
-        state.drive.moved_m[robots, 1] += off_m * np.sin(facing_rad)
-        off_rad = turn * np.hypot(self._turn_rad * np.sqrt(way_m), spin_rad)
+        state.drive.moved_m[robots, 0] += off_m * exact.cos(facing_rad)
+        state.drive.moved_m[robots, 1] += off_m * exact.sin(facing_rad)
+        off_rad = turn * exact.hypot(self._turn_rad * np.sqrt(way_m), spin_rad)
         state.drive.facing_rad[robots] = facing_rad + off_rad

@@ -31,6 +31,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.bodies import Pull
@@ -114,7 +115,7 @@ def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArra
     held_up &= limp | (drives.yields & state.drive.moved_m.any(axis=1))
     rows = np.flatnonzero(held_up | state.drive.hindered)
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
-    ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
+    ahead = np.column_stack([exact.cos(facing_rad), exact.sin(facing_rad)])
     longer = np.ones(len(rows))
     if constants.inclines is not None:
         before_m = state.bodies.position_m[rows] - went_m[rows]
@@ -152,7 +153,7 @@ def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) 
         before_m: their positions before, (robots, 2).
         went_m: their displacements, (robots, 2).
     """
-    way_m = np.hypot(went_m[:, 0], went_m[:, 1])
+    way_m = exact.hypot(went_m[:, 0], went_m[:, 1])
     if constants.inclines is None:
         return np.asarray(way_m)
     direction = went_m / np.maximum(way_m, _SAME_M)[:, None]

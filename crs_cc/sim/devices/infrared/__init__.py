@@ -42,6 +42,7 @@ from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import SHARE, Count, Numbers, attribute, period, rate
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
@@ -305,8 +306,8 @@ def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
     directions = [number * _TURN / MAX_INFRARED for number in range(MAX_INFRARED)]
     beams = (
         (
-            radius_m * math.cos(direction),
-            radius_m * math.sin(direction),
+            radius_m * exact.cos(direction),
+            radius_m * exact.sin(direction),
             direction,
             ring.half_angle_rad,
             range_m,

@@ -20,6 +20,7 @@ from crs_cc.sim.devices.sensor import Measurement, Sensor
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.split_and_merge import segments
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.last_measurement import CONFIGURATION
 
@@ -259,8 +260,8 @@ class Lasers:
         place, seen_m = kind.take(row) * most + column, range_m[hit]
         forward_m = self.sensor.settings["forward_m"][numbers].take(row)
         found = np.empty((len(row), _POINT))
-        found[:, 0] = forward_m + seen_m * np.cos(direction).take(place)
-        found[:, 1] = seen_m * np.sin(direction).take(place)
+        found[:, 0] = forward_m + seen_m * exact.cos(direction).take(place)
+        found[:, 1] = seen_m * exact.sin(direction).take(place)
         counts = hit.sum(axis=1)
         points = np.zeros((*hit.shape, _POINT), dtype=np.int32)
         points[np.arange(most) < counts[:, None]] = np.rint(m_to_tenths_inch(found))

@@ -27,6 +27,7 @@ from crs_cc.robot_api.row import OURS, Function
 from crs_cc.sim.devices import lamp
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
 from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor, listed
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import FRACTION, Count, attribute, period
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
@@ -102,7 +103,7 @@ class _Rings:
         number = np.arange(_MAX)
         spacing_rad = _TURN / count[robot]
         axis_rad = first_rad[robot, None] + number * spacing_rad[:, None]
-        lobe = np.maximum(np.cos(seen.bearing_rad[bright, None] - axis_rad), 0.0)
+        lobe = np.maximum(exact.cos(seen.bearing_rad[bright, None] - axis_rad), 0.0)
         light = lights.strength[seen.source[bright]] / seen.distance_m[bright] ** 2
         readings = np.zeros((len(now.rows), _MAX))
         np.add.at(readings, robot, light[:, None] * lobe)

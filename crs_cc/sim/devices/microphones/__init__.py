@@ -32,6 +32,7 @@ from crs_cc.sim.devices import speaker
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
 from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor, listed
 from crs_cc.sim.geometry.frames import wrapped
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import FRACTION, attribute, period
 from crs_cc.sim.model.beacons import TONES
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
@@ -98,9 +99,9 @@ class _Ears:
         sums = np.zeros((3, len(now.rows), TONES))
         places = heard.robot, tones[heard.source]
         np.add.at(sums[0], places, power)
-        np.add.at(sums[1], places, power * np.cos(heard.bearing_rad))
-        np.add.at(sums[2], places, power * np.sin(heard.bearing_rad))
-        return np.hstack([np.sqrt(sums[0]), wrapped(np.arctan2(sums[2], sums[1]))])
+        np.add.at(sums[1], places, power * exact.cos(heard.bearing_rad))
+        np.add.at(sums[2], places, power * exact.sin(heard.bearing_rad))
+        return np.hstack([np.sqrt(sums[0]), wrapped(exact.arctan2(sums[2], sums[1]))])
 
     def get_sound(self, context: RequestContext) -> BoolArray:
         """Answer GET_SOUND with the levels of all tones, and the direction of the loudest."""

@@ -30,6 +30,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
@@ -58,8 +59,8 @@ def arc(
     """
     direction = heading_rad + turn_rad / 2
     half_rad = np.where(turn_rad == 0.0, _NO_TURN, turn_rad / 2)
-    chord_m = way_m * (np.sin(half_rad) / half_rad)
-    return chord_m * np.cos(direction), chord_m * np.sin(direction)
+    chord_m = way_m * (exact.sin(half_rad) / half_rad)
+    return chord_m * exact.cos(direction), chord_m * exact.sin(direction)
 
 
 def count_turns(

@@ -62,6 +62,7 @@ from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.echoes import first_echo
 from crs_cc.sim.geometry.pings import Pings
 from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.degradable import Degradable, at_numbers, elements_of
 from crs_cc.sim.model.device import Device
 
@@ -255,7 +256,7 @@ class SonarRing:
             readings [in], 255 for no echo, shape (k, 16).
         """
         place = poses[:, 0] + 1j * poses[:, 1]
-        return inches(self._around(state, rays, rows, place, np.exp(1j * poses[:, 2])))
+        return inches(self._around(state, rays, rows, place, exact.turn(poses[:, 2])))
 
     def _fire(
         self,
@@ -342,7 +343,7 @@ class SonarRing:
     ) -> tuple[ComplexArray, ComplexArray]:
         """Return positions of robots and directions of their rings' fronts."""
         x_m, y_m, angle_rad = mount_poses(state, constants, rows).T
-        return x_m + 1j * y_m, np.exp(1j * angle_rad)
+        return x_m + 1j * y_m, exact.turn(angle_rad)
 
     def _around(
         self,
@@ -380,7 +381,7 @@ class SonarRing:
     ) -> Prospect:
         """Return what pings of the sonars with these numbers can hit."""
         z_m = self._beams.z_m(pings.own, number)
-        return rays.prospect(state, z_m, np.tan(pings.half_rad))
+        return rays.prospect(state, z_m, exact.tan(pings.half_rad))
 
 
 def _fan(model: SonarMode) -> Fan:

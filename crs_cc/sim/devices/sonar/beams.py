@@ -27,6 +27,7 @@ from crs_cc.sim.devices.sonar.model import MAX_SONARS, sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
@@ -61,11 +62,11 @@ class Beams:
             for sonar in mode.sonars:
                 place = kind, sonar.id
                 self._offset[place] = complex(sonar.x_m, sonar.y_m)
-                self._axis[place] = np.exp(1j * sonar.direction_rad)
+                self._axis[place] = exact.turn(sonar.direction_rad)
                 self._half_rad[place] = max(sonar.half_angle_rad, _THIN_RAD)
                 self._range_m[place] = sonar.range_m
                 self._z_m[place] = sonar.z_m
-        self.start_m = float(np.abs(self._offset).max(initial=0.0))
+        self.start_m = float(exact.magnitude(self._offset).max(initial=0.0))
         boards = [mode.board for mode in kinds]
         lobes = [board.lobe_rad for board in boards]
         self._falloff = np.array([1 / lobe**2 if lobe else 0.0 for lobe in lobes])
@@ -96,8 +97,8 @@ class Beams:
         beam = kind, number
         return Pings(
             place,
-            place + self._offset[beam] * turn,
-            self._axis[beam] * turn,
+            place + exact.product(self._offset[beam], turn),
+            exact.product(self._axis[beam], turn),
             self._half_rad[beam],
             self._range_m[beam],
             self._falloff[kind],
@@ -134,20 +135,20 @@ def overheard(
     listener, other = listener[fires], other[fires]
     # At most one ping of another robot arrives: its board fires again only later than sound from
     # the end of the range takes to arrive.
-    way_m = np.abs(state.x_m[other] + 1j * state.y_m[other] - start[listener])
+    way_m = exact.magnitude(state.x_m[other] + 1j * state.y_m[other] - start[listener])
     round_s = sonar.interval_s[other]
     since_s = from_s[listener] - way_m / SOUND_MPS - sonar.start_s[other]
     turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
     number = sonar.order[other, turn % sonar.length[other]]
     place = state.x_m[other] + 1j * state.y_m[other]
-    turn_there = np.exp(1j * state.mount_rad[other])
+    turn_there = exact.turn(state.mount_rad[other])
     theirs = beams.pings(other, number, place, turn_there, sonar.mode[other])
     seen = theirs.local(np.arange(len(other)), start[listener])
-    way_m = np.abs(seen)
+    way_m = exact.magnitude(seen)
     come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
     told_m = (come_s - from_s[listener]) * SOUND_MPS / 2
-    heard = (np.abs(np.angle(seen)) <= theirs.half_rad) & (told_m >= 0.0)
-    heard &= way_m <= theirs.reach_m(np.arange(len(other)), np.angle(seen))
+    heard = (np.abs(exact.angle(seen)) <= theirs.half_rad) & (told_m >= 0.0)
+    heard &= way_m <= theirs.reach_m(np.arange(len(other)), exact.angle(seen))
     heard &= come_s <= to_s[listener]
     ping = listeners[listener[heard]]
     return Points(ping, pings.local(ping, theirs.start[heard]), told_m[heard], np.ones(len(ping)))

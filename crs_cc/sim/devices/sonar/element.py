@@ -18,6 +18,7 @@ from crs_cc.sim.devices.sonar.model import (
 from crs_cc.sim.files.body import body_radius_m, is_outside
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import half_angle_rad
+from crs_cc.sim.kernels import exact
 
 _RATE: Final = 15  # times 4 ms: the usual argument of `conf_sn`
 _MOST_RATE: Final = 255
@@ -110,7 +111,7 @@ def _beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar,
         halves_rad = [sonar.half_angle_rad for sonar in of]
     beams = zip(of, ranges_m, halves_rad, strict=True)
     return tuple(
-        replace(sonar, range_m=range_m, radius_m=range_m * math.tan(half_rad))
+        replace(sonar, range_m=range_m, radius_m=range_m * exact.tan(half_rad))
         for sonar, range_m, half_rad in beams
     )
 

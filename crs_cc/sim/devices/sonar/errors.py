@@ -27,6 +27,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.core.random_streams import Noise
 from crs_cc.sim.devices.sonar.model import sonars_of
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
@@ -86,7 +87,7 @@ class SonarErrors:
             return _rounded(reported_m, self._resolution_m[kind])
         heard = np.isfinite(reported_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
         size_m = np.where(heard, reported_m, 0.0)
-        error_m = deviates[:, _ERROR] * np.hypot(
+        error_m = deviates[:, _ERROR] * exact.hypot(
             self._noise_m[kind], self._noise_share[kind] * size_m
         )
         reported_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)

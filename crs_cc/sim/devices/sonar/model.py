@@ -14,6 +14,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.sim.kernels import exact
+
 if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
 
@@ -52,7 +54,7 @@ class Sonar:
     @property
     def half_angle_rad(self) -> float:
         """The angle between the axis of the beam and its side."""
-        return math.atan2(self.radius_m, self.range_m)
+        return exact.arctan2(self.radius_m, self.range_m)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ import numpy as np
 from crs_cc.core.quantity import ANGLE
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.number_sensor import Value, number_sensor
+from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.attribute import attribute, period, rate
 
 if TYPE_CHECKING:
@@ -48,9 +49,9 @@ def measure(now: Measurement) -> FloatArray:
     if now.constants.inclines is not None:
         x_m, y_m, direction = mount_poses(now.state, now.constants, now.rows).T
         gradient = now.constants.inclines.terrain.gradient(x_m, y_m)
-        cos, sin = np.cos(direction), np.sin(direction)
-        tilt_rad[:, 0] = np.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
-        tilt_rad[:, 1] = np.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])
+        cos, sin = exact.cos(direction), exact.sin(direction)
+        tilt_rad[:, 0] = exact.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
+        tilt_rad[:, 1] = exact.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])
     return tilt_rad
 
 

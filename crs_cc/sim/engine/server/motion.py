@@ -28,6 +28,7 @@ import numpy as np
 from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -93,7 +94,7 @@ class Shapes:
 
     def room_m(self, place: ComplexArray | complex) -> FloatArray:
         """Return the distances of points from contact, one for each shape; negative inside."""
-        return np.asarray(np.abs(self.nearest(place) - place) - self.reach_m)
+        return np.asarray(exact.magnitude(self.nearest(place) - place) - self.reach_m)
 
     def nearest(self, place: ComplexArray | complex) -> ComplexArray:
         """Return the point on each segment that is nearest to a point."""
@@ -125,16 +126,16 @@ class Straight:
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
         """Return the distances at which the line is so far from points; NaN for never."""
         away = self.start - point
-        along = (away * self.direction.conjugate()).real
-        root = np.sqrt(distance_m**2 - np.abs(away) ** 2 + along**2)
+        along = exact.dot(away, self.direction)
+        root = np.sqrt(distance_m**2 - exact.dot(away, away) + along**2)
         return [-along - root, -along + root]
 
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
         """Return the distance at which the line is so far along a normal from points."""
-        before = ((self.start - point) * normal.conjugate()).real
-        return [(distance_m - before) / (self.direction * normal.conjugate()).real]
+        before = exact.dot(self.start - point, normal)
+        return [(distance_m - before) / exact.dot(normal, self.direction)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,7 +158,7 @@ class Arc:
     def at(self, way_m: FloatArray) -> ComplexArray:
         """Return the points at distances along the path."""
         angle = self.begin_rad + self.sense * way_m / self.radius_m
-        return np.asarray(self.centre + self.radius_m * np.exp(1j * angle))
+        return np.asarray(self.centre + self.radius_m * exact.turn(angle))
 
     def around(self) -> tuple[complex, float]:
         """Return the centre and the radius of a disc that contains the path."""
@@ -166,19 +167,19 @@ class Arc:
     def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
         """Return the distances at which the circle is so far from points; NaN for never."""
         away = self.centre - point
-        apart = np.abs(away)
+        apart = exact.magnitude(away)
         cos = (distance_m**2 - apart**2 - self.radius_m**2) / (2 * self.radius_m * apart)
-        return self._ways(np.angle(away), cos)
+        return self._ways(exact.angle(away), cos)
 
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
     ) -> list[FloatArray]:
         """Return the distances at which the circle is so far along a normal from points."""
-        before = ((self.centre - point) * normal.conjugate()).real
-        return self._ways(np.angle(normal), (distance_m - before) / self.radius_m)
+        before = exact.dot(self.centre - point, normal)
+        return self._ways(exact.angle(normal), (distance_m - before) / self.radius_m)
 
     def _ways(self, middle_rad: FloatArray, cos: FloatArray) -> list[FloatArray]:
-        half_rad = np.arccos(cos)
+        half_rad = exact.arccos(cos)
         ends_rad = (middle_rad + half_rad, middle_rad - half_rad)
         return [self.sense * (end - self.begin_rad) % _TURN * self.radius_m for end in ends_rad]
 
@@ -201,14 +202,14 @@ def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
         return None
     shape = int(ways_m.min(axis=0).argmin())
     place = complex(path.at(ways_m[:, shape].min()))
-    return place, float(np.angle(shapes.nearest(place)[shape] - place))
+    return place, float(exact.angle(shapes.nearest(place)[shape] - place))
 
 
 def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
     """Return candidate distances that include those of all contacts."""
     along = shapes.end - shapes.start
     with np.errstate(divide="ignore", invalid="ignore"):
-        normal = 1j * along / np.abs(along)
+        normal = 1j * along / exact.magnitude(along)
         return [
             *path.at_distance(shapes.start, shapes.reach_m),
             *path.at_distance(shapes.end, shapes.reach_m),
@@ -225,14 +226,15 @@ def _path(kind: int, numbers: FloatArray) -> Path | None:
     start = complex(*lengths_m[0:2])
     if kind == _SEGMENT:
         way = complex(*lengths_m[2:4]) - start
-        return Straight(start, way / abs(way), abs(way)) if way else None
+        length_m = exact.magnitude(way)
+        return Straight(start, way / length_m, length_m) if way else None
     radius_m, centre = float(lengths_m[4]), complex(*lengths_m[5:7])
     first_rad, second_rad = numbers[2:4].tolist()
     sweep_rad = min(max(second_rad - first_rad, -_TURN), _TURN)
     if radius_m <= 0.0 or sweep_rad == 0.0:
         return None
-    ends = [centre + radius_m * np.exp(1j * angle) for angle in (first_rad, second_rad)]
-    if abs(start - ends[1]) < abs(start - ends[0]):
+    ends = [centre + radius_m * exact.turn(angle) for angle in (first_rad, second_rad)]
+    if exact.magnitude(start - ends[1]) < exact.magnitude(start - ends[0]):
         first_rad, sweep_rad = second_rad, -sweep_rad
     length_m = abs(sweep_rad) * radius_m
     return Arc(centre, radius_m, first_rad, 1 if sweep_rad > 0.0 else -1, length_m)

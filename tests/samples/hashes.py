@@ -1,0 +1,13 @@
+"""Write the state hash of the beginning of each sample run, one line for each."""
+
+from tests.samples.test_samples import RUNS
+
+LONGEST_S = 4.0
+
+NOISY = ("wander", "follow_wall", "localise", "push")
+
+if __name__ == "__main__":
+    for run in RUNS:
+        print(run.name, run.drive(longest_s=LONGEST_S).state_hash)
+        if run.sample in NOISY:
+            print(run.name, "noisy", run.drive("noisy", LONGEST_S).state_hash)
