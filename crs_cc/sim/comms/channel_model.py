@@ -29,7 +29,6 @@ import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, IndexArray, Records
 from crs_cc.core.keyed_random import KeyedUniform
-from crs_cc.core.random_streams import MESSAGES
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.inbox import Transit
 from crs_cc.sim.comms.loss import burst_states
@@ -41,6 +40,7 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.messages import EVERYBODY, NO_GROUP, RECEPTION
+from crs_cc.sim.state.random_streams import MESSAGES
 
 _AT_ONCE: Final = 256  # messages per batch, which bounds memory
 _STEP, _LOSS, _JITTER, _BYTE = range(4)  # purposes of random numbers

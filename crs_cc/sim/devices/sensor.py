@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING, Final, Self, TypeAlias
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
-from crs_cc.core.random_streams import Noise
 from crs_cc.core.time_grid import is_due
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.measured import measured
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.model.robot import devices_of
+from crs_cc.sim.state.random_streams import Noise
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster

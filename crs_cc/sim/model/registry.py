@@ -26,7 +26,7 @@ GROUP: Final = "crs_cc.devices"
 _DEVICES: Final = Path(__file__).parents[1] / "devices"
 _FIRST_NUMBER: Final = 9  # the lower ones are fixed in the rows
 _FOREIGN: Final = 100  # first code of other packages' devices; those below are reserved
-_STREAMS: Final = 1000  # streams below are reserved, see `core.random_streams`
+_STREAMS: Final = 1000  # streams below are reserved, see `state.random_streams`
 
 
 @cache

@@ -27,7 +27,6 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.quantity import ANGLE, TIME
-from crs_cc.core.random_streams import Noise
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.installed import Installed, Timed
@@ -40,6 +39,7 @@ from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.robot import devices_of
 from crs_cc.sim.state.last_measurement import LastMeasurement
+from crs_cc.sim.state.random_streams import Noise
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster

@@ -46,12 +46,12 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.core.random_streams import DEGRADATION, NormalUniformStreams
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.delay import delayed, delayed_speeds
 from crs_cc.sim.devices.degradation.pipeline import distorted, mix, pass_of, stuck_at
 from crs_cc.sim.model.degradation import degradables
 from crs_cc.sim.state.degradation import OVER, DegradationState, number_of
+from crs_cc.sim.state.random_streams import DEGRADATION, NormalUniformStreams
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState

@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.random_streams import ROLLING, Noise
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.state.random_streams import ROLLING, Noise
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants

@@ -33,7 +33,6 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.distinct import distinct
 from crs_cc.core.quantity import ANGLE, LENGTH
-from crs_cc.core.random_streams import Noise
 from crs_cc.sim.devices import range_scan
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
@@ -47,6 +46,7 @@ from crs_cc.sim.model.attribute import SHARE, Count, Numbers, attribute, period,
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.state.last_measurement import LastMeasurement
+from crs_cc.sim.state.random_streams import Noise
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster

@@ -25,9 +25,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
-from crs_cc.core.random_streams import Noise
 from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.state.random_streams import Noise
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel

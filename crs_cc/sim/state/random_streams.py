@@ -5,6 +5,9 @@ another. A stream consists of blocks: block b of the stream with key k comes fro
 with `SeedSequence(seed, spawn_key=(*k, b))`. There is no generator state to save: any row can be
 generated again from its index.
 
+Normal deviates are made of uniform ones by the transformation of Box and Muller ("A note on the
+generation of random normal deviates", 1958). numpy's own depend on the host's C library.
+
 >>> noise = Noise(seed=1, sensor=SONAR, width=2, robots=3)
 >>> rows = noise.rows(np.array([0, 2]), np.array([0, 500]))
 >>> again = Noise(seed=1, sensor=SONAR, width=2, robots=3)
@@ -14,12 +17,14 @@ True
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, Int64Array
+from crs_cc.sim.kernels import exact
 
 SONAR: Final = 0
 ROLLING: Final = 4
@@ -115,10 +120,19 @@ class NormalUniformStreams:
 
 
 def _fill_normal(generator: np.random.Generator, block: FloatArray) -> None:
-    generator.standard_normal(out=block)
+    block[...] = _normal(generator, block.shape)
 
 
 def _fill_both(generator: np.random.Generator, block: FloatArray) -> None:
     rows, _, width = block.shape
-    block[:, 0] = generator.standard_normal((rows, width))
+    block[:, 0] = _normal(generator, (rows, width))
     block[:, 1] = generator.random((rows, width))
+
+
+def _normal(generator: np.random.Generator, shape: tuple[int, ...]) -> FloatArray:
+    """Return standard normal deviates."""
+    count = math.prod(shape)
+    uniform = generator.random((2, (count + 1) // 2))
+    away = np.sqrt(-2.0 * exact.log(1.0 - uniform[0]))  # 1 - u is never 0
+    turns = exact.turn(2 * math.pi * uniform[1])
+    return np.concatenate([away * turns.real, away * turns.imag])[:count].reshape(shape)
