@@ -15,11 +15,9 @@ exit, or a run-time error.
 
 from __future__ import annotations
 
-import contextlib
-import errno
 import functools
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
@@ -32,7 +30,7 @@ from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
 from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
-from crs_cc.runtime.shard import Mailbox, Sandbox, Shard, Trapped
+from crs_cc.runtime.shard import Mailbox, Sandbox, Shard, Trapped, memory_demanded
 from crs_cc.runtime.watch_ranges import WATCHED
 from crs_cc.runtime.workers import available_cores, run_all
 
@@ -98,7 +96,7 @@ class Fleet:
             OSError: there is not enough memory or address space.
         """
         shards = _default_threads(executables) if threads is None else min(threads, MOST_SHARDS)
-        with _memory_demanded(len(executables)):
+        with memory_demanded(len(executables)):
             self._create(executables, driver or compile_driver(), shards)
 
     def _create(self, executables: Sequence[Executable], driver: Driver, shards: int) -> None:
@@ -135,7 +133,7 @@ class Fleet:
             return number
         for spare in (self._sandboxes, self._builds, self.marks, self.watched, self._fresh):
             del spare[number:]
-        with _memory_demanded(1):
+        with memory_demanded(1):
             self._instantiate(executable)
             self._resize_slots(number, number + 1)
         self._fresh[number] = self.snapshot(number)
@@ -189,7 +187,7 @@ class Fleet:
         builds = self._builds[robot]
         new = next((each for each in builds if each.executable is executable), None)
         if new is None:
-            with _memory_demanded(1):
+            with memory_demanded(1):
                 new = self._shard(robot).sandbox(executable)
             builds.append(new)
         state, marks = self.snapshot(robot), self.marks[robot]
@@ -375,21 +373,6 @@ class Fleet:
         slot[:] = snapshot.slot
         for name, wish in wishes.items():
             slot[name] = wish
-
-
-@contextlib.contextmanager
-def _memory_demanded(programs: int) -> Iterator[None]:
-    """Translate wasmtime's out-of-memory error."""
-    try:
-        yield
-    except wasmtime.WasmtimeError as error:
-        if f"os error {errno.ENOMEM}" not in str(error):
-            raise
-        text = (
-            f"cannot allocate memory for {programs} program(s): each needs up to"
-            " 9 GiB of address space, but little memory (see 'ulimit -v')"
-        )
-        raise OSError(errno.ENOMEM, text) from error
 
 
 def _size(programs: int) -> int:

@@ -15,11 +15,11 @@ import numpy as np
 import wasmtime
 from wasmtime import _bindings, _ffi
 
-from crs_cc.core.arrays import ByteArray
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
 from crs_cc.requests import MESSAGE, SLOT, SUSPENDED, slot_offset
 from crs_cc.runtime.executable import Executable, engine
+from crs_cc.runtime.shard import Mailbox, memory_demanded, view
 
 _FUEL: Final = 1 << 62  # more than any call can use
 _RESUME: Final = struct.Struct("<iiiiIIq")
@@ -54,14 +54,14 @@ class KernelInstance:
         """
         self._name = executable.name
         self._store = wasmtime.Store(engine())
-        mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(wasmtime.Limits(1, 1)))
-        instance = wasmtime.Instance(self._store, executable.module(), [mailbox])
+        with memory_demanded(1):
+            mailbox = Mailbox.of_size(SLOT.itemsize)
+            instance = wasmtime.Instance(self._store, executable.module(), [mailbox])
         exports = instance.exports(self._store)
-        resume, memory = exports["resume"], exports["memory"]
+        resume = exports["resume"]
         assert isinstance(resume, wasmtime.Func)
-        assert isinstance(memory, wasmtime.Memory)
-        self.memory = _view(self._store, memory)
-        self._slot = _view(self._store, mailbox)[: SLOT.itemsize].data
+        self.memory = view(self._store, exports["memory"])
+        self._slot = mailbox.view()[: SLOT.itemsize].data
         self._function = resume._func
         self._values = (_bindings.wasmtime_val_raw * 1)()
         self._trap = ctypes.c_void_p()
@@ -92,11 +92,3 @@ class KernelInstance:
 
     def _fail(self) -> None:
         raise InternalError.at(Location(self._name), "it has stopped with an error")
-
-
-def _view(store: wasmtime.Store, memory: wasmtime.Memory) -> ByteArray:
-    """Return a memory as an array that keeps the store alive."""
-    address = ctypes.addressof(memory.data_ptr(store).contents)
-    buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)
-    buffer.store = store  # type: ignore[attr-defined]
-    return np.frombuffer(memoryview(buffer), np.uint8)

@@ -6,7 +6,10 @@ mailbox, in which no two programs have a cache line in common.
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
+import errno
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
@@ -203,6 +206,21 @@ class Shard:
         if error:  # type: ignore[truthy-bool]
             return wasmtime.WasmtimeError._from_ptr(error)
         return wasmtime.Trap._from_ptr(trap) if trap else None  # type: ignore[truthy-bool]
+
+
+@contextlib.contextmanager
+def memory_demanded(programs: int) -> Iterator[None]:
+    """Translate wasmtime's out-of-memory error."""
+    try:
+        yield
+    except wasmtime.WasmtimeError as error:
+        if f"os error {errno.ENOMEM}" not in str(error):
+            raise
+        text = (
+            f"cannot allocate memory for {programs} program(s): each needs up to"
+            " 9 GiB of address space, but little memory (see 'ulimit -v')"
+        )
+        raise OSError(errno.ENOMEM, text) from error
 
 
 def view(store: wasmtime.Store, memory: object) -> ByteArray:

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from crs_cc.core.random_streams import SONAR, Noise
 from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.state.random_streams import SONAR, Noise
 from tests.sim.driver import Driver
 
 NOISY = """<infrared step="4cm" noise="2in"/><compass noise="2deg"/>

@@ -1,4 +1,4 @@
-/* Elementwise functions of arrays, by their numbers in `exact.py`. A complex number is two doubles,
+/* Elementwise functions of arrays, by their numbers in `exact.py` and `program.py`. A complex number is two doubles,
    as in numpy. */
 #include <math.h>
 
@@ -31,7 +31,22 @@ static void products(int count, const double *a, const double *b, double *out)
     }
 }
 
-void __crs_apply(int function, int count, const double *a, const double *b, double *out)
+/* The displacements along arcs with a heading before, a length and a change of heading. x replaces
+   the headings, y the lengths. */
+static void arcs(int count, double *heading, double *way, const double *turn)
+{
+    int i;
+
+    for (i = 0; i < count; i++) {
+        double half = turn[i] == 0 ? 1e-20 : turn[i] / 2;       /* sin(x) / x is 1 at 0 */
+        double direction = heading[i] + turn[i] / 2, chord = way[i] * (sin(half) / half);
+
+        heading[i] = chord * cos(direction);
+        way[i] = chord * sin(direction);
+    }
+}
+
+void __crs_apply(int function, int count, double *a, double *b, double *out)
 {
     int i;
 
@@ -49,5 +64,6 @@ void __crs_apply(int function, int count, const double *a, const double *b, doub
     case 10: EACH(pow(a[i], b[i]));
     case 11: turns(count, a, out); break;
     case 12: products(count, a, b, out); break;
+    case 13: arcs(count, a, b, out); break;
     }
 }

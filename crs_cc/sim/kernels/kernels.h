@@ -5,6 +5,10 @@
 #define BLOCK 0x20000               /* elements of an array; complex numbers are two doubles each */
 
 /* Elementwise functions, see functions.c. */
-void __crs_apply(int function, int count, const double *a, const double *b, double *out);
+void __crs_apply(int function, int count, double *a, double *b, double *out);
+
+/* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
+void __crs_echoes(int count, int rays, int shaped, const double *pings, double *faces,
+                  double *rounds, const double *voices, double *out);
 
 #endif

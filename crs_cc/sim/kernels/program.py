@@ -12,10 +12,15 @@ import atexit
 import functools
 import struct
 import threading
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
+
+from crs_cc.core.arrays import FloatArray
+from crs_cc.core.errors import WorldError
+from crs_cc.core.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
@@ -25,12 +30,19 @@ BLOCK: Final = 0x20000
 
 _BYTES: Final = BLOCK * 16
 _ARGUMENTS: Final = struct.Struct("<2i")
+_ECHOES: Final = struct.Struct("<8i")
+_ARCS: Final = 13
+_ECHOES_NUMBER: Final = 100
+
+PING_SIZE: Final = 13
+"""Numbers in a row of pings, see `echoes.c`."""
 
 
 class Kernels:
     """One thread's instance of the kernels.
 
     Attributes:
+        room: numbers that the tables of a kernel have room for.
         reals: two arguments and the result of a function of real arrays, `BLOCK` elements each.
         complexes: the same memory as complex numbers.
     """
@@ -50,12 +62,56 @@ class Kernels:
         memory = instance.memory[arena : arena + 3 * _BYTES].reshape(3, _BYTES)
         self.reals = tuple(memory.view(np.float64)[:, :BLOCK])
         self.complexes = tuple(memory.view(np.complex128))
+        self._arena = memory.view(np.float64).reshape(-1)
+        self.room = len(self._arena)
         self._resume = instance.resume
 
     def apply(self, function: int, count: int) -> None:
         """Apply a function, by its number in `functions.c`, to arguments in the arena."""
         _ARGUMENTS.pack_into(self._memory, self._place, function, count)
         self._resume()
+
+    def arcs(
+        self, heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the displacements in x and y along arcs, see `odometry.arc`."""
+        count = len(heading_rad)
+        if count > BLOCK:
+            parts = (slice(begin, begin + BLOCK) for begin in range(0, count, BLOCK))
+            found = [self.arcs(heading_rad[one], way_m[one], turn_rad[one]) for one in parts]
+            x_m, y_m = (np.concatenate(each) for each in zip(*found, strict=True))
+            return x_m, y_m
+        first, second, third = self.reals
+        first[:count], second[:count], third[:count] = heading_rad, way_m, turn_rad
+        self.apply(_ARCS, count)
+        return first[:count].copy(), second[:count].copy()
+
+    def echoes(self, tables: Sequence[FloatArray], rays: int, *, shaped: bool) -> FloatArray:
+        """Return the first echo of each ping [m], see `echoes.c` for the tables.
+
+        Args:
+            tables: a row for each ping; then one for each face near a ping, by rising ping; the
+                same of circles, and of voices.
+            rays: how many rays to try in each beam.
+            shaped: whether it matters what is hidden or is no corner.
+
+        Raises:
+            WorldError: there are more shapes within reach than the arena holds.
+        """
+        places, end, count = [], 0, len(tables[0])
+        for table in tables:
+            places.append(end)
+            end += table.size
+        if end + count > self.room:
+            text = f"too many outlines are within reach of a sonar: {sum(map(len, tables[1:]))}"
+            raise WorldError.at(Location("<world>"), text)
+        for table, place in zip(tables, places, strict=True):
+            self._arena[place : place + table.size] = table.reshape(-1)
+        _ECHOES.pack_into(
+            self._memory, self._place, _ECHOES_NUMBER, count, rays, shaped, *places[1:], end
+        )
+        self._resume()
+        return self._arena[end : end + count].copy()
 
     def number(self, function: int, a: float, b: float) -> float:
         """Return a function of one or two numbers."""

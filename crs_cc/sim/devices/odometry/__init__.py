@@ -30,7 +30,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.devices.drive.constants import weighted
-from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.program import kernels
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 
 
 _TURN: Final = 2 * math.pi
-_NO_TURN: Final = 1e-20  # the limit of sin(x) / x at 0 is 1
 _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
@@ -57,10 +56,7 @@ def arc(
     Returns:
         change of x and of y [m].
     """
-    direction = heading_rad + turn_rad / 2
-    half_rad = np.where(turn_rad == 0.0, _NO_TURN, turn_rad / 2)
-    chord_m = way_m * (exact.sin(half_rad) / half_rad)
-    return chord_m * exact.cos(direction), chord_m * exact.sin(direction)
+    return kernels().arcs(heading_rad, way_m, turn_rad)
 
 
 def count_turns(
