@@ -8,7 +8,7 @@
 #define BEFORE_M 1e-6       /* an object closer than this to a target does not hide it */
 #define SEAM_M 1e-3         /* faces whose ends are this close touch */
 #define STRAIGHT 1e-3       /* sine of the angle below which a face continues in another */
-#define MOST_RAYS 17
+#define FEW 256
 
 struct point {
     double x, y;
@@ -150,38 +150,69 @@ static int keep_rounds(int count)
     return inside;
 }
 
-/* Find the first echo along a ray at an angle to the axis. */
-static void try_ray(double angle, double glancing, int shaped)
+/* Distances to the first shapes along a ray, which are needed twice. */
+static double distances[FEW];
+
+static double nearest_on(const struct point *ray)
+{
+    double nearest = INFINITY, distance;
+    int i, n = 0;
+
+    for (i = 0; i < face_count; i++, n++) {
+        distance = to_face(&faces[i], ray);
+        nearest = distance < nearest ? distance : nearest;
+        if (n < FEW)
+            distances[n] = distance;
+    }
+    for (i = 0; i < round_count; i++, n++) {
+        distance = to_round(&rounds[i], ray);
+        nearest = distance < nearest ? distance : nearest;
+        if (n < FEW)
+            distances[n] = distance;
+    }
+    return nearest;
+}
+
+/* Find the first echo along a ray, on which a hard object is heard up to a distance. */
+static void try_ray(const struct point *ray, double loud, double glancing, int shaped)
+{
+    double reach = loud, nearest = nearest_on(ray), distance;
+    int i, n = 0;
+
+    if (nearest > loud)
+        return;
+    if (shaped && nearest + BEFORE_M < reach)
+        reach = nearest + BEFORE_M;
+    for (i = 0; i < face_count; i++, n++) {
+        distance = n < FEW ? distances[n] : to_face(&faces[i], ray);
+        /* Rounding must not silence a face at exactly the critical angle. */
+        if (distance < found && distance <= reach && distance <= loud * faces[i].share
+            && distance <= faces[i].away / glancing + ON_M)
+            found = distance;
+    }
+    for (i = 0; i < round_count; i++, n++) {
+        distance = n < FEW ? distances[n] : to_round(&rounds[i], ray);
+        if (distance < found && distance <= reach && distance <= loud * rounds[i].share)
+            found = distance;
+    }
+}
+
+/* Try rays from one side of the beam to the other, in pairs. */
+static void try_rays(int rays, double glancing, int shaped)
 {
     struct point ray;
-    double loud = range_at(angle), reach = loud, nearest = INFINITY, distance, most;
     int i;
 
-    ray.x = cos(angle);
-    ray.y = sin(angle);
-    if (shaped) {
-        for (i = 0; i < face_count; i++) {
-            distance = to_face(&faces[i], &ray);
-            nearest = distance < nearest ? distance : nearest;
+    for (i = 0; i <= (rays - 1) / 2; i++) {
+        double angle = ping->half * (1 - 2.0 * i / (rays - 1)), loud = range_at(angle);
+
+        ray.x = cos(angle);
+        ray.y = sin(angle);
+        try_ray(&ray, loud, glancing, shaped);
+        if (angle != 0) {
+            ray.y = -ray.y;
+            try_ray(&ray, loud, glancing, shaped);
         }
-        for (i = 0; i < round_count; i++) {
-            distance = to_round(&rounds[i], &ray);
-            nearest = distance < nearest ? distance : nearest;
-        }
-        reach = nearest + BEFORE_M < reach ? nearest + BEFORE_M : reach;
-    }
-    for (i = 0; i < face_count; i++) {
-        /* Rounding must not silence a face at exactly the critical angle. */
-        most = faces[i].away / glancing + ON_M;
-        distance = to_face(&faces[i], &ray);
-        if (distance <= reach && distance <= most && distance <= loud * faces[i].share
-            && distance < found)
-            found = distance;
-    }
-    for (i = 0; i < round_count; i++) {
-        distance = to_round(&rounds[i], &ray);
-        if (distance <= reach && distance <= loud * rounds[i].share && distance < found)
-            found = distance;
     }
 }
 
@@ -340,7 +371,7 @@ void __crs_echoes(int count, int rays, int shaped, const double *pings, double *
                   double *round_table, const double *voice_table, double *out)
 {
     const struct voice *voices = (const struct voice *)voice_table;
-    int number, i, inside;
+    int number, inside;
 
     ping = (const struct ping *)pings;
     faces = (struct face *)face_table;
@@ -356,8 +387,7 @@ void __crs_echoes(int count, int rays, int shaped, const double *pings, double *
         inside = keep_faces((int)ping->faces);
         inside |= keep_rounds((int)ping->rounds);
         if (!inside) {
-            for (i = 0; i < rays; i++)
-                try_ray(ping->half * (-1 + 2.0 * i / (rays - 1)), glancing, shaped);
+            try_rays(rays, glancing, shaped);
             try_feet(shaped);
             try_ends(shaped);
             if (shaped) {
