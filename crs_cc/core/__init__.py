@@ -1,1 +1,1 @@
-"""The basis of all packages: errors, source locations, units, quantities, random streams."""
+"""The basis of all packages: errors, source locations, units, quantities, keyed random numbers."""

@@ -1,5 +1,6 @@
 """The simulated world, in layers: each package may import only itself and those named before it.
 
+- `kernels/`: C that computes the same bits on every processor: functions, echoes, arcs.
 - `model/`: what a world and a robot are, as constant data. `files/`: world files, robot definitions
   and pictures, read into it.
 - `geometry/`: outlines, rays, echoes, lines of sight, the height of the ground.
