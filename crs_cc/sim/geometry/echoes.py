@@ -53,12 +53,10 @@ import numpy as np
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import blocks
 from crs_cc.sim.geometry.outline_query import Prospect
-from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
+from crs_cc.sim.geometry.pings import Pings, Points
 from crs_cc.sim.kernels.program import PING_SIZE, kernels
 
-_SIDES: Final = 2  # rays along the sides of a beam
 _MANY: Final = 1 << 10  # more shapes of a ping than this may be equal ones
-_LOBE_RAYS: Final = 17  # and in between, if the reach falls off the axis
 
 
 def first_echo(
@@ -80,13 +78,10 @@ def first_echo(
         distances from the transducers [m], infinite without an echo, shape (k,).
     """
     found_m = np.empty(len(pings))
-    shaped = voices is not None or hushed is not None
-    shaped = shaped or bool(pings.falloff.any() or (pings.critical_rad < ANY_ANGLE).any())
-    rays = _LOBE_RAYS if pings.falloff.any() else _SIDES
     for part, outlines in obstacles.blocks(pings.place):
         heard = None if voices is None else voices.of_pings(part)
         shapes = _Shapes.near(pings.part(part), outlines, heard, hushed)
-        found_m[part] = shapes.first_echo(rays, shaped=shaped)
+        found_m[part] = shapes.first_echo(hushed=hushed is not None)
     return found_m
 
 
@@ -127,17 +122,16 @@ class _Shapes:
         counts = np.column_stack([face_count, round_count, voice_count])
         return cls(pings, counts, faces, rounds, heard)
 
-    def first_echo(self, rays: int, *, shaped: bool) -> FloatArray:
+    def first_echo(self, *, hushed: bool) -> FloatArray:
         """Return the first echo of each ping [m].
 
         Args:
-            rays: how many rays to try in each beam.
-            shaped: whether it matters what is hidden or is no corner.
+            hushed: whether there are absorbing surfaces.
         """
         table, shapes = self._table(), (self.faces, self.rounds, self.voices)
         widths = [each.shape[1] for each in shapes]
         if table.size + sum(each.size for each in shapes) + len(table) <= kernels().room:
-            return kernels().echoes((table, *shapes), rays, shaped=shaped)
+            return kernels().echoes((table, *shapes), hushed=hushed)
         ends = np.vstack([np.zeros((1, 3), np.intp), self.counts.cumsum(axis=0)])
         found_m = np.empty(len(table))
         sizes = (self.counts * widths).sum(axis=1) + PING_SIZE + 1
@@ -146,7 +140,7 @@ class _Shapes:
                 each[ends[part.start, kind] : ends[part.stop, kind]]
                 for kind, each in enumerate(shapes)
             ]
-            found_m[part] = kernels().echoes((table[part], *few), rays, shaped=shaped)
+            found_m[part] = kernels().echoes((table[part], *few), hushed=hushed)
         return found_m
 
     def _table(self) -> FloatArray:

@@ -9,6 +9,9 @@
 #define SEAM_M 1e-3         /* faces whose ends are this close touch */
 #define STRAIGHT 1e-3       /* sine of the angle below which a face continues in another */
 #define FEW 256
+#define ANY_ANGLE (M_PI / 2)    /* the critical angle of diffuse faces */
+#define SIDES 2                 /* rays along the sides of a beam */
+#define LOBE_RAYS 17            /* and in between, if the reach falls off the axis */
 
 struct point {
     double x, y;
@@ -367,7 +370,9 @@ static void try_voices(const struct voice *voices, int count)
         hear(&voices[i].place, voices[i].reported, voices[i].share, 1);
 }
 
-void __crs_echoes(int count, int rays, int shaped, const double *pings, double *face_table,
+/* How a ping is computed depends on itself and on whether there are soft objects, never on the
+   other pings of the call. */
+void __crs_echoes(int count, int hushed, const double *pings, double *face_table,
                   double *round_table, const double *voice_table, double *out)
 {
     const struct voice *voices = (const struct voice *)voice_table;
@@ -378,6 +383,8 @@ void __crs_echoes(int count, int rays, int shaped, const double *pings, double *
     rounds = (struct round *)round_table;
     for (number = 0; number < count; number++, ping++) {
         double glancing = cos(ping->critical);
+        /* whether it matters what is hidden or is no corner */
+        int shaped = hushed || ping->falloff > 0 || ping->critical < ANY_ANGLE || ping->voices > 0;
 
         found = INFINITY;
         cosine = cos(ping->half);
@@ -387,7 +394,7 @@ void __crs_echoes(int count, int rays, int shaped, const double *pings, double *
         inside = keep_faces((int)ping->faces);
         inside |= keep_rounds((int)ping->rounds);
         if (!inside) {
-            try_rays(rays, glancing, shaped);
+            try_rays(ping->falloff > 0 ? LOBE_RAYS : SIDES, glancing, shaped);
             try_feet(shaped);
             try_ends(shaped);
             if (shaped) {

@@ -8,7 +8,7 @@
 void __crs_apply(int function, int count, double *a, double *b, double *out);
 
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
-void __crs_echoes(int count, int rays, int shaped, const double *pings, double *faces,
-                  double *rounds, const double *voices, double *out);
+void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,
+                  const double *voices, double *out);
 
 #endif

@@ -18,8 +18,8 @@ int __crs_start(void)
     for (;;) {
         __crs_request(1, &message);
         if (n[0] == ECHOES)
-            __crs_echoes(n[1], n[2], n[3], arena[0], arena[0] + n[4], arena[0] + n[5],
-                         arena[0] + n[6], arena[0] + n[7]);
+            __crs_echoes(n[1], n[2], arena[0], arena[0] + n[3], arena[0] + n[4], arena[0] + n[5],
+                         arena[0] + n[6]);
         else
             __crs_apply(n[0], n[1], arena[0], arena[1], arena[2]);
     }

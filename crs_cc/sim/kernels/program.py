@@ -30,7 +30,7 @@ BLOCK: Final = 0x20000
 
 _BYTES: Final = BLOCK * 16
 _ARGUMENTS: Final = struct.Struct("<2i")
-_ECHOES: Final = struct.Struct("<8i")
+_ECHOES: Final = struct.Struct("<7i")
 _ARCS: Final = 13
 _ECHOES_NUMBER: Final = 100
 
@@ -86,14 +86,13 @@ class Kernels:
         self.apply(_ARCS, count)
         return first[:count].copy(), second[:count].copy()
 
-    def echoes(self, tables: Sequence[FloatArray], rays: int, *, shaped: bool) -> FloatArray:
+    def echoes(self, tables: Sequence[FloatArray], *, hushed: bool) -> FloatArray:
         """Return the first echo of each ping [m], see `echoes.c` for the tables.
 
         Args:
             tables: a row for each ping; then one for each face near a ping, by rising ping; the
                 same of circles, and of voices.
-            rays: how many rays to try in each beam.
-            shaped: whether it matters what is hidden or is no corner.
+            hushed: whether there are absorbing surfaces.
 
         Raises:
             WorldError: there are more shapes within reach than the arena holds.
@@ -108,7 +107,7 @@ class Kernels:
         for table, place in zip(tables, places, strict=True):
             self._arena[place : place + table.size] = table.reshape(-1)
         _ECHOES.pack_into(
-            self._memory, self._place, _ECHOES_NUMBER, count, rays, shaped, *places[1:], end
+            self._memory, self._place, _ECHOES_NUMBER, count, hushed, *places[1:], end
         )
         self._resume()
         return self._arena[end : end + count].copy()

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from crs_cc.sim.geometry import echoes
-from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points, first_echo
+from crs_cc.sim.geometry.echoes import first_echo
 from crs_cc.sim.geometry.obstacles import Obstacles
+from crs_cc.sim.geometry.pings import ANY_ANGLE, Pings, Points
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.kernels.program import Kernels
 from tests.sim.geometry import numpy_echoes
@@ -67,3 +68,13 @@ def test_one_call_and_many_hear_the_same(monkeypatch: pytest.MonkeyPatch) -> Non
     small.room = 1000
     monkeypatch.setattr(echoes, "kernels", lambda: small)
     assert first_echo(pings, around).tolist() == together_m.tolist()
+
+
+def test_pings_of_different_kinds_share_a_call() -> None:
+    pings, around, _ = case(3, 0.0, ANY_ANGLE)
+    pings.falloff[::2] = 1 / math.radians(9) ** 2
+    pings.critical_rad[::3] = math.radians(30)
+    found_m = first_echo(pings, around)
+    assert found_m.tolist() == numpy_echoes.first_echo(pings, around).tolist()
+    alone_m = [first_echo(pings.part(slice(i, i + 1)), around)[0] for i in range(8)]
+    assert found_m[:8].tolist() == alone_m
