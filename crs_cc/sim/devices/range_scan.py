@@ -57,7 +57,7 @@ def triangulated(now: Measurement, range_m: FloatArray, deviates: FloatArray) ->
         deviates: standard normal deviates, (k, values).
     """
     seen_m = np.where(np.isfinite(range_m), range_m, 0.0)
-    spread_m = now.settings["noise_m"][:, None] * seen_m**2
+    spread_m = now.settings["noise_m"][:, None] * np.square(seen_m)
     return np.asarray(np.maximum(range_m + deviates * spread_m, 0.0))
 
 

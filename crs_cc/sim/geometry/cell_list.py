@@ -92,7 +92,7 @@ class CellList:
         columns, rows = self._cells(x_m, y_m)
         keys = rows * self._side + columns
         self._order = np.argsort(keys, kind="stable")
-        counts = np.bincount(keys, minlength=self._side**2)
+        counts = np.bincount(keys, minlength=self._side * self._side)
         self._ends = np.concatenate([[0], np.cumsum(counts)])
 
     def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:

@@ -169,7 +169,7 @@ class Obstacles:
             others, movers = self._cells_of_circles().near(place.real, place.imag)
         middle, radius_m = moving.circles(movers)
         away = middle - place.take(others)
-        within = away.real**2 + away.imag**2 <= (radius_m + self._reach_m) ** 2
+        within = exact.dot(away, away) <= np.square(radius_m + self._reach_m)
         within &= self._owners.take(movers) != own.take(others)
         near = np.flatnonzero(within)
         return others.take(near), movers.take(near)

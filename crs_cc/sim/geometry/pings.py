@@ -58,7 +58,7 @@ class Pings:
             exact.turn(np.array([direction for _, _, direction in rows])),
             np.full(count, half_rad),
             np.full(count, range_m),
-            np.full(count, 1 / lobe_rad**2 if lobe_rad else 0.0),
+            np.full(count, 1 / (lobe_rad * lobe_rad) if lobe_rad else 0.0),
             np.full(count, critical_rad),
             np.full(count, -1, dtype=np.intp),
         )

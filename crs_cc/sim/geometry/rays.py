@@ -265,9 +265,9 @@ def _sectors_of_segments(
     A segment with all beams' starts to its left is the back of its solid.
     """
     dot, cross = exact.dot(a, b), a.real * b.imag - a.imag * b.real
-    share = (a.real**2 + a.imag**2 - dot) / (length * length)
+    share = (exact.dot(a, a) - dot) / (length * length)
     foot = a + np.minimum(np.maximum(share, 0.0), 1.0) * (b - a)
-    distance2 = foot.real**2 + foot.imag**2
+    distance2 = exact.dot(foot, foot)
     near = (distance2 <= fan.reach_m * fan.reach_m) & (cross <= fan.start_m * length)
     keep = np.flatnonzero(near)
     turn = exact.arctan2(cross.take(keep), dot.take(keep))
@@ -280,7 +280,7 @@ def _sectors_of_circles(
     fan: Fan, middle: ComplexArray, radius: FloatArray
 ) -> tuple[IndexArray, _Sectors]:
     """Return which circles can be hit from robots at 0, and the angles that they subtend."""
-    away = np.sqrt(middle.real**2 + middle.imag**2)
+    away = exact.magnitude(middle)
     keep = np.flatnonzero(away - radius <= fan.reach_m)
     away, radius, middle = away.take(keep), radius.take(keep), middle.take(keep)
     # Half of the angle that the circle covers, asin(radius / away), is less than its tangent.

@@ -29,7 +29,7 @@ def friction_n(thing: Thing) -> float:
 def floor_m2(thing: Thing) -> float:
     """Return the contact area of an object with the floor."""
     if isinstance(thing, Cylinder):
-        return math.pi * thing.radius_m**2
+        return math.pi * (thing.radius_m * thing.radius_m)
     if isinstance(thing, Box):
         return thing.length_m * thing.width_m
     return area_m2(np.array(thing.corners_m))
@@ -49,8 +49,9 @@ def friction_nm(thing: Thing) -> float:
 def moment_kgm2(thing: Thing) -> float:
     """Return an object's moment of inertia about its centre: that of a disc or of a plate."""
     if isinstance(thing, Cylinder):
-        return thing.mass_kg * thing.radius_m**2 / 2
+        return thing.mass_kg * (thing.radius_m * thing.radius_m) / 2
     if isinstance(thing, Box):
-        return thing.mass_kg * (thing.length_m**2 + thing.width_m**2) / 12
+        square_m2 = thing.length_m * thing.length_m + thing.width_m * thing.width_m
+        return thing.mass_kg * square_m2 / 12
     corners_m = np.array(thing.corners_m)
     return thing.mass_kg * second_moment_m4(corners_m) / area_m2(corners_m)

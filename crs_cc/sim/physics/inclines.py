@@ -139,7 +139,7 @@ class Inclines:
         seen = np.divide(seen_n, down_n, out=np.ones_like(down_n), where=down_n > _LEAST_N)
         hold = np.sqrt(grip2) * seen
         along, across = np.sqrt(along2), np.sqrt(grip2 / along2)
-        steep = 1.0 / grip[self._robots :] - 1.0 > FLOOR_FRICTION**2
+        steep = 1.0 / grip[self._robots :] - 1.0 > FLOOR_FRICTION * FLOOR_FRICTION
         quiet = not steep.any() and not self._any_near(position_m[robots])
         return Incline(pull_n, grip, hold, ahead, along, across, sloping, quiet)
 

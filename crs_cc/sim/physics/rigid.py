@@ -49,7 +49,7 @@ class Whole:
         return cls(
             tuple(parts),
             sum(obj.mass_kg for obj, _ in pairs),
-            sum(moment_kgm2(obj) + obj.mass_kg * away_m**2 for obj, away_m in pairs),
+            sum(moment_kgm2(obj) + obj.mass_kg * (away_m * away_m) for obj, away_m in pairs),
             sum(friction_n(obj) for obj, _ in pairs),
             sum(exact.hypot(friction_nm(obj), friction_n(obj) * away_m) for obj, away_m in pairs),
         )

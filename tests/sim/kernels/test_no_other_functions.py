@@ -102,6 +102,11 @@ def faults(tree: ast.AST) -> Iterator[str]:
                 yield f"{node.lineno}: {node.value.id}.{node.attr}"
         elif isinstance(node, ast.BinOp | ast.AugAssign) and isinstance(node.op, ast.MatMult):
             yield f"{node.lineno}: @"
+        elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+            # of numbers it is the C library's `pow`, of arrays a function of numpy
+            sides = node.left, node.right
+            if not all(isinstance(each, ast.Constant) for each in sides):
+                yield f"{node.lineno}: **"
 
 
 @pytest.mark.parametrize(
@@ -113,4 +118,5 @@ def test_no_function_depends_on_the_processor(path: Path) -> None:
 
 def test_the_rule_finds_them() -> None:
     text = "a = np.exp(1j)\nb = a @ a\nc = math.sin(2) + np.sqrt(2) + exact.sin(2)\n"
-    assert sorted(faults(ast.parse(text))) == ["1: np.exp", "2: @", "3: math.sin"]
+    text += "d = 2.0**53 + a**2\n"
+    assert sorted(faults(ast.parse(text))) == ["1: np.exp", "2: @", "3: math.sin", "4: **"]

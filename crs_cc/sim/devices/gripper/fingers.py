@@ -96,7 +96,7 @@ def _circles(moving: Outlines, robots: int, mounts: FloatArray, strip_m: FloatAr
     middle, radius_m = _seen(circles[which, :2], mounts[gripper]), circles[which, 2]
     near_m, far_m = strip_m[gripper].T
     widest_m = np.minimum(np.maximum(middle[:, 0], near_m), far_m)
-    half2 = radius_m**2 - (widest_m - middle[:, 0]) ** 2
+    half2 = np.square(radius_m) - np.square(widest_m - middle[:, 0])
     keep = np.flatnonzero(half2 >= 0.0)
     half_m, y_m = np.sqrt(half2[keep]), middle[keep, 1]
     x_m = np.maximum(middle[keep, 0] - radius_m[keep], near_m[keep])

@@ -104,7 +104,7 @@ class _Rings:
         spacing_rad = _TURN / count[robot]
         axis_rad = first_rad[robot, None] + number * spacing_rad[:, None]
         lobe = np.maximum(exact.cos(seen.bearing_rad[bright, None] - axis_rad), 0.0)
-        light = lights.strength[seen.source[bright]] / seen.distance_m[bright] ** 2
+        light = lights.strength[seen.source[bright]] / np.square(seen.distance_m[bright])
         readings = np.zeros((len(now.rows), _MAX))
         np.add.at(readings, robot, light[:, None] * lobe)
         readings[number >= count[:, None]] = 0.0

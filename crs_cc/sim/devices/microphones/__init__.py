@@ -95,7 +95,7 @@ class _Ears:
             sources=sounds, range_m=now.settings["range_m"], fan=self.fans[0],
         )  # fmt: skip
         pressure = sounds.strength[heard.source] / heard.distance_m
-        power = (pressure * np.where(heard.in_sight, 1.0, AROUND)) ** 2
+        power = np.square(pressure * np.where(heard.in_sight, 1.0, AROUND))
         sums = np.zeros((3, len(now.rows), TONES))
         places = heard.robot, tones[heard.source]
         np.add.at(sums[0], places, power)

@@ -69,7 +69,7 @@ class Beams:
         self.start_m = float(exact.magnitude(self._offset).max(initial=0.0))
         boards = [mode.board for mode in kinds]
         lobes = [board.lobe_rad for board in boards]
-        self._falloff = np.array([1 / lobe**2 if lobe else 0.0 for lobe in lobes])
+        self._falloff = np.array([1 / (lobe * lobe) if lobe else 0.0 for lobe in lobes])
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
 
     def z_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:

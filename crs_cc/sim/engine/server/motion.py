@@ -127,7 +127,7 @@ class Straight:
         """Return the distances at which the line is so far from points; NaN for never."""
         away = self.start - point
         along = exact.dot(away, self.direction)
-        root = np.sqrt(distance_m**2 - exact.dot(away, away) + along**2)
+        root = np.sqrt(np.square(distance_m) - exact.dot(away, away) + np.square(along))
         return [-along - root, -along + root]
 
     def beside(
@@ -168,8 +168,8 @@ class Arc:
         """Return the distances at which the circle is so far from points; NaN for never."""
         away = self.centre - point
         apart = exact.magnitude(away)
-        cos = (distance_m**2 - apart**2 - self.radius_m**2) / (2 * self.radius_m * apart)
-        return self._ways(exact.angle(away), cos)
+        more_m2 = np.square(distance_m) - np.square(apart) - np.square(self.radius_m)
+        return self._ways(exact.angle(away), more_m2 / (2 * self.radius_m * apart))
 
     def beside(
         self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
