@@ -10,8 +10,9 @@ from collections.abc import Iterator
 
 from crs_cc.core.source import Location
 from crs_cc.debug.program import DebugProgram
+from crs_cc.ir.instruction import Block, Call, Statement
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.ir.program import Block, Call, Function, Statement
+from crs_cc.ir.program import Function
 
 
 def calling(program: DebugProgram, name: str) -> frozenset[int]:

@@ -38,7 +38,8 @@ from crs_cc.frontend.parse.lexer import lex
 from crs_cc.frontend.parse.parser import parse_expression
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import check_file
-from crs_cc.ir.program import Block, Function, Operand, Parameter, Program, Return, Variable
+from crs_cc.ir.instruction import Block, Operand, Return, Variable
+from crs_cc.ir.program import Function, Parameter, Program
 from crs_cc.ir.types import ArrayType, CType, FunctionType, PointerType, RecordType, VoidType
 
 EXPRESSION: Final = "<expression>"

@@ -7,7 +7,8 @@ is not a read: its flag is moved, or its state is stored, with it.
 A debugger may read a variable wherever the program can stop. Where it depends on the path whether
 the variable has a value there, it has a flag, too.
 
->>> from crs_cc.ir.program import *
+>>> from crs_cc.ir.instruction import *
+>>> from crs_cc.ir.program import Function
 >>> from crs_cc.ir.types import INT
 >>> from crs_cc.core.source import Location
 >>> here = Location("sum.c", 1, 1)
@@ -24,11 +25,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.ir.liveness import all_instructions, reads, writes
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Block,
     Call,
-    Function,
     Instruction,
     Move,
     Register,
@@ -38,6 +37,8 @@ from crs_cc.ir.program import (
     Store,
     Variable,
 )
+from crs_cc.ir.liveness import all_instructions, reads, writes
+from crs_cc.ir.program import Function
 
 _STOPS: Final = (Statement, Call, Request, SetJump)
 """Where a program can stop, beside the starts of blocks."""

@@ -1,7 +1,7 @@
 """The registers that instructions read and write, and liveness analysis.
 
 >>> from crs_cc.core.source import Location
->>> from crs_cc.ir.program import Binary, Constant, Register
+>>> from crs_cc.ir.instruction import Binary, Constant, Register
 >>> a, b = Register(0, "i32"), Register(1, "i32")
 >>> add = Binary(Location("x.c"), b, "i32.add", a, Constant("i32", 1))
 >>> [register.index for register in reads(add)], writes(add).index
@@ -14,96 +14,74 @@ from collections.abc import Callable
 from operator import attrgetter
 from typing import Final
 
-from crs_cc.ir.program import (
-    Address,
-    Binary,
-    Block,
-    Bounds,
-    Branch,
-    Call,
-    Callers,
-    Copy,
-    Fill,
-    Function,
-    Instruction,
-    Load,
-    LongJump,
-    Mark,
-    Move,
-    Register,
-    Request,
-    Return,
-    SetJump,
-    State,
-    Stop,
-    Store,
-    Switch,
-    Unary,
-)
+from crs_cc.ir import instruction as ir
+from crs_cc.ir.program import Function
 
-_OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
-    Move: ("source",),
-    Unary: ("source",),
-    Binary: ("left", "right"),
-    Load: ("base",),
-    Address: ("base",),
-    Bounds: ("index", "base"),
-    Store: ("base", "source"),
-    Copy: ("target", "source", "size"),
-    Fill: ("target", "value", "size"),
-    Mark: ("target", "size"),
-    Callers: ("target",),
-    State: ("address",),
-    Stop: ("value",),
-    Branch: ("condition",),
-    Switch: ("value",),
-    Return: ("value",),
-    Call: ("callee",),
-    Request: ("code", "message"),
-    SetJump: ("buffer", "activation"),
-    LongJump: ("activation", "place", "value"),
+_OPERANDS: Final[dict[type[ir.Instruction], tuple[str, ...]]] = {
+    ir.Move: ("source",),
+    ir.Unary: ("source",),
+    ir.Binary: ("left", "right"),
+    ir.Load: ("base",),
+    ir.Address: ("base",),
+    ir.Bounds: ("index", "base"),
+    ir.Store: ("base", "source"),
+    ir.Copy: ("target", "source", "size"),
+    ir.Fill: ("target", "value", "size"),
+    ir.Mark: ("target", "size"),
+    ir.Callers: ("target",),
+    ir.State: ("address",),
+    ir.Stop: ("value",),
+    ir.Branch: ("condition",),
+    ir.Switch: ("value",),
+    ir.Return: ("value",),
+    ir.Call: ("callee",),
+    ir.Request: ("code", "message"),
+    ir.SetJump: ("buffer", "activation"),
+    ir.LongJump: ("activation", "place", "value"),
 }
 """The fields of instructions with the operands that they read, except a call's arguments."""
 
-_ASSIGNING: Final = frozenset({Move, Unary, Binary, Load, Address, State, Call, Request, SetJump})
+_ASSIGNING: Final = frozenset(
+    {ir.Move, ir.Unary, ir.Binary, ir.Load, ir.Address, ir.State, ir.Call, ir.Request, ir.SetJump}
+)
 """The instructions with a result; looking up the class is faster than `match`."""
 
 
-def _reader(names: tuple[str, ...]) -> Callable[[Instruction], list[Register]]:
+def _reader(names: tuple[str, ...]) -> Callable[[ir.Instruction], list[ir.Register]]:
     """Return a function that returns the registers in these fields."""
     if len(names) == 1:
-        field: Callable[[Instruction], object] = attrgetter(*names)
-        return lambda it: [value] if isinstance(value := field(it), Register) else []
-    fields: Callable[[Instruction], tuple[object, ...]] = attrgetter(*names)
-    return lambda it: [value for value in fields(it) if isinstance(value, Register)]
+        field: Callable[[ir.Instruction], object] = attrgetter(*names)
+        return lambda it: [value] if isinstance(value := field(it), ir.Register) else []
+    fields: Callable[[ir.Instruction], tuple[object, ...]] = attrgetter(*names)
+    return lambda it: [value for value in fields(it) if isinstance(value, ir.Register)]
 
 
 _READERS: Final = {kind: _reader(names) for kind, names in _OPERANDS.items()}
 
 
-def reads(instruction: Instruction) -> list[Register]:
+def reads(instruction: ir.Instruction) -> list[ir.Register]:
     """Return the registers that the instruction reads."""
     reader = _READERS.get(instruction.__class__)
     if reader is None:
         return []
     found = reader(instruction)
-    if isinstance(instruction, Call):
+    if isinstance(instruction, ir.Call):
         values = [argument.value for argument in instruction.arguments]
-        found += [value for value in values if isinstance(value, Register)]
-    elif isinstance(instruction, Bounds) and instruction.element is not None:
+        found += [value for value in values if isinstance(value, ir.Register)]
+    elif isinstance(instruction, ir.Bounds) and instruction.element is not None:
         found.append(instruction.element[0])
     return found
 
 
-def writes(instruction: Instruction) -> Register | None:
+def writes(instruction: ir.Instruction) -> ir.Register | None:
     """Return the register that the instruction writes, if any."""
     if instruction.__class__ not in _ASSIGNING:
         return None
-    result: Register | None = instruction.result  # type: ignore[attr-defined]
+    result: ir.Register | None = instruction.result  # type: ignore[attr-defined]
     return result
 
 
-def all_instructions(block: Block) -> list[Instruction]:
+def all_instructions(block: ir.Block) -> list[ir.Instruction]:
     """Return the block's instructions with its terminator as the last."""
     return block.instructions if block.terminator is None else [*block.instructions,
                                                                 block.terminator]  # fmt: skip
@@ -117,9 +95,9 @@ class Liveness:
     """
 
     def __init__(self, function: Function) -> None:
-        self._gen: dict[Block, int] = {}
-        self._kill: dict[Block, int] = {}
-        self._alive: dict[Block, int] = {}
+        self._gen: dict[ir.Block, int] = {}
+        self._kill: dict[ir.Block, int] = {}
+        self._alive: dict[ir.Block, int] = {}
         for block in function.blocks:
             self._summarise(block)
         self._solve(function)
@@ -127,18 +105,18 @@ class Liveness:
         for alive in self._alive.values():
             self.shared |= alive
 
-    def at_start(self, block: Block) -> int:
+    def at_start(self, block: ir.Block) -> int:
         """Return the bit set of registers that are live at the start of the block."""
         return self._alive[block]
 
-    def at_end(self, block: Block) -> int:
+    def at_end(self, block: ir.Block) -> int:
         """Return the bit set of registers that are live after the block's terminator."""
         alive = 0
         for successor in block.successors():
             alive |= self._alive[successor]
         return alive
 
-    def _summarise(self, block: Block) -> None:
+    def _summarise(self, block: ir.Block) -> None:
         gen = kill = 0
         for instruction in all_instructions(block):
             for register in reads(instruction):
@@ -159,7 +137,7 @@ class Liveness:
                     changed = True
 
 
-def alive_before(block: Block, liveness: Liveness) -> list[int]:
+def alive_before(block: ir.Block, liveness: Liveness) -> list[int]:
     """Return the bit sets of registers that are live before each instruction and the terminator."""
     alive = liveness.at_end(block)
     out = []

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from crs_cc.ir.program import Block, Function
+from crs_cc.ir.instruction import Block
+from crs_cc.ir.program import Function
 
 
 def loop_headers(function: Function) -> set[Block]:

@@ -20,6 +20,7 @@ two differ: divisions and conversions from floating-point to integer types do no
 codegen adds checks. `ir.instruction` describes each instruction.
 
 >>> from crs_cc.core.source import Location
+>>> from crs_cc.ir.instruction import Binary, Constant, Return
 >>> here = Location("twice.c", 1, 1)
 >>> n = Register(0, "i32")
 >>> double = Register(1, "i32")
@@ -39,91 +40,19 @@ from typing import Any
 
 from crs_cc.core.source import Location
 from crs_cc.ir.instruction import (
-    VARARGS,
-    Address,
-    Argument,
-    Base,
-    Binary,
     Block,
-    Bounds,
     Branch,
-    ByteState,
     Call,
-    Callers,
-    Constant,
-    Copy,
-    Fill,
-    Instruction,
     Jump,
-    Lifetime,
-    Load,
-    LongJump,
-    Mark,
-    Move,
-    Operand,
     Register,
     Request,
-    Return,
     SetJump,
     Slot,
-    State,
-    Statement,
-    Stop,
-    Store,
     Switch,
-    Terminator,
-    Unary,
     Variable,
 )
 from crs_cc.ir.types import CType
-from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE, MemoryType, ValueType
-
-__all__ = [
-    "MEMORY_SIZE",
-    "VALUE_TYPE",
-    "VARARGS",
-    "Address",
-    "Argument",
-    "Base",
-    "Binary",
-    "Block",
-    "Bounds",
-    "Branch",
-    "ByteState",
-    "Call",
-    "Callers",
-    "Constant",
-    "Copy",
-    "Data",
-    "Fill",
-    "Function",
-    "Instruction",
-    "Jump",
-    "Lifetime",
-    "Load",
-    "LongJump",
-    "Mark",
-    "MemoryType",
-    "Move",
-    "Operand",
-    "Parameter",
-    "Program",
-    "Register",
-    "Relocation",
-    "Request",
-    "Return",
-    "SetJump",
-    "Slot",
-    "State",
-    "Statement",
-    "Stop",
-    "Store",
-    "Switch",
-    "Terminator",
-    "Unary",
-    "ValueType",
-    "Variable",
-]
+from crs_cc.ir.value_type import MemoryType, ValueType
 
 
 @dataclass(slots=True, eq=False)

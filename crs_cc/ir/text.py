@@ -3,7 +3,8 @@
 Registers are `%name.number`, frame slots `$name.number`, global names `@name`. A comment has the
 location in the C source if it differs from that of the line before.
 
->>> from crs_cc.ir.program import Binary, Block, Constant, Function, Parameter, Register, Return
+>>> from crs_cc.ir.instruction import Binary, Block, Constant, Register, Return
+>>> from crs_cc.ir.program import Function, Parameter
 >>> from crs_cc.core.source import Location
 >>> here = Location("twice.c", 1, 1)
 >>> n, double = Register(0, "i32"), Register(1, "i32")
@@ -26,44 +27,8 @@ from textwrap import TextWrapper
 from typing import Final
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import (
-    VARARGS,
-    Address,
-    Argument,
-    Base,
-    Binary,
-    Block,
-    Bounds,
-    Branch,
-    ByteState,
-    Call,
-    Callers,
-    Constant,
-    Copy,
-    Data,
-    Fill,
-    Function,
-    Instruction,
-    Jump,
-    Lifetime,
-    Load,
-    LongJump,
-    Mark,
-    Move,
-    Operand,
-    Program,
-    Register,
-    Request,
-    Return,
-    SetJump,
-    Slot,
-    State,
-    Statement,
-    Stop,
-    Store,
-    Switch,
-    Unary,
-)
+from crs_cc.ir import instruction as ir
+from crs_cc.ir.program import Data, Function, Program
 
 _COMMENT_COLUMN: Final = 50
 _BYTES_PER_LINE: Final = 16
@@ -113,9 +78,9 @@ class FunctionText:
     def __init__(self, function: Function) -> None:
         self.function = function
         places = [each.place for each in function.parameters]
-        slots = [place for place in places if isinstance(place, Slot)] + function.slots
+        slots = [place for place in places if isinstance(place, ir.Slot)] + function.slots
         self._slot_names = {id(slot): f"${slot.name}.{i}" for i, slot in enumerate(slots)}
-        self._slot_names[id(VARARGS)] = "$..."
+        self._slot_names[id(ir.VARARGS)] = "$..."
         self._place = function.location
 
     def render(self) -> str:
@@ -141,10 +106,10 @@ class FunctionText:
         result = f" -> {self.function.result}" if self.function.result else ""
         return f"function @{self.function.name}({', '.join(parameters)}){result}"
 
-    def _parameter(self, place: Register | Slot) -> str:
-        return self._slot(place) if isinstance(place, Slot) else self._operand(place)
+    def _parameter(self, place: ir.Register | ir.Slot) -> str:
+        return self._slot(place) if isinstance(place, ir.Slot) else self._operand(place)
 
-    def _block(self, block: Block) -> Iterator[str]:
+    def _block(self, block: ir.Block) -> Iterator[str]:
         yield _line(f"{block.label}:", f"fuel {block.fuel}")
         self._place = Location("")
         for instruction in block.instructions:
@@ -154,7 +119,7 @@ class FunctionText:
         else:
             yield self._instruction(block.terminator)
 
-    def _instruction(self, instruction: Instruction) -> str:
+    def _instruction(self, instruction: ir.Instruction) -> str:
         render = _RENDER.get(type(instruction))
         text = render(self, instruction) if render else f"({type(instruction).__name__})"
         place, comment = instruction.location, ""
@@ -166,23 +131,23 @@ class FunctionText:
 
     # Operands
 
-    def _operand(self, operand: Operand) -> str:
-        if not isinstance(operand, Register):
+    def _operand(self, operand: ir.Operand) -> str:
+        if not isinstance(operand, ir.Register):
             return repr(operand.value)
         name = f"{operand.variable.name}." if operand.variable else ""
         return f"%{name}{operand.index}"
 
-    def _slot(self, slot: Slot) -> str:
+    def _slot(self, slot: ir.Slot) -> str:
         return self._slot_names.get(id(slot), f"${slot.name}.?")
 
-    def _address(self, base: Base, offset: int) -> str:
-        if isinstance(base, Register):
+    def _address(self, base: ir.Base, offset: int) -> str:
+        if isinstance(base, ir.Register):
             name = self._operand(base)
         else:
-            name = self._slot(base) if isinstance(base, Slot) else f"@{base}"
+            name = self._slot(base) if isinstance(base, ir.Slot) else f"@{base}"
         return name + _offset(offset)
 
-    def _argument(self, argument: Argument) -> str:
+    def _argument(self, argument: ir.Argument) -> str:
         value = self._operand(argument.value)
         if argument.memory is None:
             return f"bytes[{argument.size}] at {value}"
@@ -190,124 +155,124 @@ class FunctionText:
 
     # Instructions
 
-    def _statement(self, _statement: Statement) -> str:
+    def _statement(self, _statement: ir.Statement) -> str:
         return "statement"
 
-    def _move(self, move: Move) -> str:
+    def _move(self, move: ir.Move) -> str:
         return f"{self._operand(move.result)} = {self._operand(move.source)}"
 
-    def _unary(self, unary: Unary) -> str:
+    def _unary(self, unary: ir.Unary) -> str:
         return f"{self._operand(unary.result)} = {unary.op} {self._operand(unary.source)}"
 
-    def _binary(self, binary: Binary) -> str:
+    def _binary(self, binary: ir.Binary) -> str:
         operands = f"{self._operand(binary.left)}, {self._operand(binary.right)}"
         return f"{self._operand(binary.result)} = {binary.op} {operands}"
 
-    def _load(self, load: Load) -> str:
+    def _load(self, load: ir.Load) -> str:
         place = self._address(load.base, load.offset)
         note = " unjudged" if load.unjudged else ""
         return f"{self._operand(load.result)} = load {load.memory} [{place}]{note}"
 
-    def _store(self, store: Store) -> str:
+    def _store(self, store: ir.Store) -> str:
         place = self._address(store.base, store.offset)
         return f"store {store.memory} [{place}], {self._operand(store.source)}"
 
-    def _take_address(self, address: Address) -> str:
+    def _take_address(self, address: ir.Address) -> str:
         place = self._address(address.base, address.offset)
         return f"{self._operand(address.result)} = address {place}"
 
-    def _bounds(self, bounds: Bounds) -> str:
+    def _bounds(self, bounds: ir.Bounds) -> str:
         place = self._address(bounds.base, bounds.offset)
         index = self._operand(bounds.index) + (f" + {bounds.shift}" if bounds.shift else "")
         return f"bounds {index} < {bounds.array.length} [{place}]"
 
-    def _copy(self, copy: Copy) -> str:
+    def _copy(self, copy: ir.Copy) -> str:
         operands = (copy.target, copy.source, copy.size)
         return "copy [{}], [{}], size {}".format(*map(self._operand, operands))
 
-    def _fill(self, fill: Fill) -> str:
+    def _fill(self, fill: ir.Fill) -> str:
         operands = (fill.target, fill.value, fill.size)
         return "fill [{}], {}, size {}".format(*map(self._operand, operands))
 
-    def _lifetime(self, lifetime: Lifetime) -> str:
+    def _lifetime(self, lifetime: ir.Lifetime) -> str:
         return f"{'begin' if lifetime.begins else 'end'} {self._slot(lifetime.slot)}"
 
-    def _mark(self, mark: Mark) -> str:
+    def _mark(self, mark: ir.Mark) -> str:
         operands = (self._operand(mark.target), self._operand(mark.size))
-        return "mark [{}], size {}, ".format(*operands) + ByteState(mark.state).name.lower()
+        return "mark [{}], size {}, ".format(*operands) + ir.ByteState(mark.state).name.lower()
 
-    def _callers(self, callers: Callers) -> str:
+    def _callers(self, callers: ir.Callers) -> str:
         return f"callers [{self._operand(callers.target)}], {callers.count}"
 
-    def _state(self, state: State) -> str:
+    def _state(self, state: ir.State) -> str:
         return f"{self._operand(state.result)} = state [{self._operand(state.address)}]"
 
     # Terminators
 
-    def _jump(self, jump: Jump) -> str:
+    def _jump(self, jump: ir.Jump) -> str:
         return f"jump {jump.target.label}"
 
-    def _branch(self, branch: Branch) -> str:
+    def _branch(self, branch: ir.Branch) -> str:
         condition = self._operand(branch.condition)
         return f"branch {condition} ? {branch.then.label} : {branch.otherwise.label}"
 
-    def _switch(self, switch: Switch) -> str:
+    def _switch(self, switch: ir.Switch) -> str:
         rows = [f"{value} -> {block.label}" for value, block in switch.cases]
         rows.append(f"else -> {switch.default.label}")
         return "\n".join([f"switch {self._operand(switch.value)}", *rows])
 
-    def _return(self, leave: Return) -> str:
+    def _return(self, leave: ir.Return) -> str:
         return "return" if leave.value is None else f"return {self._operand(leave.value)}"
 
-    def _call(self, call: Call) -> str:
-        pointer = call.callee if isinstance(call.callee, Register) else None
+    def _call(self, call: ir.Call) -> str:
+        pointer = call.callee if isinstance(call.callee, ir.Register) else None
         callee = f"*{self._operand(pointer)}" if pointer else f"@{call.callee}"
         arguments = ", ".join(map(self._argument, call.arguments))
         result = f"{self._operand(call.result)} = " if call.result else ""
         kind = f"{call.result.type} " if call.result else ""
         return f"{result}call {kind}{callee}({arguments}) then {call.then.label}"
 
-    def _request(self, request: Request) -> str:
+    def _request(self, request: ir.Request) -> str:
         code, message = self._operand(request.code), self._operand(request.message)
         result = self._operand(request.result)
         return f"{result} = request {code} [{message}] then {request.then.label}"
 
-    def _stop(self, stop: Stop) -> str:
-        blamed = "" if isinstance(stop.value, Constant) else f", {self._operand(stop.value)}"
+    def _stop(self, stop: ir.Stop) -> str:
+        blamed = "" if isinstance(stop.value, ir.Constant) else f", {self._operand(stop.value)}"
         return f"stop '{stop.kind}'{blamed}"
 
-    def _set_jump(self, jump: SetJump) -> str:
+    def _set_jump(self, jump: ir.SetJump) -> str:
         place, activation = self._operand(jump.buffer), self._operand(jump.activation)
         result = self._operand(jump.result)
         return f"{result} = setjmp [{place}], {activation} then {jump.then.label}"
 
-    def _long_jump(self, jump: LongJump) -> str:
+    def _long_jump(self, jump: ir.LongJump) -> str:
         operands = (jump.activation, jump.place, jump.value)
         return "longjmp {}, {}, {}".format(*map(self._operand, operands))
 
 
-_RENDER: Final[dict[type[Instruction], Callable[..., str]]] = {
-    Statement: FunctionText._statement,
-    Move: FunctionText._move,
-    Unary: FunctionText._unary,
-    Binary: FunctionText._binary,
-    Load: FunctionText._load,
-    Store: FunctionText._store,
-    Address: FunctionText._take_address,
-    Bounds: FunctionText._bounds,
-    Copy: FunctionText._copy,
-    Fill: FunctionText._fill,
-    Lifetime: FunctionText._lifetime,
-    Mark: FunctionText._mark,
-    Callers: FunctionText._callers,
-    State: FunctionText._state,
-    Jump: FunctionText._jump,
-    Branch: FunctionText._branch,
-    Switch: FunctionText._switch,
-    Return: FunctionText._return,
-    Call: FunctionText._call,
-    Request: FunctionText._request,
-    Stop: FunctionText._stop,
-    SetJump: FunctionText._set_jump,
-    LongJump: FunctionText._long_jump,
+_RENDER: Final[dict[type[ir.Instruction], Callable[..., str]]] = {
+    ir.Statement: FunctionText._statement,
+    ir.Move: FunctionText._move,
+    ir.Unary: FunctionText._unary,
+    ir.Binary: FunctionText._binary,
+    ir.Load: FunctionText._load,
+    ir.Store: FunctionText._store,
+    ir.Address: FunctionText._take_address,
+    ir.Bounds: FunctionText._bounds,
+    ir.Copy: FunctionText._copy,
+    ir.Fill: FunctionText._fill,
+    ir.Lifetime: FunctionText._lifetime,
+    ir.Mark: FunctionText._mark,
+    ir.Callers: FunctionText._callers,
+    ir.State: FunctionText._state,
+    ir.Jump: FunctionText._jump,
+    ir.Branch: FunctionText._branch,
+    ir.Switch: FunctionText._switch,
+    ir.Return: FunctionText._return,
+    ir.Call: FunctionText._call,
+    ir.Request: FunctionText._request,
+    ir.Stop: FunctionText._stop,
+    ir.SetJump: FunctionText._set_jump,
+    ir.LongJump: FunctionText._long_jump,
 }

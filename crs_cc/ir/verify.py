@@ -3,7 +3,8 @@
 The code generator accepts verified programs only. For any C source, the front end must produce a
 program that passes; a violation is a bug of the compiler.
 
->>> from crs_cc.ir.program import Block, Branch, Constant, Function, Program
+>>> from crs_cc.ir.instruction import Block, Branch, Constant
+>>> from crs_cc.ir.program import Function, Program
 >>> from crs_cc.core.source import Location
 >>> here = Location("loop.c", 1, 1)
 >>> loop = Block("loop")
@@ -22,7 +23,9 @@ from collections.abc import Iterator
 
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Diagnostic, Location
-from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, Block, Data, Function, Program, Slot
+from crs_cc.ir.instruction import Block, Slot
+from crs_cc.ir.program import Data, Function, Program
+from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE
 from crs_cc.ir.verify_block import BlockVerifier
 
 

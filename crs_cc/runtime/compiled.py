@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import Function, Register
+from crs_cc.ir.instruction import Register
+from crs_cc.ir.program import Function
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import CallSite, Site, StatementSite
 from crs_cc.runtime.wasm import Module

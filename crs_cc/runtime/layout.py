@@ -26,7 +26,8 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.errors import CompileError
 
 if TYPE_CHECKING:
-    from crs_cc.ir.program import Data, Function, Parameter, Program, Register, Slot
+    from crs_cc.ir.instruction import Register, Slot
+    from crs_cc.ir.program import Data, Function, Parameter, Program
 
 NULL_SIZE: Final = 4096
 STACK_SIZE: Final = 2 * 2**20
@@ -133,7 +134,7 @@ def lay_out(
     Raises:
         CompileError: a local variable needs a stricter alignment than frames have.
     """
-    from crs_cc.ir.program import SetJump  # not needed to run a program
+    from crs_cc.ir.instruction import SetJump
 
     frame = Frame()
     offset = HEADER_SIZE + arguments_size if arguments_size >= 0 else 0
@@ -172,7 +173,7 @@ def _check_alignment(slot: Slot, function: Function) -> None:
 
 
 def _place_parameters(frame: Frame, parameters: list[Parameter]) -> None:
-    from crs_cc.ir.program import Slot
+    from crs_cc.ir.instruction import Slot
 
     first = frame.size + HEADER_SIZE
     offsets = [first + each for each in argument_offsets([p.size for p in parameters])]

@@ -15,22 +15,13 @@ from typing import Final, Protocol
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.ir.instruction import Address, Call, Instruction, Load, Store
 from crs_cc.ir.liveness import all_instructions
 from crs_cc.ir.names import LIBRARY, in_library
-from crs_cc.ir.program import (
-    Address,
-    Call,
-    Data,
-    Function,
-    Instruction,
-    Load,
-    MemoryType,
-    Program,
-    Relocation,
-    Store,
-)
+from crs_cc.ir.program import Data, Function, Program, Relocation
 from crs_cc.ir.type_compat import agree
 from crs_cc.ir.types import CType
+from crs_cc.ir.value_type import MemoryType
 
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import Variable
+from crs_cc.ir.instruction import Variable
 from crs_cc.ir.types import ArrayType
 
 Access = Literal["", "read", "write"]

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import Address as AddressOf
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import Address as AddressOf
+from crs_cc.ir.instruction import (
     Binary,
     Block,
     Branch,
     Constant,
-    Function,
     Jump,
     Move,
-    Program,
     Register,
     Request,
     Slot,
     Store,
 )
+from crs_cc.ir.program import Function, Program
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.runtime.executable import Executable, make_executable
 

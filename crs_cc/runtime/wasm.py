@@ -21,7 +21,7 @@ from typing import Any, Final, Literal, TypeAlias
 
 from crs_cc.core.file_names import displayed
 from crs_cc.ir.operators import OPERATORS
-from crs_cc.ir.program import ValueType
+from crs_cc.ir.value_type import ValueType
 from crs_cc.runtime import layout
 
 Instr: TypeAlias = tuple[Any, ...]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     VARARGS,
     Address,
     Argument,
@@ -13,18 +13,13 @@ from crs_cc.ir.program import (
     Call,
     Constant,
     Copy,
-    Data,
     Fill,
-    Function,
     Instruction,
     Jump,
     Load,
     LongJump,
     Move,
-    Parameter,
-    Program,
     Register,
-    Relocation,
     Request,
     Return,
     SetJump,
@@ -36,6 +31,7 @@ from crs_cc.ir.program import (
     Terminator,
     Unary,
 )
+from crs_cc.ir.program import Data, Function, Parameter, Program, Relocation
 
 
 def at(line: int, column: int = 5) -> Location:

@@ -5,7 +5,8 @@ import pickle
 import sys
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import Block, Function, Jump, Program, Return
+from crs_cc.ir.instruction import Block, Jump, Return
+from crs_cc.ir.program import Function, Program
 from crs_cc.ir.text import to_text
 
 HERE = Location("long.c", 1, 1)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from crs_cc.ir.program import Block, Function, Instruction, Move, Program, Register, Slot, Variable
+from crs_cc.ir.instruction import Block, Instruction, Move, Register, Slot, Variable
+from crs_cc.ir.program import Function, Program
 from crs_cc.ir.text import to_text
 from tests.ir.sample_program import at, number, sample_program
 

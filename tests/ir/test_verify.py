@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from crs_cc.core.errors import InternalError
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     VARARGS,
     Address,
     Argument,
@@ -17,18 +17,13 @@ from crs_cc.ir.program import (
     Call,
     Constant,
     Copy,
-    Data,
     Fill,
-    Function,
     Instruction,
     Jump,
     Load,
     LongJump,
     Move,
-    Parameter,
-    Program,
     Register,
-    Relocation,
     Request,
     Return,
     SetJump,
@@ -39,6 +34,7 @@ from crs_cc.ir.program import (
     Switch,
     Unary,
 )
+from crs_cc.ir.program import Data, Function, Parameter, Program, Relocation
 from crs_cc.ir.verify import verify
 from tests.ir.sample_program import at, number, sample_program
 

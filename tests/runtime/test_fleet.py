@@ -8,21 +8,20 @@ import numpy as np
 import pytest
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Address,
     Block,
     ByteState,
     Constant,
-    Function,
     Jump,
     Load,
     Move,
-    Program,
     Register,
     Request,
     Slot,
     Store,
 )
+from crs_cc.ir.program import Function, Program
 from crs_cc.requests import CODES, ERROR_KINDS, FAILED, MESSAGE, SLOT, SUSPENDED
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet

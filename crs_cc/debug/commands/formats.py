@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.errors import DebugError
-from crs_cc.ir.program import ByteState
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
 
 if TYPE_CHECKING:

@@ -18,8 +18,8 @@ from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
 from crs_cc.frontend.expression import CompiledExpression, FileNames
+from crs_cc.ir.instruction import Variable
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, PointerType, is_variably_modified
 
 MAX_LENGTH: Final = 10_000

@@ -15,46 +15,10 @@ from typing import Any, Final, Protocol
 
 from crs_cc.debug.data.expression_memory import EvaluationError, Scratch
 from crs_cc.debug.data.operators import compute, signed, unsigned
+from crs_cc.ir import instruction as ir
 from crs_cc.ir.names import plain_name
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
-    VARARGS,
-    Address,
-    Base,
-    Binary,
-    Block,
-    Bounds,
-    Branch,
-    ByteState,
-    Call,
-    Callers,
-    Constant,
-    Copy,
-    Data,
-    Fill,
-    Function,
-    Instruction,
-    Jump,
-    Lifetime,
-    Load,
-    LongJump,
-    Mark,
-    MemoryType,
-    Move,
-    Operand,
-    Program,
-    Register,
-    Request,
-    Return,
-    SetJump,
-    Slot,
-    State,
-    Statement,
-    Stop,
-    Store,
-    Switch,
-    Unary,
-)
+from crs_cc.ir.program import Data, Function, Program
+from crs_cc.ir.value_type import MEMORY_SIZE, MemoryType
 
 MAX_INSTRUCTIONS: Final = 1_000_000
 MAX_CALLS: Final = 200
@@ -113,8 +77,8 @@ class InterpreterMemory(Protocol):
 class _CallFrame:
     """An active call: registers, slots, and variable arguments."""
 
-    values: dict[Register, Any] = field(default_factory=dict)
-    slots: dict[Slot, int] = field(default_factory=dict)
+    values: dict[ir.Register, Any] = field(default_factory=dict)
+    slots: dict[ir.Slot, int] = field(default_factory=dict)
     more: int = 0
 
 
@@ -275,7 +239,7 @@ class Interpreter:
             at += room
         at = start
         for parameter in function.parameters:
-            if isinstance(parameter.place, Slot):
+            if isinstance(parameter.place, ir.Slot):
                 frame.slots[parameter.place] = at
             elif parameter.memory is not None:
                 frame.values[parameter.place] = self._load(at, parameter.memory)
@@ -292,7 +256,7 @@ class Interpreter:
                 self._execute(frame, instruction)
             self._spend()
             end = block.terminator
-            if isinstance(end, Return):
+            if isinstance(end, ir.Return):
                 return None if end.value is None else self._value(frame, end.value)
             block = self._next(frame, end)
 
@@ -305,32 +269,32 @@ class Interpreter:
         if self._left < 0:
             raise EvaluationError(f"evaluation exceeds {MAX_INSTRUCTIONS:,} instructions")
 
-    def _next(self, frame: _CallFrame, end: Any) -> Block:
+    def _next(self, frame: _CallFrame, end: Any) -> ir.Block:
         match end:
-            case Jump(target=target):
+            case ir.Jump(target=target):
                 return target
-            case Branch():
+            case ir.Branch():
                 return end.then if self._value(frame, end.condition) else end.otherwise
-            case Switch():
+            case ir.Switch():
                 return dict(end.cases).get(self._value(frame, end.value), end.default)
-            case Call():
+            case ir.Call():
                 result = self._call_by(frame, end)
                 if end.result is not None:
                     frame.values[end.result] = result
                 return end.then
-            case Request():
+            case ir.Request():
                 code, message = self._value(frame, end.code), self._value(frame, end.message)
                 frame.values[end.result] = self._request(code, message)
                 return end.then
-            case SetJump() | LongJump():
+            case ir.SetJump() | ir.LongJump():
                 raise EvaluationError("the expression calls setjmp or longjmp")
-            case Stop(kind=kind):
+            case ir.Stop(kind=kind):
                 raise EvaluationError(kind)
         raise AssertionError(end)
 
-    def _call_by(self, frame: _CallFrame, call: Call) -> Any:
+    def _call_by(self, frame: _CallFrame, call: ir.Call) -> Any:
         name = call.callee
-        if isinstance(name, Register):
+        if isinstance(name, ir.Register):
             pointer = self._value(frame, name)
             if pointer not in self._functions:
                 raise EvaluationError(f"{unsigned(pointer, 32):#x} is not a function's address")
@@ -349,67 +313,67 @@ class Interpreter:
 
     # -- instructions ------------------------------------------------------------------------
 
-    def _value(self, frame: _CallFrame, operand: Operand) -> Any:
-        if isinstance(operand, Constant):
+    def _value(self, frame: _CallFrame, operand: ir.Operand) -> Any:
+        if isinstance(operand, ir.Constant):
             return operand.value
         return frame.values.get(operand, 0)
 
-    def _address(self, frame: _CallFrame, base: Base, offset: int) -> int:
+    def _address(self, frame: _CallFrame, base: ir.Base, offset: int) -> int:
         match base:
-            case Register():
+            case ir.Register():
                 start = self._value(frame, base)
-            case Slot():
-                start = frame.more if base is VARARGS else frame.slots[base]
+            case ir.Slot():
+                start = frame.more if base is ir.VARARGS else frame.slots[base]
             case _:
                 start = self._known(base)
         return unsigned(start + offset, 32)
 
-    def _execute(self, frame: _CallFrame, it: Instruction) -> None:
+    def _execute(self, frame: _CallFrame, it: ir.Instruction) -> None:
         match it:
-            case Move():
+            case ir.Move():
                 frame.values[it.result] = self._value(frame, it.source)
-            case Unary():
+            case ir.Unary():
                 frame.values[it.result] = self._compute(it.op, self._value(frame, it.source))
-            case Binary():
+            case ir.Binary():
                 operands = self._value(frame, it.left), self._value(frame, it.right)
                 frame.values[it.result] = self._compute(it.op, *operands)
-            case Address():
+            case ir.Address():
                 address = self._address(frame, it.base, it.offset)
                 frame.values[it.result] = compute("i32.add", address, 0)
-            case State():
+            case ir.State():
                 address = unsigned(self._value(frame, it.address), 32)
                 is_own = address >= SCRATCH
-                state = ByteState.WITH_VALUE if is_own else self._memory.state(address)
+                state = ir.ByteState.WITH_VALUE if is_own else self._memory.state(address)
                 frame.values[it.result] = int(state)
             case _:
                 self._access(frame, it)
 
-    def _access(self, frame: _CallFrame, it: Instruction) -> None:
+    def _access(self, frame: _CallFrame, it: ir.Instruction) -> None:
         match it:
-            case Load():
+            case ir.Load():
                 address = self._address(frame, it.base, it.offset)
                 judged = not it.unjudged
                 frame.values[it.result] = self._load(address, it.memory, judged=judged)
-            case Store():
+            case ir.Store():
                 address = self._address(frame, it.base, it.offset)
                 self._store(address, it.memory, self._value(frame, it.source))
-            case Copy():
+            case ir.Copy():
                 size = unsigned(self._value(frame, it.size), 32)
                 if size:
                     self._copy(self._value(frame, it.target), self._value(frame, it.source), size)
-            case Fill():
+            case ir.Fill():
                 size = unsigned(self._value(frame, it.size), 32)
                 if size > SCRATCH_BYTES:
                     raise EvaluationError("the expression needs too much memory")
                 byte = unsigned(self._value(frame, it.value), 8)
                 self._write(self._value(frame, it.target), bytes([byte]) * size)
-            case Mark():
+            case ir.Mark():
                 address, size = (
                     unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
                 )
                 self._memory.mark(address, size, it.state)
             case _:
-                assert isinstance(it, Statement | Lifetime | Callers | Bounds), it
+                assert isinstance(it, ir.Statement | ir.Lifetime | ir.Callers | ir.Bounds), it
 
     def _compute(self, op: str, *operands: float) -> Any:
         if ".trunc_f" in op:  # C's conversions saturate to the lowest value here, see `selection`

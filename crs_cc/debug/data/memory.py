@@ -15,8 +15,9 @@ import numpy as np
 
 from crs_cc.core.arrays import ByteArray
 from crs_cc.debug.data.expression_memory import EvaluationError
-from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, ByteState
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
+from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 

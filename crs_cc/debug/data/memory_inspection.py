@@ -16,8 +16,8 @@ from crs_cc.debug.data.memory import SavedRegister
 from crs_cc.debug.data.scope import FrameAddresses, frame_storage, is_own
 from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.world.state_fields import StateField
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType
 from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.diagnose import diagnose

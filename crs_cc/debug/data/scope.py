@@ -16,8 +16,9 @@ from crs_cc.core.source import Location
 from crs_cc.debug.data.memory import SavedRegister
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.vla import EXTENT
+from crs_cc.ir.instruction import Register, Variable
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.ir.program import Data, Program, Register, Variable
+from crs_cc.ir.program import Data, Program
 from crs_cc.ir.types import ArrayType, CType, PointerType, is_variably_modified
 from crs_cc.runtime.compiled import Compiled, FunctionInfo
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Protocol
 
 from crs_cc.debug.world.state_fields import StateField
-from crs_cc.ir.program import ByteState
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.types import (
     ArrayType,
     CType,

@@ -17,7 +17,7 @@ from typing import Final, TypeAlias
 
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import closest
-from crs_cc.ir.program import Variable
+from crs_cc.ir.instruction import Variable
 from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
 
 ENTRIES: Final = frozenset({"main", "runcode"})

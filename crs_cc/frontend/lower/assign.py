@@ -15,7 +15,7 @@ from crs_cc.frontend.lower.convert import convert_operand, unnarrowed
 from crs_cc.frontend.lower.expressions import is_checked, operator_name, shift_count
 from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value, value_into
 from crs_cc.frontend.lower.memory import copy, load, store
-from crs_cc.ir.program import Binary, Constant, Move, Operand, Register
+from crs_cc.ir.instruction import Binary, Constant, Move, Operand, Register
 from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerType, RecordType
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from crs_cc.core.source import Location
 from crs_cc.frontend.lower.lowerer import Lowering, Place, constant, memory_type, value_type
 from crs_cc.frontend.lower.memory import load, store
-from crs_cc.ir.program import Constant, Load, Operand, Store, Unary
+from crs_cc.ir.instruction import Constant, Load, Operand, Store, Unary
 from crs_cc.ir.types import EnumType, IntegerType, Member
 
 

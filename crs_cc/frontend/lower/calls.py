@@ -21,8 +21,7 @@ from crs_cc.frontend.lower.lowerer import (
     value_type,
 )
 from crs_cc.frontend.lower.memory import load, store
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
+from crs_cc.ir.instruction import (
     VARARGS,
     Address,
     Argument,
@@ -47,6 +46,7 @@ from crs_cc.ir.program import (
     Unary,
 )
 from crs_cc.ir.types import INT, UINT, ULLONG, RecordType
+from crs_cc.ir.value_type import MEMORY_SIZE
 
 
 def argument(low: Lowering, expression: Expression) -> Argument:

@@ -7,8 +7,8 @@ from typing import Final
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.lower.lowerer import Lowering, Rules, effect, truth, value, value_type
+from crs_cc.ir.instruction import Binary, Constant, Operand, Register, Unary
 from crs_cc.ir.operators import OPERATORS
-from crs_cc.ir.program import Binary, Constant, Operand, Register, Unary
 from crs_cc.ir.types import BOOL, CType, EnumType, FloatType, IntegerType, PointerType
 
 _NARROW: Final = {"i8": "i32.extend8_s", "i16": "i32.extend16_s"}

@@ -24,7 +24,17 @@ from crs_cc.frontend.lower.lowerer import (
     value_type,
 )
 from crs_cc.frontend.lower.memory import copy
-from crs_cc.ir.program import Binary, Block, Branch, Constant, Jump, Move, Operand, Register, Unary
+from crs_cc.ir.instruction import (
+    Binary,
+    Block,
+    Branch,
+    Constant,
+    Jump,
+    Move,
+    Operand,
+    Register,
+    Unary,
+)
 from crs_cc.ir.types import INT, LLONG, CType, FloatType, IntegerType, PointerType, VoidType
 
 _INTEGER_OPERATORS: Final = {

@@ -17,17 +17,10 @@ from crs_cc.frontend.lower.lowerer import (
 from crs_cc.frontend.lower.memory import store
 from crs_cc.frontend.lower.rules import RULES
 from crs_cc.frontend.lower.unit_state import UnitState
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
-    Block,
-    Function,
-    Parameter,
-    Register,
-    Return,
-    Slot,
-    Variable,
-)
+from crs_cc.ir.instruction import Block, Register, Return, Slot, Variable
+from crs_cc.ir.program import Function, Parameter
 from crs_cc.ir.types import CType, RecordType, VoidType
+from crs_cc.ir.value_type import MEMORY_SIZE
 
 
 def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Function:

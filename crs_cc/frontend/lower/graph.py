@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections import Counter
 
-from crs_cc.ir.program import Block, Branch, Call, Function, Jump, Request, SetJump, Switch
+from crs_cc.ir.instruction import Block, Branch, Call, Jump, Request, SetJump, Switch
+from crs_cc.ir.program import Function
 
 
 def simplify(function: Function) -> set[Block]:

@@ -14,7 +14,7 @@ from crs_cc.frontend.lower.bit_field import write_bits
 from crs_cc.frontend.lower.convert import unnarrowed
 from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, value, value_into
 from crs_cc.frontend.lower.memory import store
-from crs_cc.ir.program import Address, Constant, Copy, Fill, Lifetime, Register, Slot
+from crs_cc.ir.instruction import Address, Constant, Copy, Fill, Lifetime, Register, Slot
 from crs_cc.ir.types import (
     ArrayType,
     CType,

@@ -18,20 +18,16 @@ from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.conversion import is_scalar
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import ENTRIES
-from crs_cc.ir.operators import OPERATORS
-from crs_cc.ir.program import (
-    VALUE_TYPE,
+from crs_cc.ir.instruction import (
     Address,
     Base,
     Binary,
     Block,
     Branch,
     Constant,
-    Function,
     Instruction,
     Jump,
     Load,
-    MemoryType,
     Move,
     Operand,
     Register,
@@ -39,10 +35,12 @@ from crs_cc.ir.program import (
     Statement,
     Store,
     Terminator,
-    ValueType,
     Variable,
 )
+from crs_cc.ir.operators import OPERATORS
+from crs_cc.ir.program import Function
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
+from crs_cc.ir.value_type import VALUE_TYPE, MemoryType, ValueType
 
 if TYPE_CHECKING:
     from crs_cc.frontend.check.scope import ObjectSymbol

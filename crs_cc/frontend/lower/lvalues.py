@@ -15,13 +15,7 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.bit_field import read_bits
 from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, place, value
 from crs_cc.frontend.lower.memory import load
-from crs_cc.ir.program import (
-    Bounds,
-    Constant,
-    Move,
-    Operand,
-    Register,
-)
+from crs_cc.ir.instruction import Bounds, Constant, Move, Operand, Register
 from crs_cc.ir.types import ArrayType, PointerType, RecordType
 
 _LARGEST_OFFSET = 1 << 30

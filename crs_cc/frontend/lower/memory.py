@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.lower.lowerer import Lowering, Place, memory_type, value_type
-from crs_cc.ir.program import MEMORY_SIZE, Constant, Copy, Load, Operand, Register, Store
+from crs_cc.ir.instruction import Constant, Copy, Load, Operand, Register, Store
 from crs_cc.ir.types import CType
+from crs_cc.ir.value_type import MEMORY_SIZE
 
 
 def load(

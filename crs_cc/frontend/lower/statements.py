@@ -18,7 +18,7 @@ from crs_cc.frontend.lower.lowerer import (
     value,
 )
 from crs_cc.frontend.lower.memory import copy
-from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
+from crs_cc.ir.instruction import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
 from crs_cc.ir.types import RecordType
 
 _MAX_CASES = 256

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import Call, Register
+from crs_cc.ir.instruction import Call, Register
 from crs_cc.runtime.codegen.indices import MEMORY, SP
 from crs_cc.runtime.codegen.signatures import call_shape
 from crs_cc.runtime.codegen.writer import Writer

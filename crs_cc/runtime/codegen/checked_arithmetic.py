@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from crs_cc.ir.instruction import Binary, Constant, Instruction, Register, Unary
 from crs_cc.ir.liveness import writes
-from crs_cc.ir.program import Binary, Constant, Instruction, Register, Unary
 from crs_cc.runtime.codegen.indices import PRODUCT_FITS
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site

@@ -16,8 +16,7 @@ from typing import Final, TypeAlias
 
 from crs_cc.core.source import Location
 from crs_cc.ir.definite_assignment import Assignments
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
+from crs_cc.ir.instruction import (
     VARARGS,
     Base,
     Block,
@@ -34,6 +33,7 @@ from crs_cc.ir.program import (
     Slot,
     Store,
 )
+from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.requests import MESSAGE, slot_offset
 from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks

@@ -16,19 +16,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
+from crs_cc.ir.instruction import Binary, Block, Instruction, Load, Move, Register, Store, Unary
 from crs_cc.ir.liveness import Liveness, all_instructions, reads, writes
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
-    Binary,
-    Block,
-    Function,
-    Instruction,
-    Load,
-    Move,
-    Register,
-    Store,
-    Unary,
-)
+from crs_cc.ir.program import Function
+from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.runtime.codegen import shadow
 from crs_cc.runtime.codegen.registers import CHARGES
 

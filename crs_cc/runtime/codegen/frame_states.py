@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import ByteState, Function, Lifetime, Slot
+from crs_cc.ir.instruction import ByteState, Lifetime, Slot
+from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen import shadow
 from crs_cc.runtime.codegen.indices import FP, MEMORY, SHADOW, SP, STATES
 from crs_cc.runtime.codegen.inline_ranges import MOST_FILLED

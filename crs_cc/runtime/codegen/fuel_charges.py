@@ -16,7 +16,8 @@ from collections.abc import Container
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.ir.program import Block, Branch, Function, Jump, Switch
+from crs_cc.ir.instruction import Block, Branch, Jump, Switch
+from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.wasm import Instr
 

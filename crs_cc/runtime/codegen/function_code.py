@@ -10,19 +10,15 @@ spill slots in the frame. When it is called again it reloads them and jumps to t
 from __future__ import annotations
 
 from crs_cc.ir.definite_assignment import Assignments
-from crs_cc.ir.liveness import Liveness, all_instructions
-from crs_cc.ir.names import in_library
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Block,
     Branch,
     Call,
     Constant,
-    Function,
     Instruction,
     Jump,
     LongJump,
     Operand,
-    Parameter,
     Register,
     Request,
     Return,
@@ -32,6 +28,9 @@ from crs_cc.ir.program import (
     Store,
     Switch,
 )
+from crs_cc.ir.liveness import Liveness, all_instructions
+from crs_cc.ir.names import in_library
+from crs_cc.ir.program import Function, Parameter
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.codegen import failing, frame_states, jumps, spill_slots
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked

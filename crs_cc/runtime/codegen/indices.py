@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import ValueType
+from crs_cc.ir.value_type import ValueType
 
 MAILBOX, MEMORY, SHADOW = range(3)
 """The memories of a robot's module; `SHADOW` exists in checked builds only."""

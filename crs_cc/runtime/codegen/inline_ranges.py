@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from crs_cc.ir.program import Constant, Operand
+from crs_cc.ir.instruction import Constant, Operand
 from crs_cc.runtime.wasm import Instr
 
 

@@ -10,20 +10,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Block,
     Branch,
     Call,
     Constant,
     Jump,
     Load,
-    MemoryType,
     Register,
     Return,
     Statement,
     Stop,
     Switch,
 )
+from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
 from crs_cc.runtime.codegen.flow_graph import Node

@@ -11,7 +11,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from crs_cc.ir.program import Call, Function, Register, Request, SetJump, Statement, ValueType
+from crs_cc.ir.instruction import Call, Register, Request, SetJump, Statement
+from crs_cc.ir.program import Function
+from crs_cc.ir.value_type import ValueType
 from crs_cc.runtime.codegen import jumps
 from crs_cc.runtime.codegen.indices import ADDRESS, FUEL, LABEL, MEMORY, SITE, SP, STATUS
 from crs_cc.runtime.codegen.registers import Registers

@@ -13,8 +13,9 @@ from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Final, NoReturn, Self, TypeAlias
 
+from crs_cc.ir.instruction import Call
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import Call, Function
+from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.function_code import generate
 from crs_cc.runtime.codegen.signatures import Shape

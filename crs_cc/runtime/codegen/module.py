@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import ByteState, Data, Program
+from crs_cc.ir.instruction import ByteState
+from crs_cc.ir.program import Data, Program
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import jumps, large_functions, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks

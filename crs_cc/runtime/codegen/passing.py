@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from crs_cc.ir.program import Call, Constant, Function
+from crs_cc.ir.instruction import Call, Constant
+from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.indices import SP
 from crs_cc.runtime.codegen.plain_memory import PlainMemory

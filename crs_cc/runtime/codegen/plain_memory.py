@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Base,
     Block,
     Bounds,

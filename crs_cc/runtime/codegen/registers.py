@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 from typing import Final
 
+from crs_cc.ir.instruction import Block, Call, Register, Request, SetJump, Statement
 from crs_cc.ir.liveness import Liveness, alive_before, all_instructions, reads, writes
 from crs_cc.ir.loops import loop_headers
-from crs_cc.ir.program import Block, Call, Function, Register, Request, SetJump, Statement
+from crs_cc.ir.program import Function
 
 CHARGES: Final = {"i32": 8, "i64": 8, "f32": 16, "f64": 16}
 """The charge of a frame for a local [bytes], by its type."""

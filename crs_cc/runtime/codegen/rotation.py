@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
-from crs_cc.ir.program import Block, Branch, Function, Switch
+from crs_cc.ir.instruction import Block, Branch, Switch
+from crs_cc.ir.program import Function
 
 MOST_COPIED: Final = 12
 """A header with more instructions is not copied."""

@@ -12,31 +12,27 @@ from dataclasses import dataclass, field, replace
 from typing import Final
 
 from crs_cc.core.source import Location
-from crs_cc.ir.liveness import Liveness, all_instructions, reads, writes
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
-    VALUE_TYPE,
+from crs_cc.ir.instruction import (
     VARARGS,
     Address,
     Block,
     Constant,
     Copy,
     Fill,
-    Function,
     Instruction,
     Lifetime,
     Load,
-    MemoryType,
     Move,
     Operand,
-    Parameter,
     Register,
     Slot,
     Store,
     Variable,
-    renumber,
 )
+from crs_cc.ir.liveness import Liveness, all_instructions, reads, writes
+from crs_cc.ir.program import Function, Parameter, renumber
 from crs_cc.ir.types import INT
+from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE, MemoryType
 from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES
 
 MOST_FIELDS: Final = 32

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Address,
     Binary,
     Bounds,

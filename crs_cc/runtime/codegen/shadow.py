@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import ByteState, ValueType
+from crs_cc.ir.instruction import ByteState
+from crs_cc.ir.value_type import ValueType
 from crs_cc.runtime.codegen import inline_ranges
 from crs_cc.runtime.codegen.indices import MEMORY, SHADOW
 from crs_cc.runtime.layout import RESULT

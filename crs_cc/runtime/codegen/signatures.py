@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from crs_cc.ir.program import Call, Function, MemoryType, Program, Register, Return
+from crs_cc.ir.instruction import Call, Register, Return
+from crs_cc.ir.program import Function, Program
+from crs_cc.ir.value_type import MemoryType
 
 Shape: TypeAlias = tuple[str, ...]
 """The kinds of a call's arguments, in order: `word`, `f64`, `bytes 12`, ..."""

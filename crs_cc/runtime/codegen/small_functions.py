@@ -16,10 +16,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.ir.definite_assignment import Assignments
-from crs_cc.ir.liveness import Liveness, all_instructions
-from crs_cc.ir.loops import loop_headers
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
+from crs_cc.ir.instruction import (
     Address,
     Binary,
     Block,
@@ -27,12 +24,10 @@ from crs_cc.ir.program import (
     Branch,
     Call,
     Constant,
-    Function,
     Instruction,
     Jump,
     Load,
     Move,
-    Parameter,
     Register,
     Return,
     Slot,
@@ -42,6 +37,10 @@ from crs_cc.ir.program import (
     Switch,
     Unary,
 )
+from crs_cc.ir.liveness import Liveness, all_instructions
+from crs_cc.ir.loops import loop_headers
+from crs_cc.ir.program import Function, Parameter
+from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.scalar_replacement import Member, Writable, replace_slots

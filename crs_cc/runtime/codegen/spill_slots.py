@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import Constant, Register
+from crs_cc.ir.instruction import Constant, Register
 from crs_cc.runtime.codegen.indices import FP, LABEL, MEMORY, SP
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import FUNCTION, RESUME, Frame

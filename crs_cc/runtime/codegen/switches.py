@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import Block, Constant, Operand, Switch
+from crs_cc.ir.instruction import Block, Constant, Operand, Switch
 from crs_cc.runtime.codegen.flow_graph import Node
 from crs_cc.runtime.codegen.writer import Writer
 

@@ -4,7 +4,7 @@ Every value is represented by a root and an offset: registers with the same root
 constant. Registers computed equally from the same values have the same root, so `a[i]`, `a[i + 1]`
 and a second `a[i]` are known to be adjacent.
 
->>> from crs_cc.ir.program import Binary, Constant, Register
+>>> from crs_cc.ir.instruction import Binary, Constant, Register
 >>> from crs_cc.core.source import Location
 >>> a, i, b = (Register(n, "i32") for n in range(3))
 >>> places = ValueNumbers()
@@ -19,8 +19,7 @@ from __future__ import annotations
 from collections.abc import Container
 from typing import Final, TypeAlias
 
-from crs_cc.ir.liveness import writes
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Address,
     Base,
     Binary,
@@ -28,7 +27,6 @@ from crs_cc.ir.program import (
     Branch,
     Call,
     Constant,
-    Function,
     Instruction,
     Jump,
     Move,
@@ -37,6 +35,8 @@ from crs_cc.ir.program import (
     Slot,
     Switch,
 )
+from crs_cc.ir.liveness import writes
+from crs_cc.ir.program import Function
 
 Root: TypeAlias = "int | Slot | str"
 """An unknown value, by number; a slot; a global object."""

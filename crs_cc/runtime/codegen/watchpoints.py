@@ -22,10 +22,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.ir.liveness import all_instructions, reads, writes
-from crs_cc.ir.names import in_library
-from crs_cc.ir.program import (
-    MEMORY_SIZE,
+from crs_cc.ir.instruction import (
     VARARGS,
     Base,
     Call,
@@ -35,13 +32,16 @@ from crs_cc.ir.program import (
     Instruction,
     Load,
     Operand,
-    Program,
     Register,
     SetJump,
     Slot,
     Statement,
     Store,
 )
+from crs_cc.ir.liveness import all_instructions, reads, writes
+from crs_cc.ir.names import in_library
+from crs_cc.ir.program import Program
+from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     BEGUN_GLOBAL,

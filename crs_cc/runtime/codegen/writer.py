@@ -7,16 +7,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import (
-    VARARGS,
-    Base,
-    Constant,
-    MemoryType,
-    Operand,
-    Register,
-    Slot,
-    ValueType,
-)
+from crs_cc.ir.instruction import VARARGS, Base, Constant, Operand, Register, Slot
+from crs_cc.ir.value_type import MemoryType, ValueType
 from crs_cc.runtime.codegen.flow_graph import FAULTED, SIDE_EXIT, Node
 from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES, charge
 from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
+from crs_cc.ir.instruction import Call, Register, Slot, Variable
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import Call, Register, Slot, Variable
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.layout import NULL_SIZE

@@ -10,8 +10,8 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import ByteState
 from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.objects import Object, find_object

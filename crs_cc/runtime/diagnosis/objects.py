@@ -14,8 +14,9 @@ from functools import cached_property
 from typing import Final, Literal, TypeVar
 
 from crs_cc.core.source import Location
+from crs_cc.ir.instruction import Slot, Variable
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import Data, Program, Slot, Variable
+from crs_cc.ir.program import Data, Program
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.diagnosis import heap
 from crs_cc.runtime.diagnosis.inspect import Stopped

@@ -24,7 +24,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.ir.program import ByteState
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.types import (
     ArrayType,
     CType,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from crs_cc.ir.instruction import Slot, Variable
 from crs_cc.ir.names import plain_name
-from crs_cc.ir.program import Slot, Variable
 from crs_cc.ir.types import ArrayType, CType, VoidType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.diagnosis.objects import Objects

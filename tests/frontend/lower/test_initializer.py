@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from crs_cc.ir.program import Copy, Fill, Store
+from crs_cc.ir.instruction import Copy, Fill, Store
 from tests.frontend.compiling import compiled, function, messages
 
 BYTES = {

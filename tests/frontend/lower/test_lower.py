@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.core.source import Location
-from crs_cc.ir.program import Call, Register, Slot, Statement
+from crs_cc.ir.instruction import Call, Register, Slot, Statement
 from tests.frontend.compiling import body, compiled, function
 
 SHAPES = {

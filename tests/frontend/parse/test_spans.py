@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.core.source import underline
+from crs_cc.ir.instruction import Binary, Call, Load, Store
 from crs_cc.ir.liveness import all_instructions
-from crs_cc.ir.program import Binary, Call, Load, Store
 from tests.frontend.compiling import function
 
 START = """

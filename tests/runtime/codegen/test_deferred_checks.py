@@ -6,12 +6,10 @@ import sys
 from types import FrameType
 
 from crs_cc.core.source import Location
-from crs_cc.ir.liveness import Liveness
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Binary,
     Block,
     Constant,
-    Function,
     Instruction,
     Load,
     Register,
@@ -19,6 +17,8 @@ from crs_cc.ir.program import (
     Slot,
     Store,
 )
+from crs_cc.ir.liveness import Liveness
+from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 
 HERE = Location("sums.c", 1, 1)

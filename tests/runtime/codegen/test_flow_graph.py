@@ -12,18 +12,16 @@ import pytest
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Location
-from crs_cc.ir.program import (
+from crs_cc.ir.instruction import (
     Address,
     Binary,
     Block,
     Branch,
     Call,
     Constant,
-    Function,
     Jump,
     Load,
     Move,
-    Program,
     Register,
     Request,
     Return,
@@ -32,6 +30,7 @@ from crs_cc.ir.program import (
     Store,
     Switch,
 )
+from crs_cc.ir.program import Function, Program
 from crs_cc.ir.verify import verify
 from crs_cc.requests import CODES, MESSAGE, SUSPENDED
 from crs_cc.runtime.codegen.module import compile_program

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from crs_cc.core.source import Diagnostics
+from crs_cc.ir.instruction import Branch, Jump, Switch
 from crs_cc.ir.loops import loop_headers
-from crs_cc.ir.program import Branch, Jump, Switch
 from crs_cc.runtime.codegen.fuel_charges import early_charges
 from crs_cc.session.build import build_executable
 from tests.c.execution import Run, Stepping

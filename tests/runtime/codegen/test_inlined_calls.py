@@ -9,7 +9,8 @@ import pytest
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
-from crs_cc.ir.program import Call, Program
+from crs_cc.ir.instruction import Call
+from crs_cc.ir.program import Program
 from crs_cc.runtime.codegen import inlined_calls
 from crs_cc.runtime.codegen.module import compile_program
 from crs_cc.runtime.codegen.scalar_replacement import replace_slots
