@@ -81,7 +81,7 @@ def look(path: Path, definition: str, *, trap_overflow: bool = False) -> Found:
     if found.severity:
         return found
     for each in diagnostics.messages:
-        if each.severity == "warning":
+        if each.flag == "sequence-point":
             return Found("warning", each.text, each.location.line)
     return Found()
 

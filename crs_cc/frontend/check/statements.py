@@ -77,11 +77,15 @@ def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
     with _block(unit, node, out):
         for each in node.block_items or []:
             statement(unit, each, out)
-    symbols = [each.symbol for each in out[first:] if isinstance(each, tree.Declare)]
-    if symbols and _entries(_function(unit)) == entries:
-        location = unit.at(node)
-        out.insert(first, tree.Lifetimes(location, symbols, begins=True))
-        out.append(tree.Lifetimes(location, symbols, begins=False))
+    if _entries(_function(unit)) == entries:
+        _limit(out, first, unit.at(node), out[first:])
+
+
+def _limit(out: list[Statement], first: int, location: Location, declared: list[Statement]) -> None:
+    """Limit the lifetimes of what is declared to the statements from number `first` on."""
+    symbols = [each.symbol for each in declared if isinstance(each, tree.Declare)]
+    out.insert(first, tree.Lifetimes(location, symbols, begins=True))
+    out.append(tree.Lifetimes(location, symbols, begins=False))
 
 
 def _entries(state: FunctionState) -> tuple[int, int]:
@@ -156,6 +160,7 @@ def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Check `for`."""
     location = unit.at(node)
     start: list[Statement] = []
+    first, entries = len(out), _entries(_function(unit))
     with _names(unit, node), vla.block(_function(unit), out, location):
         if isinstance(node.init, c_ast.DeclList):
             for each in node.init.decls:
@@ -166,6 +171,8 @@ def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
         step = None if node.next is None else unit.attempt(rvalue, node.next)
         inner = _loop_body(unit, node.stmt)
         out.append(tree.Loop(location, start, condition, step, inner))
+    if isinstance(node.init, c_ast.DeclList) and _entries(_function(unit)) == entries:
+        _limit(out, first, location, start)
 
 
 def _loop_body(unit: Unit, node: Node) -> list[Statement]:

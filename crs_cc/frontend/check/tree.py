@@ -270,7 +270,11 @@ class Declare:
 
 @dataclass(slots=True, eq=False)
 class Lifetimes:
-    """The start, without values, or end of the lifetime of a block's variables (C17 6.2.4p6)."""
+    """The start, without values, or end of the lifetime of a block's variables (C17 6.2.4p6).
+
+    There is none for a block with a label, through which it could be entered; so every `goto`
+    inside a block that has them leaves it.
+    """
 
     location: Location
     symbols: list[ObjectSymbol]

@@ -47,10 +47,14 @@ def _declare(low: Lowering, statement: tree.Declare) -> None:
 
 def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:
     """Start or end the lifetimes of a block's variables in memory."""
-    for symbol in statement.symbols:
-        found = low.local(symbol) if symbol.link_name is None else None
-        if isinstance(found, Slot):
-            low.emit(Lifetime(statement.location, found, statement.begins))
+    if not statement.begins:
+        low.leave_scopes(len(low.scopes) - 1, statement.location)
+        low.scopes.pop()
+        return
+    found = [low.local(each) for each in statement.symbols if each.link_name is None]
+    low.scopes.append([each for each in found if isinstance(each, Slot)])
+    for slot in low.scopes[-1]:
+        low.emit(Lifetime(statement.location, slot, begins=True))
 
 
 def initialise(
@@ -136,6 +140,10 @@ def _compound_literal(low: Lowering, expression: tree.CompoundLiteral) -> Place:
         return low.refer(symbol.link_name, expression.location), 0
     slot = low.local(symbol)
     assert isinstance(slot, Slot)
+    if low.scopes:
+        low.emit(Lifetime(expression.location, slot, begins=True))
+        if slot not in low.scopes[-1]:
+            low.scopes[-1].append(slot)
     initialise(low, slot, symbol.type, expression.initialiser, expression.location)
     return slot, 0
 

@@ -27,6 +27,7 @@ from crs_cc.ir.instruction import (
     Constant,
     Instruction,
     Jump,
+    Lifetime,
     Load,
     Move,
     Operand,
@@ -108,8 +109,9 @@ class Lowering:
         block: the block that takes the next instruction; unreachable after a jump.
         places: the register or slot of each local variable.
         result_pointer: the address for a struct result.
-        breaks: the targets of `break`, innermost last.
-        continues: the targets of `continue`, innermost last.
+        breaks: the targets of `break`, innermost last, each with the number of scopes there.
+        continues: the same of `continue`.
+        scopes: the slots whose lifetime ends with each open block, innermost last.
         cases: the blocks of case labels.
         labels: the blocks of named labels.
         chooser: for computed gotos, the register with the label's number and the block that
@@ -123,8 +125,9 @@ class Lowering:
     block: Block
     places: dict[ObjectSymbol, Register | Slot] = field(default_factory=dict)
     result_pointer: Register | None = None
-    breaks: list[Block] = field(default_factory=list)
-    continues: list[Block] = field(default_factory=list)
+    breaks: list[tuple[Block, int]] = field(default_factory=list)
+    continues: list[tuple[Block, int]] = field(default_factory=list)
+    scopes: list[list[Slot]] = field(default_factory=list)
     cases: dict[tree.CaseLabel, Block] = field(default_factory=dict)
     labels: dict[str, Block] = field(default_factory=dict)
     chooser: tuple[Register, Block] | None = None
@@ -158,6 +161,12 @@ class Lowering:
     def emit(self, instruction: Instruction) -> None:
         """Append an instruction to the current block."""
         self.block.instructions.append(instruction)
+
+    def leave_scopes(self, kept: int, location: Location) -> None:
+        """End the lifetimes of all open blocks but the `kept` outermost."""
+        for slots in self.scopes[kept:]:
+            for slot in slots:
+                self.emit(Lifetime(location, slot, begins=False))
 
     def mark(self, location: Location) -> None:
         """Mark the start of a statement."""

@@ -54,8 +54,8 @@ def _loop(low: Lowering, statement: tree.Loop) -> None:
         low.start(test, location)
         _test(low, statement, body, end)
     low.start(body, location)
-    low.breaks.append(end)
-    low.continues.append(step)
+    low.breaks.append((end, len(low.scopes)))
+    low.continues.append((step, len(low.scopes)))
     statements(low, statement.body)
     low.breaks.pop()
     low.continues.pop()
@@ -96,7 +96,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
         else:
             _test_range(low, operand, (label.first, label.last), block, location)
     low.end(Switch(location, operand, cases, default))
-    low.breaks.append(end)
+    low.breaks.append((end, len(low.scopes)))
     statements(low, statement.body)
     low.breaks.pop()
     low.start(end, location)
@@ -134,6 +134,7 @@ def _label(low: Lowering, statement: tree.Label) -> None:
 def _goto(low: Lowering, statement: tree.Goto) -> None:
     low.mark(statement.location)
     _release(low, statement.release)
+    low.leave_scopes(0, statement.location)
     low.end(Jump(statement.location, _label_block(low, statement.name)))
 
 
@@ -155,17 +156,23 @@ def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
         low.function.blocks += [block, wrong]
     number, block = low.chooser
     low.move(number, operand, location)
+    low.leave_scopes(0, location)
     low.end(Jump(location, block))
 
 
 def _break(low: Lowering, statement: tree.Break) -> None:
-    low.mark(statement.location)
-    low.end(Jump(statement.location, low.breaks[-1]))
+    _leave(low, statement.location, *low.breaks[-1])
 
 
 def _continue(low: Lowering, statement: tree.Continue) -> None:
-    low.mark(statement.location)
-    low.end(Jump(statement.location, low.continues[-1]))
+    _leave(low, statement.location, *low.continues[-1])
+
+
+def _leave(low: Lowering, location: Location, target: Block, scopes: int) -> None:
+    """Jump to the end of a loop or switch, or to its next iteration."""
+    low.mark(location)
+    low.leave_scopes(scopes, location)
+    low.end(Jump(location, target))
 
 
 def _return(low: Lowering, statement: tree.Return) -> None:

@@ -54,16 +54,32 @@ from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
-Checked: TypeAlias = "dict[tuple[Root | None, int], int]"
-"""The lengths that values are known to be less than, as unsigned numbers."""
-Known: TypeAlias = tuple[ValueNumbers, KnownBytes, Checked]
-"""The facts known at one point."""
-
 LAST_BYTES: Final = -8
 """The first address at which a load of eight states could exceed the shadow memory."""
 
 _At: TypeAlias = tuple[Instr, int]
 """An instruction that pushes an address, and the static offset to use with it."""
+
+
+@dataclass(slots=True)
+class Facts:
+    """What is known at one point of a function.
+
+    Attributes:
+        places: which registers hold which addresses.
+        proved: the bytes known to be accessible, or initialised.
+        indices: the lengths that values are known to be less than, as unsigned numbers.
+        ended: the slots whose lifetime has ended.
+    """
+
+    places: ValueNumbers = field(default_factory=ValueNumbers)
+    proved: KnownBytes = field(default_factory=KnownBytes)
+    indices: dict[tuple[Root | None, int], int] = field(default_factory=dict)
+    ended: set[Slot] = field(default_factory=set)
+
+    def copy(self) -> Facts:
+        """Return the same facts, to go on from at another point."""
+        return Facts(self.places.copy(), self.proved.copy(), self.indices.copy(), self.ended.copy())
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,14 +123,23 @@ class CheckedMemory(PlainMemory):
         self.assignments = assignments
         self.sole = sole
         self._inherited = set(sole.values())
-        self._at_end: dict[Block, Known] = {}
-        self.places, self.proved = ValueNumbers(), KnownBytes()
-        self._indices: Checked = {}
+        self._at_end: dict[Block, Facts] = {}
+        self._facts = Facts()
         self._taken: set[Register] = set()
+
+    @property
+    def places(self) -> ValueNumbers:
+        """Which registers hold which addresses."""
+        return self._facts.places
+
+    @property
+    def proved(self) -> KnownBytes:
+        """The bytes known to be accessible, or initialised."""
+        return self._facts.proved
 
     def forget(self) -> None:
         """Discard known facts at a join of control flow."""
-        self.places, self.proved, self._indices = ValueNumbers(), KnownBytes(), {}
+        self._facts = Facts()
 
     def begin(self, block: Block) -> None:
         """Recall what is known at the start of a block: all that was at the end of the one before.
@@ -123,16 +148,12 @@ class CheckedMemory(PlainMemory):
         """
         known = self._at_end.get(self.sole.get(block))  # type: ignore[arg-type]
         if known is not None:
-            self.places, self.proved, self._indices = (
-                known[0].copy(),
-                known[1].copy(),
-                known[2].copy(),
-            )
+            self._facts = known.copy()
 
     def end(self, block: Block) -> None:
         """Note what is known at the end of a block."""
         if block in self._inherited:
-            self._at_end[block] = self.places, self.proved, self._indices
+            self._at_end[block] = self._facts
 
     def pass_facts(self, argument: Operand, parameter: Register, callee: CheckedMemory) -> None:
         """Pass on what is known of the bytes at an address to an inlined function."""
@@ -140,7 +161,7 @@ class CheckedMemory(PlainMemory):
             self.places.of(argument, 0) if isinstance(argument, Register) else (None, 0)
         )
         target = callee.places.of(parameter, 0)
-        if isinstance(root, Slot | str):
+        if isinstance(root, Slot | str) and root not in self._facts.ended:
             room = root.size if isinstance(root, Slot) else self.writer.names.sizes.get(root, 0)
             if 0 <= distance < room:
                 callee.proved.add(target, room - distance, valued=isinstance(root, str))
@@ -174,7 +195,7 @@ class CheckedMemory(PlainMemory):
     def _inside(self, base: Base, offset: int, size: int) -> bool:
         """Return whether an access is known to be inside a named object."""
         match base:
-            case Slot() if base is not VARARGS:
+            case Slot() if base is not VARARGS and base not in self._facts.ended:
                 return offset >= 0 and offset + size <= base.size
             case str():
                 known = self.writer.names.sizes.get(base, 0)
@@ -233,9 +254,9 @@ class CheckedMemory(PlainMemory):
         length = it.array.length or 0
         root, constant = self.places.value(it.index)
         place = root, constant + it.shift
-        if self._indices.get(place, length + 1) > length:
+        if self._facts.indices.get(place, length + 1) > length:
             self._compare_index(it, length)
-            self._indices[place] = length
+            self._facts.indices[place] = length
         if it.element is not None and self._accessible(it.base, it.offset, it.array.size):
             valued = self._valued(it.base, it.offset, it.array.size)
             where = self.places.of(*it.element)
@@ -425,4 +446,9 @@ class CheckedMemory(PlainMemory):
         state = ByteState.WITHOUT_VALUE if it.begins else ByteState.INACCESSIBLE
         offset = self.writer.frame.offsets[it.slot]
         self.writer.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)
-        self.proved.forget_value((it.slot, 0))
+        if it.begins:
+            self._facts.ended.discard(it.slot)
+            self.proved.forget_value((it.slot, 0))
+        else:
+            self._facts.ended.add(it.slot)
+            self._facts.proved = KnownBytes()  # also of elements, at computed addresses

@@ -72,7 +72,7 @@ int main(void)
     m = 3;
     heap = malloc(2 * sizeof *heap);
     for (n = 0; n < 6; n++)
-        (*heap)[n] = n + 0.5;
+        ((double *)heap)[n] = n + 0.5;
     print(2, m, (double (*)[m])heap);
     free(heap);
     short square[m][m];
