@@ -104,6 +104,7 @@ def build_executable(
     entry = cache.load(key, _Linked)
     if entry is not None and _unchanged(entry):
         diagnostics.messages.extend(entry.warnings)
+        diagnostics.digests.update(entry.digests)
         return _build(entry, key, names, flags, diagnostics)
 
     from crs_cc.frontend.dialect import dialect_of
@@ -121,6 +122,7 @@ def build_executable(
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
+        diagnostics.digests.update(own.digests)
     cache.store(key, entry)
     cache.store(_code_key(key, entry, flags), executable.machine_code)
     return executable

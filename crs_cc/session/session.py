@@ -88,6 +88,7 @@ class Session:
         client: Client = "nclient",
         trace: Listener | None = None,
         threads: int | None = None,
+        observer: Listener | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.
 
@@ -103,6 +104,7 @@ class Session:
             client: which of the vendor's client libraries to emulate.
             trace: is notified of every timestep.
             threads: how many threads may run programs, see `Fleet`; results do not depend on it.
+            observer: is notified of those in which something can happen.
 
         Raises:
             ValueError: there is not one program for each robot.
@@ -121,6 +123,7 @@ class Session:
         self.environment = self.state.environment
         self.fleet = self.state.fleet
         self._trace = trace
+        self._observer = observer
 
     # -- the state -----------------------------------------------------------------------------
 
@@ -347,6 +350,8 @@ class Session:
         state.update_presence()
         if self._trace is not None:
             self._trace.step(step)
+        if self._observer is not None:
+            self._observer.step(step)
         return self._can_continue
 
     @property
