@@ -90,7 +90,7 @@ class FrameDecoder:
             if self._last is None or self._last.shape != whole.shape:
                 raise ValueError("the frame before is missing")
             whole += self._last
-        self._last = whole
+        self._last = np.asarray(whole, np.uint32)
         signed = whole.view(np.int32)
         return np.where(signed == NOWHERE, np.nan, signed / PER_UNIT)
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 import struct
 import zlib
 from collections.abc import Mapping
-from typing import BinaryIO, Final
+from typing import Final, Protocol
 
 import zstandard
 
@@ -46,6 +46,13 @@ _CHUNK_INDEX: Final = struct.Struct("<QQQQ")
 _SIZES: Final = struct.Struct("<QQ")
 
 
+class Target(Protocol):
+    """What can be written to."""
+
+    def write(self, data: bytes, /) -> object:
+        """Write all of the bytes."""
+
+
 class McapWriter:
     """Writes one file from start to end.
 
@@ -53,7 +60,7 @@ class McapWriter:
         pending: size of the messages that are not in a chunk yet [bytes].
     """
 
-    def __init__(self, file: BinaryIO) -> None:
+    def __init__(self, file: Target) -> None:
         """Write the header.
 
         Raises:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import zlib
-from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal, Self
 import numpy as np
 
 from crs_cc.recording import readings, topics
+from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
 from crs_cc.recording.frames import encode
 from crs_cc.recording.mcap_records import NS, Channel
@@ -27,6 +27,7 @@ from crs_cc.recording.step_events import events_of, readings_of, traffic_of
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray, FloatArray
+    from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Served, Step
     from crs_cc.sim.state.env_state import EnvState
@@ -61,6 +62,7 @@ class Recorder:
 
     Attributes:
         failed: the error that ended the recording, if any.
+        written_s: up to when the run has been written [s].
     """
 
     def __init__(
@@ -82,6 +84,7 @@ class Recorder:
             OSError: it cannot be written.
         """
         self.failed: OSError | None = None
+        self.written_s = 0.0
         self._options = options
         self._file: BinaryIO = path.open("wb", buffering=0)
         self._writer = McapWriter(_Whole(self._file))
@@ -139,17 +142,18 @@ class Recorder:
         if self.failed is not None:
             return
         self._output_crc = zlib.crc32(content, self._output_crc)
-        data = {"robot": robot, "stream": stream, **_text(content)}
+        data = {"robot": robot, "stream": stream, **as_fields(content)}
         self._add_json(topics.OUTPUT, self._now_ns(robot), data)
 
     def read(self, robot: int, content: bytes) -> None:
         """Record a piece of a program's standard input."""
-        data = {"kind": "stdin", "robot": robot, **_text(content)}
+        data = {"kind": "stdin", "robot": robot, **as_fields(content)}
         self._add_json(topics.INPUT, self._now_ns(robot), data)
 
-    def timesteps_to_second(self) -> int:
-        """Return how many timesteps may be run before the next call of `sample`."""
-        return max(1, self._next_hash - self._session.timesteps)
+    def seconds_left(self) -> float:
+        """Return how much time may be simulated before the next call of `sample` [s]."""
+        left = self._next_hash - self._session.timesteps
+        return max(1, left) * self._session.environment.timestep_s
 
     def sample(self) -> None:
         """Record what is there after one or more timesteps, of which only the last moved."""
@@ -167,14 +171,14 @@ class Recorder:
         elif self._writer.pending > MAX_CHUNK:
             self._cut()
 
-    def finish(self, result: Mapping[str, str], state_hash: str) -> None:
-        """Record the end, with the results and the hash of all state."""
+    def finish(self, result: RunResult) -> None:
+        """Record the end, with the results."""
         if self.failed is None:
             if self._moved:
                 self._add_frame()
-            self._add_hash(state_hash)
+            self._add_hash(result.state_hash)
             self._flush()
-            self._try(lambda: self._writer.metadata(topics.RESULT, result))
+            self._try(lambda: self._writer.metadata(topics.RESULT, _result_values(result)))
             self._try(self._writer.finish)
         self._file.close()
 
@@ -219,6 +223,8 @@ class Recorder:
 
     def _cut(self) -> None:
         self._try(self._writer.cut)
+        if self.failed is None:
+            self.written_s = self._session.time_s
 
     def _add_frame(self) -> None:
         environment = self._session.environment
@@ -359,12 +365,15 @@ def _block(frames: Sequence[RawFrame]) -> FloatArray:
     return block
 
 
-def _text(content: bytes) -> dict[str, str]:
-    """Return bytes as text if they are text, else in base 64."""
-    try:
-        return {"text": content.decode("utf-8")}
-    except UnicodeDecodeError:
-        return {"base64": b64encode(content).decode("ascii")}
+def _result_values(result: RunResult) -> dict[str, str]:
+    """Return the results as named strings."""
+    ends = [[robot.outcome, robot.exit_status] for robot in result.robots]
+    return {
+        "timesteps": str(result.timesteps),
+        "simulated_s": repr(result.simulated_s),
+        "state_hash": result.state_hash,
+        "robots": json.dumps(ends),
+    }
 
 
 def _ns(time_s: float) -> int:
