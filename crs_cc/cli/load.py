@@ -16,9 +16,9 @@ from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.session.empty_world import empty_world
-from crs_cc.session.fingerprint import PACKAGE
 from crs_cc.sim.files.known_robots import known_robots
 from crs_cc.sim.model.world import Robot, WorldModel
+from crs_cc.toolchain.fingerprint import PACKAGE
 
 if TYPE_CHECKING:
     from crs_cc.cli.program_options import ProgramOptions
