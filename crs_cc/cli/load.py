@@ -148,6 +148,7 @@ def _build(
             defines=options.compiler.defines,
             undefines=options.compiler.undefines,
             standard=options.compiler.standard,
+            root=options.compiler.root,
             checked=options.checked,
             debug=debug,
             trap_overflow=options.trap_overflow,
