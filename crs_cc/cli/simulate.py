@@ -136,7 +136,7 @@ class Runner:
         """Yield the active call of each program that has not ended, if it is reported."""
         wanted = self._options.as_json or shows_summary(self._options)
         for robot in range(len(self.session.fleet)):
-            yield self.session.current_call(robot) if wanted else None
+            yield self.session.state.current_call(robot) if wanted else None
 
     def _step_to_end(self) -> None:
         end_s = self._end_s
@@ -153,7 +153,7 @@ class Runner:
         """Return the number of timesteps to run without a look at output and interrupts."""
         if self._plot is not None:
             return 1  # it samples each
-        left_s = _AT_ONCE_S / max(self.session.running, 1)
+        left_s = _AT_ONCE_S / max(self.session.state.running, 1)
         if self._recorder is not None:
             left_s = min(left_s, self._recorder.seconds_left())
         if self._end_s is not None:
@@ -213,13 +213,13 @@ class Runner:
         robots = len(self._loaded.world.robots)
         return (
             f"{simulated_s:.1f} s simulated, {simulated_s / max(wall_s, 1e-9):.1f} x real time, "
-            f"{self.session.running} of {robots} running"
+            f"{self.session.state.running} of {robots} running"
         )
 
     def unconnected(self) -> Iterator[Diagnostic]:
         """Yield a warning for each place that calls the robot without a connection."""
         places = set()
-        for robot, call in enumerate(self.session.unconnected_calls):
+        for robot, call in enumerate(self.session.state.unconnected_calls):
             if call is None or call.location is None or call.location in places:
                 continue
             places.add(call.location)

@@ -108,7 +108,7 @@ class Recorder:
         self._stride = max(1, round(self._options.every_s / session.environment.timestep_s))
         self._last = session.timesteps
         self._next_hash = session.timesteps + self._per_second
-        self._alive = session.alive.copy()
+        self._alive = session.state.alive.copy()
         self._names: tuple[str, ...] = ()
         self._note_roster()
         self._add_frame()
@@ -252,13 +252,13 @@ class Recorder:
     def _note_ends(self) -> None:
         """Record which programs have ended since the last time."""
         session = self._session
-        alive = session.alive
+        alive = session.state.alive
         if len(alive) == len(self._alive) and np.array_equal(alive, self._alive):
             return
         before: BoolArray = np.zeros(len(alive), np.bool_)
         before[: len(self._alive)] = self._alive
         for robot in np.flatnonzero(before & ~alive).tolist():
-            result = session.robot_result(robot)
+            result = session.state.robot_result(robot)
             text = f"program {result.outcome}"
             if result.exit_status is not None:
                 text += f" with {result.exit_status}"
@@ -295,7 +295,7 @@ class Recorder:
 
     def _now_ns(self, robot: int) -> int:
         session = self._session
-        clock_s = float(session.clock_s[robot])
+        clock_s = float(session.state.clock_s[robot])
         return _ns(clock_s if np.isfinite(clock_s) else session.time_s)
 
     def _try(self, write: Callable[[], None]) -> None:
