@@ -28,8 +28,8 @@ Instr: TypeAlias = tuple[Any, ...]
 FuncType: TypeAlias = tuple[tuple[ValueType, ...], tuple[ValueType, ...]]
 
 TYPE_I32_I32: Final[FuncType] = (("i32",), ("i32",))
-TYPE_CALL: Final[FuncType] = (("i32", "i64"), ("i32", "i64"))
-"""The type of a C function: (frame pointer, fuel) -> (status, remaining fuel)."""
+TYPE_CALL: Final[FuncType] = (("i32", "i64"), ("i64",))
+"""The general type of a C function: (frame pointer, fuel) -> remaining fuel."""
 PAGE: Final = layout.PAGE
 
 UNLIKELY: Final[Instr] = ("if", "unlikely")

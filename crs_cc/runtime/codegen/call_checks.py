@@ -7,6 +7,7 @@ from typing import Final
 from crs_cc.ir.instruction import Call, Register
 from crs_cc.runtime.codegen.indices import MEMORY, SP
 from crs_cc.runtime.codegen.signatures import call_shape
+from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import FUNCTION
 from crs_cc.runtime.sites import Site
@@ -27,10 +28,17 @@ def check_pointer(writer: Writer, call: Call, pointer: Register, *, shapes: bool
         writer.fail_if(Site("mismatched call", call.location), [push])
 
 
+def may_lack_value(names: Symbols, call: Call) -> bool:
+    """Return whether the callee may return without the value that is used."""
+    if call.result is None:
+        return False
+    is_indirect = isinstance(call.callee, Register)
+    return bool(names.without_value) if is_indirect else call.callee in names.without_value
+
+
 def check_value(writer: Writer, call: Call) -> None:
     """Check that the callee has returned a value."""
-    callee, without = call.callee, writer.names.without_value
-    if callee in without or (isinstance(callee, Register) and without):
+    if may_lack_value(writer.names, call):
         writer.load_at(SP, FUNCTION, "i32")
         writer.code += [("i32.const", NO_VALUE), ("i32.eq",)]
         writer.fail_if(Site("no value returned", call.location), [("i32.const", 0)])

@@ -47,9 +47,10 @@ from crs_cc.runtime.codegen.indices import (
     STATES,
     WIDE_STATES,
 )
+from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.value_numbering import KnownBytes, Root, ValueNumbers
-from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
+from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr

@@ -36,12 +36,14 @@ class Node:
             itself has left the function.
         targets: the successors.
         side_exit: where `SIDE_EXIT` in its code leads; it has no successors and is no landing.
+        unlikely: whether the first target of a branch is.
     """
 
     code: list[Instr] = field(default_factory=list)
     exit: Literal["jump", "branch", "table", "leave"] = "leave"
     targets: list[Node] = field(default_factory=list)
     side_exit: Node | None = None
+    unlikely: bool = False
 
     def successors(self) -> list[Node]:
         """Return all nodes that may follow."""

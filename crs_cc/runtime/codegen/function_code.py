@@ -1,4 +1,4 @@
-"""One IR function as one WebAssembly function `(fp, fuel) -> (status, fuel)`.
+"""One IR function as one WebAssembly function, see `convention`.
 
 The function keeps its registers in WebAssembly locals. To suspend (a request, out of fuel,
 a suspended callee, a breakpoint) it stores in local `label` the
@@ -18,7 +18,6 @@ from crs_cc.ir.instruction import (
     Instruction,
     Jump,
     LongJump,
-    Operand,
     Register,
     Request,
     Return,
@@ -30,32 +29,29 @@ from crs_cc.ir.instruction import (
 )
 from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import Function, Parameter
+from crs_cc.ir.program import Function
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
-from crs_cc.runtime.codegen import failing, frame_states, jumps, spill_slots
+from crs_cc.runtime.codegen import jumps, stopping
+from crs_cc.runtime.codegen.activation import Activation
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.build import Build
-from crs_cc.runtime.codegen.call_checks import NO_VALUE, check_pointer, check_value
+from crs_cc.runtime.codegen.call_checks import check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
+from crs_cc.runtime.codegen.convention import Convention
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
-from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.codegen.fuel_charges import charge, early_charges, exact_charges
 from crs_cc.runtime.codegen.indices import (
-    ADDRESS,
-    BEGUN_GLOBAL,
     CALL_TYPE,
-    FP,
     FUEL,
     LABEL,
     MAILBOX,
     MEMORY,
     SHADOW,
-    SITE,
     SLOT_GLOBAL,
     SP,
-    STATUS,
+    with_parameters,
 )
 from crs_cc.runtime.codegen.inline_ranges import Place, copy_between
 from crs_cc.runtime.codegen.inlined_calls import InlinedCalls, all_bodies, inlined_calls
@@ -74,10 +70,7 @@ from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.layout import (
-    FUNCTION,
-    NULL_SIZE,
     RESULT,
-    RESUME,
     STACK_SIZE,
     Frame,
     lay_out,
@@ -100,10 +93,8 @@ class _FunctionCode:
         self.build = build
         self.checked, self.debug = build.checked, build.debug
         self.steps = build.debug and not in_library(function.location)
-        self.stamped = build.debug and not function.trusted
         self.shadowed = build.checked and not function.trusted
         self.marks = SHADOW + 1 if build.checked else SHADOW
-        self.number = names.functions[function.name]
         self.names = names
         liveness = Liveness(function)
         self.assigned = Assignments(function, steps=self.steps) if self.shadowed else None
@@ -122,6 +113,10 @@ class _FunctionCode:
         self.writer = Writer(names, self.frame)
         self.watching = self._watchpoints()
         self.memory, self.selector = self._selection(inlined)
+        self.activation = Activation(
+            function, build, self.writer, self.registers,
+            homes=self.homes, watching=self.watching,
+        )  # fmt: skip
         self.inlined = InlinedCalls(
             self.writer, inlined, checked=build.checked, traps_overflow=build.trap_overflow
         )
@@ -142,9 +137,8 @@ class _FunctionCode:
             charge += self.deferred.charge
         kept = [*self.saved, *self.homes.values()]
         size = arguments_size(self.function, self.names)
-        return lay_out(
-            self.function, kept, size, charge, checked=self.checked, stamped=self.stamped
-        )
+        stamped = self.debug and not self.function.trusted
+        return lay_out(self.function, kept, size, charge, checked=self.checked, stamped=stamped)
 
     def _watchpoints(self) -> Watchpoints | None:
         if not self.build.watch or self.function.trusted:
@@ -170,30 +164,25 @@ class _FunctionCode:
     def run(self) -> tuple[Code, FunctionInfo]:
         """Return the code and its debug information."""
         if self.frame.size > STACK_SIZE:  # its offsets might not fit an instruction
-            body = self.overflow()
-            return Code(self.function.name, TYPE_CALL, [], body), self.info()
+            return self.code(self.activation.overflow()), self.info()
         for register in self.registers.lasting:
             self.writer.take_local(register)
         for block in self.function.blocks:
             self.block(block)
-        entry, start = self.entry(), self.start()
-        if self.landings:
-            resumption = self.resumption(start)
-            self.writer.code = entry.code
-            self.writer.load_at(FP, RESUME, "i32")
-            entry.code.append(("local.tee", LABEL))
-            entry.exit, entry.targets = "branch", [resumption, start]
-        else:
-            entry.jump(start)
+        landings = [landing for landing, _ in self.landings]
+        entry = self.activation.connect(self.nodes[self.function.blocks[0]], landings)
         for number, (landing, _) in enumerate(self.failing, start=len(self.landings) + 1):
             landing.number = number
-        fault = failing.note(("local.get", SITE), ("local.get", ADDRESS))
-        fault += [("local.set", STATUS), ("i32.const", 0), ("local.set", LABEL)]
-        body = emit(entry, fault) + self.epilogue()
+        body = emit(entry, self.activation.failed()) + self.activation.epilogue()
         if self.homes:
             body = self.in_frame(body)
-        code = Code(self.function.name, TYPE_CALL, self.writer.local_types, body)
-        return code, self.info()
+        return self.code(body), self.info()
+
+    def code(self, body: list[Instr]) -> Code:
+        """Return the code with the types of its parameters and locals."""
+        kind = self.activation.convention.type
+        body = with_parameters(body, len(kind[0]) - len(TYPE_CALL[0]))
+        return Code(self.function.name, kind, self.writer.local_types, body)
 
     def in_frame(self, body: list[Instr]) -> list[Instr]:
         """Return the code of a large function with its registers in the frame."""
@@ -211,76 +200,6 @@ class _FunctionCode:
         calls = {site: landing.number for site, landing in self.calls.items()}
         return FunctionInfo(self.function, self.frame, places, callees, calls, self.flags, unset)
 
-    def entry(self) -> Node:
-        """Set up the frame."""
-        node = Node()
-        code = self.writer.code = node.code
-        size = self.frame.size
-        code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), UNLIKELY]
-        code += [*self.overflow(), ("end",)]
-        code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
-        code += self.watching.test_frame() if self.watching else []
-        return node
-
-    def overflow(self) -> list[Instr]:
-        """Fail without the epilogue, which would write to the frame."""
-        number = self.names.number(Site("stack overflow", self.function.location))
-        note = failing.note(("i32.const", number), ("local.get", FP))
-        return [*note, ("local.get", FUEL), ("return",)]
-
-    def resumption(self, start: Node) -> Node:
-        """Resume a suspended function: reload its registers and jump to its landing."""
-        node, damaged = Node(), Node()
-        self.writer.code = damaged.code
-        site = Site("damaged stack", self.function.location)
-        self.writer.fail(site, [("local.get", LABEL)])
-        self.writer.code = node.code
-        spill_slots.load(self.writer, self.frame, self.saved, debug=self.debug)
-        landings = [landing for landing, _ in self.landings]
-        add_dispatchers(node, start, landings, LABEL, damaged)
-        return node
-
-    def start(self) -> Node:
-        """Start a fresh call: suspend if out of fuel unless it is short, load the parameters."""
-        node = Node()
-        code = self.writer.code = node.code
-        if not self.names.bodies.is_small(self.function.name):
-            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
-            self.writer.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
-            code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
-        if self.stamped:
-            code += [("local.get", SP), ("global.get", BEGUN_GLOBAL)]
-            code.append(("i64.store", MEMORY, self.frame.entered))
-        code += spill_slots.clear(self.frame, list(self.homes.values()))
-        for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
-            self._load_parameter(parameter, offset)
-        if self.debug and self.landings:
-            code += spill_slots.clear(self.frame, self.saved)
-        if self.shadowed:
-            code += frame_states.enter(self.function, self.frame)
-        code += self.watching.entering() if self.watching else []
-        node.jump(self.nodes[self.function.blocks[0]])
-        return node
-
-    def _load_parameter(self, parameter: Parameter, offset: int) -> None:
-        place = parameter.place
-        if isinstance(place, Register) and place in self.registers.lasting and parameter.memory:
-            self.writer.load_at(SP, offset, parameter.memory)
-            self.writer.pop(place)
-
-    def epilogue(self) -> list[Instr]:
-        """Save the registers of a suspended function, and return its status."""
-        code: list[Instr] = []
-        self.writer.code = code
-        ends = [block.terminator for block in self.function.blocks]
-        if any(isinstance(end, Call | LongJump) for end in ends):
-            activations = [end.activation for end in ends if isinstance(end, SetJump)]
-            activation = [self.writer.value(each) for each in activations[:1]]
-            left = [*self.returning(), *self.hide_frame()]
-            code += jumps.leave(activation, self.frame.jump_value, left)
-        spill_slots.save(self.writer, self.frame, self.saved, self.number)
-        return [*code, ("local.get", STATUS), ("local.get", FUEL)]
-
     # -- suspending ---------------------------------------------------------------------------
 
     def add_landing(self, node: Node, it: Instruction) -> Landing:
@@ -290,8 +209,7 @@ class _FunctionCode:
 
     def suspend(self, landing: Landing) -> list[Instr]:
         return [
-            ("i32.const", SUSPENDED), ("local.set", STATUS),
-            (LANDING, landing), ("local.set", LABEL), (UNWIND,),
+            *stopping.status(SUSPENDED), (LANDING, landing), ("local.set", LABEL), (UNWIND,),
         ]  # fmt: skip
 
     # -- blocks -------------------------------------------------------------------------------
@@ -362,7 +280,7 @@ class _FunctionCode:
             case Switch() as switch:
                 lower_switch(self.writer, node, switch, self.nodes)
             case Return(value=value):
-                self.leave(node, value)
+                self.activation.leave(node, value)
             case Call() as call:
                 self.call(node, call)
             case Request() as request:
@@ -374,22 +292,6 @@ class _FunctionCode:
             case LongJump() as jump:
                 self.long_jump(node, jump)
 
-    def leave(self, node: Node, value: Operand | None) -> None:
-        node.code += [*self.returning(), *self.hide_frame()]
-        if value is not None:
-            self.writer.store_at(FP, RESULT, value, value.type)
-        elif self.function.name in self.names.without_value:
-            self.writer.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
-        node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
-
-    def returning(self) -> list[Instr]:
-        """Watching builds: report that the frame ends."""
-        return [] if self.watching is None else self.watching.returning()
-
-    def hide_frame(self) -> list[Instr]:
-        """Make the frame inaccessible."""
-        return frame_states.leave(self.function, self.frame) if self.shadowed else []
-
     def call(self, node: Node, call: Call) -> None:
         selector, writer = self.selector, self.writer
         if call in self.inlined.calls:
@@ -397,48 +299,93 @@ class _FunctionCode:
             self.inlined.write(node, call, then, self.memory, self._fail_again)
             self.memory.follow(call)
             return
-        pass_arguments(call, self.function.name, self.memory, self.build)
+        self.pass_arguments(call)
         after = Node()
         node.jump(after)
         selector.forget()
         writer.code = after.code
         self._enter(call, after)
 
+    def convention(self, call: Call) -> Convention | None:
+        """Return how a call is made; None for the general form of a function."""
+        name = call.callee
+        found = self.names.conventions.get(name) if isinstance(name, str) else None
+        return found if found is not None and found.suits(call) else None
+
+    def pass_arguments(self, call: Call) -> None:
+        """Store the arguments that are passed in memory, and the header."""
+        convention = self.convention(call)
+        registers = convention.registers if convention else (None,) * len(call.arguments)
+        in_registers = [each is not None for each in registers]
+        names, memory = self.function.name, self.memory
+        pass_arguments(call, names, memory, self.build, in_registers=in_registers)
+
+    def push_arguments(self, call: Call) -> None:
+        """Push what is passed in registers."""
+        code, convention = self.writer.code, self.convention(call)
+        code += [("local.get", SP), ("local.get", FUEL)]
+        registers = convention.registers if convention else ()
+        for argument, memory in zip(call.arguments, registers, strict=False):
+            if memory is not None:
+                self.writer.push(argument.value)
+
     def _fail_again(self, call: Call) -> None:
         """Make a call that was inlined and has failed; it fails again."""
-        pass_arguments(call, self.function.name, self.memory, self.build)
+        self.pass_arguments(call)
         landing = Landing(Node())
         self.failing.append((landing, call))
         self.calls[len(self.names.call_sites)] = landing
-        callee = self.names.functions[str(call.callee)]
-        self.writer.code += [
-            ("local.get", SP), ("local.get", FUEL), ("call", callee),
-            ("local.set", FUEL), ("local.tee", STATUS), ("i32.eqz",), ("if",), ("unreachable",),
-            ("end",), (LANDING, landing), ("local.set", LABEL), (UNWIND,),
-        ]  # fmt: skip
+        self.push_arguments(call)
+        callee = str(call.callee)
+        convention = self.names.conventions[callee]
+        code = self.writer.code
+        code.append(("call", self.names.functions[callee]))
+        code += [("drop",)] if convention.result else []
+        code += [("local.set", FUEL), *stopping.IS_STOPPED, ("i32.eqz",), ("if",)]
+        code += [("unreachable",), ("end",), *stopping.RESTORE]
+        code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,)]
 
     def _enter(self, call: Call, after: Node) -> None:
         """Call the callee, fresh or resumed: this is where a suspended caller resumes."""
-        selector, writer = self.selector, self.writer
         landing = self.add_landing(after, call)
+        landing.prepaid = stopping.STOPPED
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
-            check_pointer(writer, call, call.callee, shapes=self.shadowed)
-        after.code += [("local.get", SP), ("local.get", FUEL)]
+            check_pointer(self.writer, call, call.callee, shapes=self.shadowed)
+        convention = self.convention(call)
+        self.push_arguments(call)
         if isinstance(call.callee, Register):
-            writer.push(call.callee)
+            self.writer.push(call.callee)
             after.code.append(("call_indirect", CALL_TYPE, 0))
+        elif convention is None:
+            after.code.append(("call", self.names.general[call.callee]))
         else:
             after.code.append(("call", self.names.functions[call.callee]))
-        after.code += [("local.set", FUEL), ("local.tee", STATUS), UNLIKELY]
-        after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
+        value = self._returned(call, convention)
+        after.code += [("local.set", FUEL), *stopping.IF_STOPPED]
+        after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), *stopping.END]
         if call.result is not None:
             if self.shadowed:
-                check_value(writer, call)
-            writer.load_at(SP, RESULT, call.result.type)
-            writer.pop(call.result)
-            selector.follow(call)
+                check_value(self.writer, call)
+            if value is None:
+                self.writer.load_at(SP, RESULT, call.result.type)
+            else:
+                self.writer.push(value)
+                self.writer.release(value)
+            self.writer.pop(call.result)
+            self.selector.follow(call)
         after.jump(self.target(call.then))
+
+    def _returned(self, call: Call, convention: Convention | None) -> Register | None:
+        """Pop the returned value, which is none yet if the callee has stopped."""
+        if convention is None or convention.result is None:
+            return None
+        if call.result is None:
+            self.writer.code.append(("drop",))
+            return None
+        value = Register(-1, convention.result)
+        self.writer.pop(value)
+        return value
 
     def request(self, node: Node, request: Request) -> None:
         """Copy the message to the slot and suspend; copy the reply back when resumed."""

@@ -23,9 +23,9 @@ from crs_cc.ir.instruction import (
     Stop,
     Switch,
 )
-from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
+from crs_cc.runtime.codegen.convention import NARROW
 from crs_cc.runtime.codegen.flow_graph import Node
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
@@ -35,18 +35,9 @@ from crs_cc.runtime.codegen.small_functions import Bodies, Body
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
-from crs_cc.runtime.wasm import Instr
 
 MOST_INLINED: Final = 300
 """The limit on the fuel of all functions inlined in one function."""
-
-_NARROW: Final[dict[MemoryType, list[Instr]]] = {
-    "i8": [("i32.extend8_s",)],
-    "i16": [("i32.extend16_s",)],
-    "u8": [("i32.const", 255), ("i32.and",)],
-    "u16": [("i32.const", 65535), ("i32.and",)],
-}
-"""What a parameter of a narrow type does to its argument."""
 
 
 def inlined_calls(blocks: list[Block], bodies: Bodies) -> dict[Call, Body]:
@@ -195,7 +186,7 @@ class InlinedCalls:
             if isinstance(place, Register) and place in body.registers.lasting:
                 writer.push(argument.value)
                 if parameter.memory is not None and argument.memory != parameter.memory:
-                    writer.code += _NARROW[parameter.memory]
+                    writer.code += NARROW[parameter.memory]
                 writer.pop(place)
 
     def _block(self, block: Block, expansion: _Expansion) -> None:

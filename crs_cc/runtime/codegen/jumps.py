@@ -12,14 +12,14 @@ from typing import Final
 
 from crs_cc.ir.value_type import ValueType
 from crs_cc.requests import SUSPENDED
-from crs_cc.runtime.codegen import failing
-from crs_cc.runtime.codegen.indices import FUEL, LABEL, MEMORY, SP, STATUS
+from crs_cc.runtime.codegen import failing, stopping
+from crs_cc.runtime.codegen.indices import FUEL, LABEL, MEMORY, SP, STATUS_GLOBAL
 from crs_cc.runtime.wasm import Instr
 
 JUMPED: Final = 3
 """Status of functions unwound by a jump; it never leaves `resume`."""
 
-ACTIVATION, PLACE, VALUE, JUMP_SITE = range(5, 9)
+ACTIVATION, PLACE, VALUE, JUMP_SITE = range(6, 10)
 """Globals of a jump in progress; the activation becomes 0 when its function has been reached."""
 
 GLOBALS: Final[list[tuple[ValueType, int]]] = [("i32", 0)] * 4
@@ -33,7 +33,7 @@ def start(operands: list[Instr]) -> list[Instr]:
     code: list[Instr] = []
     for operand, number in zip(operands, (ACTIVATION, PLACE, VALUE, JUMP_SITE), strict=True):
         code += [operand, ("global.set", number)]
-    return [*code, ("i32.const", JUMPED), ("local.set", STATUS)]
+    return [*code, *stopping.status(JUMPED)]
 
 
 def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[Instr]:
@@ -54,7 +54,7 @@ def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[I
             ("end",),
         ]  # fmt: skip
     return [
-        ("local.get", STATUS), ("i32.const", JUMPED), ("i32.eq",), ("if",),
+        ("global.get", STATUS_GLOBAL), ("i32.const", JUMPED), ("i32.eq",), ("if",),
         ("local.get", FUEL), ("i64.const", UNWINDING), ("i64.sub",), ("local.set", FUEL),
         *found,
         *([("global.get", ACTIVATION), ("if",), *left, ("end",)] if left else []),
@@ -62,23 +62,26 @@ def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[I
     ]  # fmt: skip
 
 
-def call_root(root: int, fp: int, *, fuel: int, status: int) -> list[Instr]:
-    """Call the outermost function until it returns for a reason other than a jump.
+def call_root(root: int, fp: int, *, status: int) -> list[Instr]:
+    """Resume the outermost function until it stops for a reason other than a jump.
 
     Args:
-        root: index of the function.
+        root: index of its general form.
         fp: address of its header.
-        fuel: index of the i64 local with the fuel, in and out.
-        status: index of the i32 local that receives the status.
+        status: index of the i32 local that receives why it has stopped; 0 if it has returned.
     """
     return [
         ("loop",),
-        ("i32.const", fp), ("local.get", fuel), ("call", root),
-        ("local.set", fuel), ("local.tee", status), ("i32.const", JUMPED), ("i32.eq",), ("if",),
+        ("i32.const", fp), *stopping.PUSH_STOPPED, ("call", root), ("local.set", FUEL),
+        ("i32.const", 0), ("local.set", status),
+        *stopping.IS_STOPPED, ("if",),
+        *stopping.RESTORE,
+        ("global.get", STATUS_GLOBAL), ("local.tee", status),
+        ("i32.const", JUMPED), ("i32.eq",), ("if",),
         ("global.get", ACTIVATION), ("if",),
         *failing.note(("global.get", JUMP_SITE), ("i32.const", 0)), ("local.set", status),
         ("else",),
         ("i32.const", SUSPENDED), ("local.set", status),
-        ("local.get", fuel), ("i64.const", 0), ("i64.ge_s",), ("br_if", 2),
-        ("end",), ("end",), ("end",),
+        *stopping.IS_NEGATIVE, ("i32.eqz",), ("br_if", 3),
+        ("end",), ("end",), ("end",), ("end",),
     ]  # fmt: skip

@@ -15,9 +15,9 @@ from crs_cc.ir.instruction import Call, Register, Request, SetJump, Statement
 from crs_cc.ir.program import Function
 from crs_cc.ir.value_type import ValueType
 from crs_cc.runtime.codegen import jumps
-from crs_cc.runtime.codegen.indices import ADDRESS, FUEL, LABEL, MEMORY, SITE, SP, STATUS
+from crs_cc.runtime.codegen.indices import ADDRESS, FUEL, LABEL, MEMORY, SITE, SP
+from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
 from crs_cc.runtime.codegen.registers import Registers
-from crs_cc.runtime.codegen.writer import LOADS, STORES
 from crs_cc.runtime.wasm import Instr
 
 MOST_BLOCKS: Final = 1000
@@ -37,12 +37,12 @@ MOST_WAYS: Final = 100_000
 _FIRST: Final = jumps.JUMP_SITE + 1
 
 REPLACED: Final[dict[int, int]] = {
-    local: _FIRST + number for number, local in enumerate((FUEL, LABEL, STATUS, SITE, ADDRESS))
+    local: _FIRST + number for number, local in enumerate((FUEL, LABEL, SITE, ADDRESS))
 }
 """The global that replaces each local; a call leaves none of those with a value still needed."""
 
 GLOBALS: Final[list[tuple[ValueType, int]]] = [
-    ("i64", 0), ("i32", 0), ("i32", 0), ("i32", 0), ("i32", 0),
+    ("i64", 0), ("i32", 0), ("i32", 0), ("i32", 0),
 ]  # fmt: skip
 
 

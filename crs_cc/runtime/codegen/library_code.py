@@ -90,20 +90,24 @@ class _Numbers(dict[str, int]):
         return _Unknown((self._kind, name))
 
 
-class _Answers(dict[str, int]):
-    """The sizes that were asked for, with the answers; 0 for names without any."""
+class _Answers(dict[str, Any]):
+    """What was asked for by name, with the answers; one for names without any."""
 
-    def __init__(self, real: Mapping[str, int]) -> None:
+    def __init__(self, real: Mapping[str, Any], default: object) -> None:
         super().__init__()
         self._real = real
+        self._default = default
 
-    def get(self, key: str, default: Any = 0) -> Any:
-        assert default == 0
-        self[key] = answer = self._real.get(key, 0)
+    def get(self, key: str, default: Any = None) -> Any:
+        assert default == self._default
+        self[key] = answer = self._real.get(key, default)
         return answer
 
-    def suit(self, other: Mapping[str, int]) -> bool:
-        return all(other.get(key, 0) == answer for key, answer in self.items())
+    def __missing__(self, key: str) -> Any:
+        return self.get(key, self._default)
+
+    def suit(self, other: Mapping[str, Any]) -> bool:
+        return all(other.get(key, self._default) == answer for key, answer in self.items())
 
 
 class _Tables(dict[Shape, int]):
@@ -174,14 +178,17 @@ class _Recorder(Symbols):
     """Symbols for generating code that several programs link."""
 
     def __init__(self, names: Symbols) -> None:
-        self._answers = _Answers(names.sizes), _Answers(names.parameters)
+        self._sizes, self._parameters = _Answers(names.sizes, 0), _Answers(names.parameters, 0)
+        self._conventions = _Answers(names.conventions, None)
         self._tables, self._valueless = _Tables(names.tables), _Valueless(names.without_value)
         self._bodies = _Bodies(names.bodies)
         super().__init__(
             addresses=_Numbers("address"),
             functions=_Numbers("function"),
-            sizes=self._answers[0],
-            parameters=self._answers[1],
+            general=_Numbers("general"),
+            conventions=self._conventions,
+            sizes=self._sizes,
+            parameters=self._parameters,
             pointers=_Unknown(_POINTERS),
             tables=self._tables,
             without_value=self._valueless,
@@ -196,10 +203,10 @@ class _Recorder(Symbols):
 
     def suits(self, names: Symbols) -> bool:
         """Return whether another program gives the same answers."""
-        sizes, parameters = self._answers
         return (
-            sizes.suit(names.sizes)
-            and parameters.suit(names.parameters)
+            self._sizes.suit(names.sizes)
+            and self._parameters.suit(names.parameters)
+            and self._conventions.suit(names.conventions)
             and self._tables.suit(names.tables)
             and self._valueless.suit(names.without_value)
             and self._bodies.suit(names.bodies)
@@ -282,7 +289,8 @@ _TEMPLATES: Final[dict[tuple[Function, Build], _Template | None]] = {}
 def _value(symbol: _Symbol, names: Symbols) -> int:
     kind, name = symbol
     tables: dict[str, Mapping[Any, int]] = {
-        "function": names.functions, "address": names.addresses, "table": names.tables,
+        "function": names.functions, "general": names.general,
+        "address": names.addresses, "table": names.tables,
     }  # fmt: skip
     return tables[kind][name]
 

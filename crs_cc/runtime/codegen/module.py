@@ -9,6 +9,7 @@ The global `heap` is the end of the program's own objects.
 
 from __future__ import annotations
 
+import itertools
 from typing import Final
 
 from crs_cc.ir.instruction import ByteState
@@ -18,6 +19,12 @@ from crs_cc.runtime.codegen import jumps, large_functions, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
+from crs_cc.runtime.codegen.convention import (
+    Convention,
+    called_otherwise,
+    convention_of,
+    general_form,
+)
 from crs_cc.runtime.codegen.indices import (
     BEGUN_GLOBAL,
     MAILBOX,
@@ -80,9 +87,13 @@ def compile_program(
     checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
     own = checks if checked else [_outside()]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
+    conventions = {name: convention_of(each) for name, each in program.functions.items()}
+    general = _general_forms(program, pointers, numbers, conventions)
     names = Symbols(
         addresses,
         numbers,
+        general,
+        conventions,
         {data.name: data.size for data in program.data.values()},
         {
             function.name: argument_offsets([each.size for each in function.parameters])[-1]
@@ -110,22 +121,27 @@ def compile_program(
             ("i64", 0),
             ("i32", 0),
             ("i32", 0),
+            ("i32", 0),
             *jumps.GLOBALS,
             *large_functions.GLOBALS,
             ("i32", heap),
         ],
-        elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
+        elements=[(0, 1, [general[name] for name in pointers])] if pointers else [],
     )
-    own_and_program = len(own) + len(program.functions)
+    made = [name for name, number in general.items() if number != numbers[name]]
+    own_and_program = len(own) + len(program.functions) + len(made)
     build = Build(checked, debug, own_and_program + 1 if watching else 0, trap_overflow)
     infos = []
     for function in program.functions.values():
         code, info = generate_shared(function, names, build)
         module.functions.append(code)
         infos.append(info)
+    for name in made:
+        sizes = [each.size for each in program.functions[name].parameters]
+        module.functions.append(general_form(name, numbers[name], conventions[name], sizes))
     begin = update_bounds(SHADOW + checked, len(names.statements))
     module.functions.append(
-        _resume(numbers[ROOT], len(names.statements), begin if watching else [])
+        _resume(general[ROOT], len(names.statements), begin if watching else [])
     )
     if watching:
         count = len(names.statements)
@@ -178,6 +194,22 @@ def _place(program: Program) -> dict[str, int]:
     heap = round_up(end, 16)
     addresses.update(zip(HEAP_SYMBOLS, (heap, MEMORY_BYTES), strict=True))
     return addresses
+
+
+def _general_forms(
+    program: Program,
+    pointers: list[str],
+    numbers: dict[str, int],
+    conventions: dict[str, Convention],
+) -> dict[str, int]:
+    """Return the index of the general form of each function that is called in it."""
+    wanted = {ROOT, *pointers, *called_otherwise(program, conventions)}
+    following = itertools.count(max(numbers.values()) + 1)
+    return {
+        name: number if conventions[name].is_general else next(following)
+        for name, number in numbers.items()
+        if name in wanted
+    }
 
 
 def _content(data: Data, addresses: dict[str, int]) -> bytes:
@@ -244,7 +276,7 @@ def _resume(root: int, statements: int, begin: list[Instr]) -> Code:
         ("local.get", 0), ("i32.const", 0), ("i32.store", MAILBOX, slot_offset("stopped")),
         *begin,
         ("local.get", 0), ("i64.load", MAILBOX, fuel), ("local.set", 1),
-        *jumps.call_root(root, STACK_TOP - HEADER_SIZE, fuel=1, status=2),
+        *jumps.call_root(root, STACK_TOP - HEADER_SIZE, status=2),
         ("local.get", 0), ("local.get", 1), ("i64.store", MAILBOX, fuel),
         ("local.get", 0), ("global.get", BEGUN_GLOBAL), ("i64.store", MAILBOX, begun),
         ("local.get", 2),

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from crs_cc.ir.instruction import Call, Constant
 from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.build import Build
+from crs_cc.runtime.codegen.call_checks import may_lack_value
 from crs_cc.runtime.codegen.indices import SP
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.symbols import Symbols
-from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, RESULT, RESUME, argument_offsets
+from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, RESULT, argument_offsets
 from crs_cc.runtime.sites import CallSite, call_word
 
 
@@ -27,22 +30,31 @@ def arguments_size(function: Function, names: Symbols) -> int:
     return most
 
 
-def pass_arguments(call: Call, caller: str, memory: PlainMemory, build: Build) -> None:
-    """Store the arguments of a call, and its header; `memory` is accessed by the caller."""
+def pass_arguments(
+    call: Call, caller: str, memory: PlainMemory, build: Build, *, in_registers: Sequence[bool]
+) -> None:
+    """Store the arguments of a call, and its header.
+
+    Args:
+        call: the call.
+        caller: the calling function, whose accesses `memory` writes.
+        memory: accesses memory.
+        build: how the function is compiled.
+        in_registers: which arguments are passed in registers.
+    """
     writer = memory.writer
     offsets = argument_offsets([argument.size for argument in call.arguments])
-    for argument, offset in zip(call.arguments, offsets, strict=False):
+    rows = zip(call.arguments, offsets[:-1], in_registers, strict=True)
+    for argument, offset, in_register in rows:
         at = HEADER_SIZE + offset
-        if argument.memory:
+        if argument.memory is None:
+            size = Constant("i32", argument.size)
+            memory.argument(argument.value, at, size, call.location)
+        elif build.passes_in_memory or not in_register:
             writer.store_at(SP, at, argument.value, argument.memory)
-            continue
-        size = Constant("i32", argument.size)
-        memory.argument(argument.value, at, size, call.location)
     if build.checked:
         number = writer.names.call_number(CallSite(caller, call.location))
         word = call_word(number, writer.frame.size, offsets[-1])
         writer.store_at(SP, RESULT, Constant("i64", word), "i64")
-    if build.checked or build.debug:
+    if build.debug or may_lack_value(writer.names, call):
         writer.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
-    else:
-        writer.store_at(SP, RESUME, Constant("i32", 0), "i32")

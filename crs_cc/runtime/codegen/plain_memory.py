@@ -29,7 +29,8 @@ from crs_cc.requests import MESSAGE
 from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
 from crs_cc.runtime.codegen.inline_ranges import short
-from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
+from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
+from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import Instr

@@ -61,8 +61,9 @@ class Registers:
                 if result is not None:
                     behind &= ~(1 << result.index)
                 alive |= behind
-                for register in reads(end):
-                    alive |= 1 << register.index
+                kept = [end.callee] if isinstance(end, Call) else reads(end)
+                for register in kept:
+                    alive |= 1 << register.index if isinstance(register, Register) else 0
             if debug:
                 before = alive_before(block, liveness)
                 for instruction, bits in zip(block.instructions, before, strict=False):

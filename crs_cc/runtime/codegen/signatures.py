@@ -29,9 +29,14 @@ def call_shape(call: Call) -> Shape:
     return tuple(_kind(each.memory, each.size) for each in call.arguments)
 
 
+def function_shape(function: Function) -> Shape:
+    """Return the kinds of a function's parameters."""
+    return tuple(_kind(each.memory, each.size) for each in function.parameters)
+
+
 def is_compatible(shape: Shape, callee: Function) -> bool:
     """Return whether a function is compatible with the arguments passed."""
-    wanted = tuple(_kind(each.memory, each.size) for each in callee.parameters)
+    wanted = function_shape(callee)
     return shape[: len(wanted)] == wanted
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, SIDE_EXIT, UNWIND, Node
-from crs_cc.runtime.wasm import Instr
+from crs_cc.runtime.wasm import UNLIKELY, Instr
 
 _SPECIAL: Final = frozenset({UNWIND, FAULTED, LANDING, SIDE_EXIT, "if", "end"})
 
@@ -179,7 +179,12 @@ class _Emitter:
     def _branch(self, node: Node) -> None:
         then, otherwise = node.targets
         then_depth, otherwise_depth = self.label(node, then), self.label(node, otherwise)
-        if then_depth is not None:
+        if node.unlikely and then_depth is None:
+            self.out.append(UNLIKELY)
+            self.depth += 1
+            after = otherwise if otherwise_depth is None else ("br", otherwise_depth)
+            self.work += [after, ("end",), then]
+        elif then_depth is not None:
             self.out.append(("br_if", then_depth))
             self._continue(otherwise, otherwise_depth)
         elif otherwise_depth is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from crs_cc.runtime.codegen.convention import Convention
 from crs_cc.runtime.codegen.signatures import Shape
 from crs_cc.runtime.codegen.small_functions import Bodies
 from crs_cc.runtime.sites import CallSite, Site, StatementSite
@@ -16,6 +17,8 @@ class Symbols:
     Attributes:
         addresses: address of each global object; function pointer of each function that needs one.
         functions: index in the module of each function.
+        general: index of the general form of each function that has one, see `convention`.
+        conventions: how each function is called.
         sizes: size of each global object.
         parameters: size of the parameters of each function, as `layout` places them.
         tables: addresses of the tables that `signatures` makes.
@@ -30,6 +33,8 @@ class Symbols:
 
     addresses: dict[str, int]
     functions: dict[str, int]
+    general: dict[str, int]
+    conventions: dict[str, Convention]
     sizes: dict[str, int]
     parameters: dict[str, int]
     pointers: int

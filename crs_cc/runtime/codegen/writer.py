@@ -5,26 +5,16 @@ The cold path of a failed check stores the number of its site and leaves the fun
 
 from __future__ import annotations
 
-from typing import Final
-
 from crs_cc.ir.instruction import VARARGS, Base, Constant, Operand, Register, Slot
 from crs_cc.ir.value_type import MemoryType, ValueType
 from crs_cc.runtime.codegen.flow_graph import FAULTED, SIDE_EXIT, Node
 from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES, charge
 from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
+from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
-
-LOADS: Final[dict[MemoryType, str]] = {
-    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
-    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
-}  # fmt: skip
-STORES: Final[dict[MemoryType, str]] = {
-    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
-    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
-}  # fmt: skip
 
 
 class Writer:

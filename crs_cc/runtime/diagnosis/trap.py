@@ -19,12 +19,12 @@ from crs_cc.runtime.codegen.large_functions import REPLACED
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import HEADER_SIZE, RESUME, STACK_TOP
 from crs_cc.runtime.sites import call_site
-from crs_cc.runtime.wasm import Code, encode
+from crs_cc.runtime.wasm import TYPE_CALL, Code, encode
 
 MOST_FRAMES: Final = 20
 """Maximum number of frames of the host's stack reported by wasmtime."""
 
-_SETS_SITE: Final = (("local.set", SITE), ("global.set", REPLACED[SITE]))
+_OWN_PARAMETERS: Final = len(TYPE_CALL[0])
 
 
 def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> int | None:
@@ -44,8 +44,10 @@ def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> i
 
 def _next_site(code: Code, offset: int) -> int | None:
     at, number = code.start(), None
+    passed = len(code.type[0]) - _OWN_PARAMETERS
+    sets_site = (("local.set", SITE + passed), ("global.set", REPLACED[SITE]))
     for instr in code.body:
-        if instr in _SETS_SITE and at > offset:
+        if instr in sets_site and at > offset:
             return number
         number = instr[1] if instr[0] == "i32.const" else None
         at += len(encode(instr))
@@ -62,3 +64,4 @@ def _store_landings(active: Sequence[int], memory: ByteArray, compiled: Compiled
         landing = info.calls.get(call_site(word), 0)
         memory[fp + RESUME : fp + RESUME + 4].view("<u4")[0] = landing
         fp = callee
+    memory[fp + RESUME : fp + RESUME + 4].view("<u4")[0] = 0
