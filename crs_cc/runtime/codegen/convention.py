@@ -30,6 +30,9 @@ MOST_WORDS: Final = 4
 MOST_FLOATS: Final = 8
 """Limits on the integers and floating-point numbers that are passed in registers."""
 
+GENERAL_FORM: Final = 16
+"""What a frame is charged for the host's frame of the general form, see `registers` [bytes]."""
+
 NARROW: Final[dict[MemoryType, list[Instr]]] = {
     "i8": [("i32.extend8_s",)],
     "i16": [("i32.extend16_s",)],

@@ -38,7 +38,7 @@ from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.call_checks import check_pointer, check_value
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
-from crs_cc.runtime.codegen.convention import Convention
+from crs_cc.runtime.codegen.convention import GENERAL_FORM, Convention
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.codegen.fuel_charges import charge, early_charges, exact_charges
@@ -133,6 +133,8 @@ class _FunctionCode:
     def _frame(self, charge: int) -> Frame:
         """Lay out the frame, with a charge for inlined functions."""
         charge += self.registers.charge
+        if not self.names.conventions[self.function.name].is_general:
+            charge += GENERAL_FORM
         if self.deferred and not self.debug:
             charge += self.deferred.charge
         kept = [*self.saved, *self.homes.values()]
