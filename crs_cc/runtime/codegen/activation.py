@@ -88,7 +88,12 @@ class Activation:
             return {}
         changed = {writes(it) for block in self.function.blocks for it in all_instructions(block)}
         lasting = set(self.registers.saved) - changed
-        return {each: each.place for each in self.passed if each.place in lasting}  # type: ignore[misc]
+        places = ((each, each.place) for each in self.passed)
+        return {
+            each: place
+            for each, place in places
+            if isinstance(place, Register) and place in lasting
+        }
 
     # -- start ------------------------------------------------------------------------------------
 
