@@ -21,7 +21,7 @@ from crs_cc.requests import MESSAGE, SLOT, SUSPENDED, slot_offset
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.shard import Mailbox, memory_demanded, view
 
-_FUEL: Final = 1 << 62  # more than any call can use
+_FUEL: Final = 1 << 60  # more than any call can use; twice as much would say that it stops
 _RESUME: Final = struct.Struct("<iiiiIIq")
 """The slot's fields from `run` to `fuel`."""
 _STATE: Final = struct.Struct("<ii")
