@@ -133,6 +133,5 @@ def _front_end(
         compiler.defines,
         compiler.undefines,
         compiler.standard,
-        compiler.root,
     )
     return replace(options, dialect=dialect or dialect_of(sources, options))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
 from crs_cc.cli.exit_status import INTERRUPTED
+from crs_cc.cli.messages import as_data
 from crs_cc.cli.report import call_data, report_data
 from crs_cc.core.errors import ProgramError
+from crs_cc.core.source import Diagnostic
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -55,8 +58,8 @@ def _robot_status(robot: RobotResult) -> int:
     return (robot.exit_status or 0) & 0xFF  # what a parent process sees (POSIX `waitpid`)
 
 
-def as_json(run: Run) -> str:
-    """Return the results as JSON; all but `timing` is a function of the seed."""
+def as_json(run: Run, warned: Sequence[Diagnostic]) -> str:
+    """Return the results and warnings as JSON; all but `timing` is a function of the seed."""
     result = run.result
     data = {
         "crs": __version__,
@@ -67,6 +70,7 @@ def as_json(run: Run) -> str:
         "state_hash": result.state_hash,
         "interrupted": run.interrupted,
         "exit_status": exit_status(run),
+        "diagnostics": [as_data(each) for each in warned],
         "robots": [
             _robot_data(robot, call) for robot, call in zip(result.robots, run.calls, strict=True)
         ],

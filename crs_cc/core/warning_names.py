@@ -74,7 +74,12 @@ WARNINGS: Final = {
     "unused-variable": "a local variable that is never used",
     # The command line and the run
     "missing-file": "a program did not find a file that exists outside its disk",
+    "sensor-range": "a reading is compared with a number that it cannot reach",
+    "silent-run": "a run without --max-time writes nothing and does not end",
+    "speed-limit": "vm asks for more than the robot's maximum speed",
+    "stale-state": "a loop waits for State to change without asking for sensors",
     "unconnected": "a robot function is called without a connection",
+    "unfinished-move": "pr is replaced by another pr, or the program ends, before it is done",
     "unsaved-files": "files that a program wrote are not saved",
     "unused-program": "a C file that no robot runs",
 }

@@ -141,14 +141,13 @@ class FileNames:
         report = unit.diagnostics
         source = self._source.more(EXPRESSION, text.replace("\n", " "))
         report.lines[EXPRESSION] = [text]
-        tokens = lex(source.text, source.location, report, unit.standard)
+        tokens = lex(source.text, source.location, report)
         if not tokens:
             report.error(Location(EXPRESSION, 1, 1), "expected an expression")
             return None
         names = unit.scope.names
         types = [name for name, symbol in names.items() if isinstance(symbol, TypedefName)]
-        types = [each for each in types if each not in symbols]
-        node = parse_expression(tokens, types, report, unit.standard)
+        node = parse_expression(tokens, [each for each in types if each not in symbols], report)
         if node is None or report.errors:
             return None
         place_ = Location(EXPRESSION, 1, 1)

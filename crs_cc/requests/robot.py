@@ -6,6 +6,7 @@ board, the batteries' voltages, and the number of laser readings that are ready.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from crs_cc.requests.request import (
@@ -154,8 +155,17 @@ ROBOT_REQUESTS: Final = (
     _command("CT", 121, "int ct(void)", "sets which elements of State replies update",
              fields(("count", "size", "1", "44"), ("mask", "data", "1", "Smask, one byte each"))),
     _command("GET_IR", 122, "int get_ir(void)", "reads the infrared sensors", sensors=INFRARED),
-    _command("GET_RA", 123, "int get_ra(void)", "requests the accelerations; updates nothing",
-             sensors=0),
+    replace(
+        _command("GET_RA", 123, "int get_ra(void)", "reads the accelerations", sensors=0),
+        results=(
+            *_STATE,
+            *fields(
+                ("ramp1", "i[3]", _ACCELERATION, "acceleration of the first axis"),
+                ("ramp2", "i[4]", _ACCELERATION, "acceleration of the second axis"),
+                ("ramp3", "i[5]", _ACCELERATION, "acceleration of the third axis"),
+            ),
+        ),
+    ),
     _command("GET_CP", 124, "int get_cp(void)", "reads the compass", sensors=COMPASS),
     _command("GET_LS", 125, "int get_ls(void)", "reads the laser's points", sensors=LASER),
     _command("GET_SG", 126, "int get_sg(void)", "reads the laser's line segments", sensors=LASER),

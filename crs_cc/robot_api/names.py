@@ -110,7 +110,7 @@ VARIABLES: Final = (
     Name("Laser", "int [2 * NUM_LASER + 1]",
          "Laser[0] points (x, y) or segments (two points) [0.1 in], x ahead, y to the left"),
     Name("SERVER_MACHINE_NAME", "char [80]", "the server's host; informational"),
-    Name("SERV_TCP_PORT", "int", "its port, 7019; informational"),
+    Name("SERV_TCP_PORT", "int", "its port, 7019, under Ndirect -1; informational"),
     Name("ROBOT_MACHINE_NAME", "char [80]", "unused here"),
     Name("CONN_TYPE", "int", "unused here"),
     Name("SERIAL_PORT", "char [40]", "unused here"),

@@ -54,7 +54,7 @@ CONNECTION: Final = Group("Connection", (
     ),
     Function(
         "int real_robot(void)", "requests a real robot", posts=("REAL_ROBOT",), source=_BOTH,
-        under_ndirect=_NOTHING, chosen="Not available: FALSE.",
+        under_ndirect=_NOTHING, chosen="There is none: nothing happens.",
     ),
     Function(
         "int simulated_robot(void)", "requests a simulated robot", posts=("SIMULATED_ROBOT",),
@@ -88,8 +88,9 @@ MOTION: Final = Group("Motion", (
     ),
     Function(
         "int pa(int trans, int steer, int turret)", "returns FALSE, sends nothing",
+        under_ndirect="on a Nomad 200 turns steering and turret to angles; its translation is"
+                      " not known here, and ignored",
         source=(SOURCE,), declared=False,
-        chosen="Ndirect sends it to a Nomad 200; ours does not.",
     ),
     Function(
         "int vm(int trans, int steer, int turret)",
@@ -170,7 +171,9 @@ CONFIGURATION: Final = Group("Configuration", (
     Function(
         "int conf_cp(int mode)", "controls the compass: 0 off, 1 on, 2 calibrates it, while the"
                                  " turret turns once in 3 minutes", refreshes=ALL,
-        posts=("CONF_CP",), under_ndirect=_NO_SENSOR,
+        posts=("CONF_CP",),
+        under_ndirect=f"{_NO_SENSOR}; on a Nomad 200 prints `compass calibration score x: 0 y: 0 z:"
+                      " 0` and leaves State",
         chosen="It is initially off, and keeps its last reading while it is off. The program"
                " continues during the calibration; `ws` waits for it.",
     ),
@@ -246,10 +249,9 @@ READING: Final = Group("Reading", (
         source=_BOTH,
     ),
     Function(
-        "int get_ra(void)", "requests the accelerations, which have no entry in State",
+        "int get_ra(void)", "reads the accelerations, which have no entry in State: Nclient writes"
+        " them over the speeds, Ndirect does not store them",
         posts=("GET_RA",), source=_BOTH,
-        chosen="Nclient writes them over the speeds, Ndirect does not store them; ours behaves"
-               " like Ndirect.",
     ),
     Function(
         "int get_cp(void)", "reads the compass", refreshes="STATE_COMPASS", posts=("GET_CP",),
@@ -292,7 +294,8 @@ READING: Final = Group("Reading", (
     ),
     Function(
         "int tk(char *talk)", "speaks", posts=("TK",), source=(HEADER, OURS),
-        under_ndirect="FALSE on a Scout or Nomad 150, whose host has no /dev/dbtk",
+        under_ndirect="FALSE on a Scout or Nomad 150, whose host has no /dev/dbtk; on a Nomad 200"
+                      " the reply is the state",
         chosen="The text is printed to stdout, one line per call.",
     ),
 ))  # fmt: skip

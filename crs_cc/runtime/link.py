@@ -22,7 +22,6 @@ from crs_cc.ir.program import Data, Function, Program, Relocation
 from crs_cc.ir.type_compat import agree
 from crs_cc.ir.types import CType
 from crs_cc.ir.value_type import MemoryType
-from crs_cc.runtime.aliases import resolve_aliases
 
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""
@@ -35,6 +34,10 @@ STARTS: Final = "__crs_starts"
 
 ENDS: Final = "__crs_ends"
 """The null-terminated array of functions to be called at exit."""
+
+START_OF: Final = "__crs_start_"
+"""With the name of a variable of the library: a function to be called before `main` by programs
+that use it."""
 
 HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
 """Names that the code generator defines: the ends of the memory left for `malloc`."""
@@ -63,11 +66,10 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
     """
     diagnostics.stage = "linking"
     user = join(units, diagnostics)
-    resolve_aliases(user)
     whole = Program()
     for table, calls in ((STARTS, _in_order(user.starts)), (ENDS, _in_order(user.ends)[::-1])):
         user.data[table] = _table(table, calls)
-    work = [ROOT]
+    work, starts = [ROOT], list[str]()
     for name in work:
         if name in whole.functions or name in whole.data or name in HEAP_SYMBOLS:
             continue
@@ -76,10 +78,15 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
             whole.functions[name] = found
         elif isinstance(found, Data):
             whole.data[name] = found
+            if in_library(found.location) and library.find(START_OF + name) is not None:
+                starts.append(START_OF + name)
+                work.append(START_OF + name)
         else:
             _undefined(name, user, library, diagnostics)
             continue
         work.extend(references(found))
+    if starts:
+        whole.data[STARTS] = _table(STARTS, [*starts, *_in_order(user.starts)])
     if not diagnostics.errors:
         _check_client(whole, diagnostics)
         _check_uses(whole, diagnostics)
@@ -175,12 +182,8 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
         _add_data(unit, whole, diagnostics)
         for name, location in unit.undefined.items():
             whole.undefined.setdefault(name, location)
-        for name, meant in unit.aliases.items():
-            whole.aliases.setdefault(name, meant)
         whole.starts += unit.starts
         whole.ends += unit.ends
-    for name in [each for each in whole.aliases if each in whole.functions or each in whole.data]:
-        del whole.aliases[name]  # a weak alias, which a definition overrides
     for unit in units:
         for name, (ctype, location) in unit.declared.items():
             whole.declared.setdefault(name, (ctype, location))

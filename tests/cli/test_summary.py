@@ -68,7 +68,7 @@ def test_exit_status(run: Run, status: int) -> None:
 
 
 def test_json_contains_all_results_of_every_robot() -> None:
-    data = json.loads(as_json(run_of(robot(), FAILED)))
+    data = json.loads(as_json(run_of(robot(), FAILED), []))
     assert data["world"] == "room.xml"
     assert data["seed"] == 7
     assert data["timesteps"] == 250
@@ -117,7 +117,7 @@ def test_a_running_program_shows_its_location(
 ) -> None:
     print_summary(run_of(RUNNING, call=TURN))
     assert "\nrobot0 is in turn(angle=90) at wander.c:31:5\n" in capsys.readouterr().err
-    data = json.loads(as_json(run_of(RUNNING, FAILED, call=TURN)))
+    data = json.loads(as_json(run_of(RUNNING, FAILED, call=TURN), []))
     assert data["robots"][0]["stands_in"]["arguments"] == {"angle": "90"}
     assert data["robots"][0]["stands_in"]["line"] == 31
     assert data["robots"][1]["stands_in"] is None

@@ -61,7 +61,7 @@ def test_messages_name_their_warning(capfd: pytest.CaptureFixture[str]) -> None:
 
 
 def test_every_warning_of_the_sources_has_a_known_name() -> None:
-    sources = [path.read_text("utf-8") for path in Path(crs_cc.__file__).parent.rglob("*.py")]
-    used = {name for text in sources for name in re.findall(r'flag="([^"]+)"', text)}
-    assert used <= WARNINGS.keys()
-    assert WARNINGS.keys() <= used
+    paths = Path(crs_cc.__file__).parent.rglob("*.py")
+    text = "".join(path.read_text("utf-8") for path in paths if path.name != "warning_names.py")
+    assert set(re.findall(r'flag="([^"]+)"', text)) <= WARNINGS.keys()
+    assert [name for name in WARNINGS if f'"{name}"' not in text] == []

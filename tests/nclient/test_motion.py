@@ -289,7 +289,7 @@ def test_place_robot_moves_robot_and_odometry():
         things=WALL,
     )
     assert done.numbers[:5] == [1, 300, -400, 900, 0]
-    assert done.numbers[5:] == [0, 300, -300, 900, 0]  # there stands the wall
+    assert done.numbers[5:] == [1, 300, -300, 900, 0]  # the wall stands there; the client says yes
     assert [done.x_in[-1], done.y_in[-1]] == pytest.approx([30, -30], abs=0.01)
     assert done.heading_deg[-1] == pytest.approx(90, abs=0.01)
 

@@ -34,6 +34,7 @@ class Drive:
         paths: x and y of the robots after each timestep [m], shape (timesteps, robots, 2).
         robots: the results.
         state_hash: of the state in which it ends.
+        hints: what is doubtful about its robot calls.
         things: x, y [m] and heading [rad] of what can be pushed, at the end, by name.
     """
 
@@ -85,6 +86,7 @@ class Drive:
             paths.append(np.column_stack([state.x_m, state.y_m]))
         self.paths = np.array(paths)
         self.state_hash = session.state_hash()
+        self.hints = session.hints
         self.robots: tuple[RobotResult, ...] = session.result().robots
         self.output = b"".join(self._outputs)
         bodies, pushables = session.environment.state.bodies, Scene(world).pushables

@@ -150,6 +150,7 @@ def test_a_sample_does_what_it_shows_and_prints_what_it_printed(
         ended = ("exited", 0) if robot.left_s is None else ("left", None)
         assert (robot.outcome, robot.exit_status) == ended, robot.error
     run.holds(drive)
+    assert not drive.hints
     check_golden(HERE / f"{run.name}.out", drive.output)
 
 

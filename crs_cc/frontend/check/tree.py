@@ -52,10 +52,9 @@ class StringLiteral(Expression):
 
 @dataclass(slots=True, eq=False)
 class ObjectName(Expression):
-    """A variable; `is_constant` if its value, when it is read here, is a constant."""
+    """A variable."""
 
     symbol: ObjectSymbol
-    is_constant: bool = False
 
 
 @dataclass(slots=True, eq=False)

@@ -101,9 +101,7 @@ class _Run:
         self.state.strict = options.is_strict
         self.options = options
         self.writer = Writer()
-        self.gnu = GnuSyntax(
-            report, lambda tokens: execute_pragma(self.state, tokens), strict=options.is_strict
-        )
+        self.gnu = GnuSyntax(report, lambda tokens: execute_pragma(self.state, tokens))
 
     def read(self, content: str, path: Path) -> None:
         """Read all files."""

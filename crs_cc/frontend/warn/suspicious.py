@@ -15,6 +15,7 @@ from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.fold import COMPARISONS
 from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.warn.flow import warn_paths
+from crs_cc.frontend.warn.robot_state import warn_state
 from crs_cc.frontend.warn.unused import warn_unused_names
 from crs_cc.ir.types import ArrayType, VoidType
 
@@ -41,6 +42,7 @@ _VALUES: Final = (
 def warn_unit(unit: Unit) -> None:
     """Check every function of a file."""
     warn_unused_names(unit)
+    warn_state(unit)
     for function in unit.functions:
         for node in walk(function.body):
             match node:

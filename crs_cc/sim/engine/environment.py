@@ -34,6 +34,7 @@ from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
+from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
@@ -218,14 +219,6 @@ class Environment:
         return self._data.state
 
     @property
-    def last_state(self) -> EnvState:
-        """The state since the last cycle that was executed, for who only reads what moves.
-
-        Nothing moves in skipped cycles; timers and what they fill are not up to date.
-        """
-        return self._running.state
-
-    @property
     def world(self) -> WorldModel:
         """The world; it changes only when a robot is added or dismissed."""
         return self._running.world
@@ -238,12 +231,12 @@ class Environment:
     @property
     def names(self) -> tuple[str, ...]:
         """The names of all objects: contacts refer to objects by index into them."""
-        return self._running.names
+        return self._data.names
 
     @property
     def pushables(self) -> tuple[str, ...]:
         """The names of pushable objects, in the order of the bodies after the robots."""
-        return self._running.pushables
+        return self._data.pushables
 
     @property
     def objects(self) -> tuple[Robot | Solid, ...]:
@@ -294,6 +287,11 @@ class Environment:
     def awaits(self) -> bool:
         """True if robots are still to join in the future."""
         return self._running.awaits
+
+    @property
+    def drives(self) -> Drives:
+        """The constants of all drives."""
+        return self._data.constants.drives
 
     def charges(self, number: int) -> tuple[float, float]:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""

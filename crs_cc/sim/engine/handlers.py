@@ -109,7 +109,7 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "GET_RC": acknowledge,
         "GET_RV": acknowledge,
         "CT": ct,
-        "GET_RA": acknowledge,
+        "GET_RA": drive.get_ra,
         "POS_DATA": pos_data.page,
         "TK": acknowledge,
         "CONF_SER": serial_link.conf_ser,

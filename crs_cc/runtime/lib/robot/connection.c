@@ -163,7 +163,7 @@ static int ask_server(int code)
     if (__crs_is_direct())
         return TRUE;
     message.size = 0;
-    return __crs_post(code, &message) != 0;
+    return __crs_tell(code, &message, NULL);
 }
 
 int quit_server(void)

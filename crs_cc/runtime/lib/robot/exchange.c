@@ -53,30 +53,76 @@ int __crs_was_refused(void)
     return __crs_is_direct() && __crs_client.connected;
 }
 
+int __crs_is_reached(void)
+{
+    if (!__crs_client.connected)
+        complain_of_no_connection();
+    return __crs_client.connected && !__crs_client.left;
+}
+
+static int is_answered(void)
+{
+    if (__crs_is_reached())
+        return TRUE;
+    if (!__crs_is_direct())
+        State[STATE_ERROR] = CRS_IPC_ERROR;
+    return FALSE;
+}
+
+static int request(int code, struct __crs_message *message)
+{
+    int result = __crs_request(code, message);
+
+    if (__crs_after_request != NULL)
+        __crs_after_request();
+    return result;
+}
+
 int __crs_post(int code, struct __crs_message *message)
 {
     int result;
 
-    if (!__crs_client.connected)
-        complain_of_no_connection();
-    if (!__crs_client.connected || __crs_client.left) {
-        if (!__crs_is_direct())
-            State[STATE_ERROR] = CRS_IPC_ERROR;
+    if (!is_answered())
         return FALSE;
-    }
-    result = __crs_request(code, message);
-    if (__crs_after_request != NULL)
-        __crs_after_request();
+    result = request(code, message);
     if (result == 0 && code != CRS_MOTION_CHECK)
         note_refusal();
     return result;
 }
 
-/* The speed of the simulation and the motor status are independent of the mask. */
-static int is_let_through(int index)
+int __crs_tell(int code, struct __crs_message *message, int *result)
 {
-    return index == STATE_SIM_SPEED || index == STATE_MOTOR_STATUS
-        || (signed char)__crs_client.mask[index] > 0;
+    int done;
+
+    if (!is_answered())
+        return FALSE;
+    done = message == NULL ? 0 : request(code, message);
+    if (result != NULL)
+        *result = done;
+    return TRUE;
+}
+
+/* What the robot replies to: the motor status, and what the mask selects. Ndirect's packets lack
+   the speed of the simulation and the laser's mode. */
+static int is_sent(int index)
+{
+    if (index == STATE_SIM_SPEED || (index == STATE_LASER && __crs_is_direct()))
+        return !__crs_is_direct();
+    return index == STATE_MOTOR_STATUS || (signed char)__crs_client.mask[index] > 0;
+}
+
+/* Nclient copies all that the server has, and the server keeps the elements that are masked as
+   they were; so these lose what the program itself has written there. */
+static void copy_state(const int *numbers)
+{
+    static int board[NUM_MASK];
+    int i;
+
+    for (i = 0; i < NUM_MASK; i++)
+        if (is_sent(i))
+            State[i] = board[i] = numbers[i];
+        else if (!__crs_is_direct())
+            State[i] = board[i];
 }
 
 void __crs_take_board_time(const struct __crs_message *message)
@@ -87,20 +133,18 @@ void __crs_take_board_time(const struct __crs_message *message)
 int __crs_post_state(int code, struct __crs_message *message)
 {
     const int *numbers = (const int *)message->data;
-    int i, points;
+    int points;
 
     if (!__crs_post(code, message))
         return __crs_was_refused();
-    for (i = 0; i < NUM_MASK; i++)
-        if (is_let_through(i))
-            State[i] = numbers[i];
+    copy_state(numbers);
     if (!__crs_is_direct())
         State[STATE_ERROR] = 0;
     __crs_take_board_time(message);
     __crs_client.cpu_battery = message->i[1];
     __crs_client.motor_battery = message->i[2];
     points = message->i[0];
-    if (is_let_through(SMASK_LASER))
+    if ((signed char)__crs_client.mask[SMASK_LASER] > 0)
         __crs_read_laser(Laser, points, 0);
     return TRUE;
 }

@@ -9,7 +9,7 @@ static int post(int code, struct __crs_message *message)
     if (__crs_is_direct())
         return TRUE;
     message->size = 0;
-    return __crs_post(code, message) != 0;
+    return __crs_tell(code, message, NULL);
 }
 
 int draw_robot(long x, long y, int th, int tu, int mode)

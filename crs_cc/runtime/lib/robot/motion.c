@@ -33,10 +33,22 @@ int pr(int trans, int steer, int turret)
     return axes(CRS_PR, trans, steer, turret);
 }
 
-/* The vendor's Nclient sends nothing, and his Ndirect only to a Nomad 200. */
+/* The way to an angle in tenths of degrees, the shorter one. */
+static int way_to(int angle, long from)
+{
+    int way = (angle - (int)from) % 3600;
+
+    return way > 1800 ? way - 3600 : way < -1800 ? way + 3600 : way;
+}
+
+/* The vendor's Nclient sends nothing, and his Ndirect only to a Nomad 200. The distance since its
+   start is not known, so only steering and turret move. */
 int pa(int trans, int steer, int turret)
 {
-    return FALSE;
+    if (!__crs_is_direct() || __crs_is_direct_without_sensors())
+        return FALSE;
+    return mv(MV_IGNORE, 0, MV_PR, way_to(steer, State[STATE_CONF_STEER]), MV_PR,
+              way_to(turret, State[STATE_CONF_TURRET]));
 }
 
 int vm(int trans, int steer, int turret)
@@ -44,10 +56,15 @@ int vm(int trans, int steer, int turret)
     return axes(CRS_VM, trans, steer, turret);
 }
 
-/* Ndirect sends every mode, and leaves it to the robot. */
+static int is_known(int mode)
+{
+    return mode >= MV_IGNORE && mode <= MV_SP;
+}
+
+/* Ndirect sends every mode; the robot ignores those that it does not know. */
 static int is_sent(int mode)
 {
-    return (mode >= MV_IGNORE && mode <= MV_SP) || __crs_is_direct();
+    return is_known(mode) || __crs_is_direct();
 }
 
 int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
@@ -56,11 +73,11 @@ int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
 
     if (!is_sent(t_mode) || !is_sent(s_mode) || !is_sent(r_mode))
         return FALSE;
-    message.i[0] = t_mode;
+    message.i[0] = is_known(t_mode) ? t_mode : MV_IGNORE;
     message.i[1] = __crs_wired(t_mv);
-    message.i[2] = s_mode;
+    message.i[2] = is_known(s_mode) ? s_mode : MV_IGNORE;
     message.i[3] = __crs_wired(s_mv);
-    message.i[4] = r_mode;
+    message.i[4] = is_known(r_mode) ? r_mode : MV_IGNORE;
     message.i[5] = __crs_wired(r_mv);
     message.size = 0;
     return __crs_post_state(CRS_MV, &message);

@@ -40,10 +40,18 @@ int get_rv(void)
     return __crs_read_group(CRS_GET_RV, STATE_VEL_TRANS, STATE_VEL_TURRET);
 }
 
-/* The accelerations have no place in State. */
+/* The accelerations have no place in State; Nclient writes them over the speeds. */
 int get_ra(void)
 {
-    return __crs_read_group(CRS_GET_RA, 0, -1);
+    struct __crs_message message;
+    int i;
+
+    message.size = 0;
+    if (!__crs_post(CRS_GET_RA, &message))
+        return __crs_was_refused();
+    for (i = 0; i < 3 && !__crs_is_direct(); i++)
+        State[STATE_VEL_TRANS + i] = message.i[3 + i];
+    return TRUE;
 }
 
 int get_state(long state[NUM_STATE])

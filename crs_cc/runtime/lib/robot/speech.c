@@ -14,8 +14,8 @@ int tk(char *talk)
         return FALSE;
     message.size = length < sizeof message.data ? length : sizeof message.data;
     memcpy(message.data, talk, message.size);
-    if (!__crs_post(CRS_TK, &message))
-        return __crs_was_refused();
+    if (!__crs_tell(CRS_TK, &message, NULL))
+        return FALSE;
     printf("%s\n", talk);
-    return TRUE;
+    return __crs_is_direct() ? gs() : TRUE;   /* there the reply is the state */
 }

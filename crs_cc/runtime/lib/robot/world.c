@@ -23,25 +23,27 @@ static int post_polygon(int code, const long *obs)
     if (__crs_is_direct())
         return TRUE;
     if (!is_polygon(obs))
-        return FALSE;
+        return __crs_tell(code, NULL, NULL);
     put_polygon(&message, obs);
-    return __crs_post(code, &message) != 0;
+    return __crs_tell(code, &message, NULL);
 }
 
 static int move_polygon(long *obs, long dx, long dy)
 {
     struct __crs_message message;
+    int done = 0;
 
     if (__crs_is_direct())
         return TRUE;
     if (!is_polygon(obs))
-        return FALSE;
+        return __crs_tell(CRS_MOVE_OBSTACLE, NULL, NULL);
     put_polygon(&message, obs);
     message.i[1] = dx;
     message.i[2] = dy;
-    if (!__crs_post(CRS_MOVE_OBSTACLE, &message))
+    if (!__crs_tell(CRS_MOVE_OBSTACLE, &message, &done))
         return FALSE;
-    memcpy(obs + 1, message.data, 8 * obs[0]);
+    if (done)
+        memcpy(obs + 1, message.data, 8 * obs[0]);
     return TRUE;
 }
 
@@ -82,7 +84,7 @@ int new_world(void)
     if (__crs_is_direct())
         return TRUE;
     message.size = 0;
-    return __crs_post(CRS_NEW_WORLD, &message) != 0;
+    return __crs_tell(CRS_NEW_WORLD, &message, NULL);
 }
 
 /* State stays as it is; Ndirect has dp and da do it. */
@@ -98,7 +100,7 @@ int place_robot(int x, int y, int th, int tu)
     message.i[2] = th;
     message.i[3] = tu;
     message.size = 0;
-    return __crs_post(CRS_PLACE_ROBOT, &message) != 0;
+    return __crs_tell(CRS_PLACE_ROBOT, &message, NULL);
 }
 
 /* Twenty robots fit into a reply. */
@@ -128,7 +130,7 @@ int predict_sensors(int x, int y, int th, int tu, long *state, int *laser)
 {
     struct __crs_message message;
     const int *numbers = (const int *)message.data;
-    int i;
+    int i, done;
 
     if (__crs_is_direct())
         return TRUE;
@@ -137,8 +139,10 @@ int predict_sensors(int x, int y, int th, int tu, long *state, int *laser)
     message.i[2] = th;
     message.i[3] = tu;
     message.size = 0;
-    if (!__crs_post(CRS_PREDICT, &message))
+    if (!__crs_tell(CRS_PREDICT, &message, &done))
         return FALSE;
+    if (!done)
+        return TRUE;
     for (i = STATE_IR_0; i <= STATE_SONAR_15; i++)
         state[i] = numbers[i];
     for (; i < NUM_STATE; i++)
@@ -190,6 +194,8 @@ int get_robot_conf(long *conf)
 
     if (__crs_is_direct())
         return TRUE;
+    if (!__crs_is_reached())
+        return FALSE;   /* State[STATE_ERROR] stays */
     message.size = 0;
     if (!__crs_post(CRS_GET_CONF, &message))
         return FALSE;

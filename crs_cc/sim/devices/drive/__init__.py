@@ -155,6 +155,15 @@ def ac(context: RequestContext) -> None:
     _set(ramp, limit, context.constants, context.rows, context.columns(*_AXES))
 
 
+def get_ra(context: RequestContext) -> None:
+    """Reply the accelerations in the vendor's units."""
+    unit = context.constants.drives.unit[context.rows]
+    ramp = context.state.drive.ramp[context.rows]
+    values = np.divide(ramp, unit, out=np.zeros_like(ramp), where=unit > 0.0)
+    for axis, name in enumerate(("ramp1", "ramp2", "ramp3")):
+        context[name] = np.rint(values[:, axis])
+
+
 def sp(context: RequestContext) -> None:
     """Set the speeds of `pr`."""
     speed, limit = context.state.drive.move_speed, context.constants.drives.speed_limit

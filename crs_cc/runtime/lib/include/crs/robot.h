@@ -34,6 +34,14 @@ int __crs_is_direct_without_sensors(void);
    connection or a server it prints the client's message and returns 0. */
 int __crs_post(int code, struct __crs_message *message);
 
+/* Posts a request whose reply the vendor's client does not look at, and stores its result in
+   *result if that is not NULL; returns FALSE without a connection only. Without a message nothing
+   is posted. */
+int __crs_tell(int code, struct __crs_message *message, int *result);
+
+/* Returns whether somebody answers; prints the client's message without a connection. */
+int __crs_is_reached(void);
+
 /* Result of a command whose request failed: TRUE under Ndirect if the robot has answered. */
 int __crs_was_refused(void);
 

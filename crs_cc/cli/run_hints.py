@@ -1,0 +1,73 @@
+"""Hints at mistakes that show only in a run, each once: on stderr, and in the JSON."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from crs_cc.core.source import Diagnostic, Location
+from crs_cc.runtime.executable import Executable
+from crs_cc.session.session import Session
+
+SILENT_S: Final = 5.0
+"""Real time without output after which a run without a limit says where it stands."""
+
+
+class RunHints:
+    """The hints of a run.
+
+    Attributes:
+        found: those said during the run.
+    """
+
+    def __init__(self, session: Session, executables: Sequence[Executable]) -> None:
+        self.found: list[Diagnostic] = []
+        self._session = session
+        self._executables = executables
+
+    def silence(self, wrote_s: float) -> Diagnostic | None:
+        """Return a hint if nothing has been written for long, and the run may have no end.
+
+        Args:
+            wrote_s: when something was written last, by the real clock.
+        """
+        if self.found or time.monotonic() < wrote_s + SILENT_S:
+            return None
+        robot = next((each for each, alive in enumerate(self._session.alive) if alive), 0)
+        call = self._session.current_call(robot)
+        where = f", in '{call.function}'" if call else ""
+        place = call.location if call and call.location else None
+        time_s = self._session.time_s
+        text = f"no output for {SILENT_S:.0f} s and no end after {time_s:.0f} simulated ones{where}"
+        hint = "Ctrl-C stops the run; --max-time S limits it"
+        self.found.append(self._diagnostic(robot, place, text, hint, "silent-run"))
+        return self.found[0]
+
+    def at_end(self) -> Iterator[Diagnostic]:
+        """Yield the hints at doubtful robot calls, each for the first call of its kind."""
+        yield from self._unconnected()
+        for each in self._session.hints:
+            place = each.call.location if each.call else None
+            yield self._diagnostic(each.robot, place, each.text, each.advice, each.flag)
+
+    def _unconnected(self) -> Iterator[Diagnostic]:
+        """Yield a warning for each place that calls the robot without a connection."""
+        places = set()
+        for robot, call in enumerate(self._session.unconnected_calls):
+            if call is None or call.location is None or call.location in places:
+                continue
+            places.add(call.location)
+            text = f"'{call.function}' is called without a connection to the robot"
+            hint = "call connect_robot first"
+            yield self._diagnostic(robot, call.location, text, hint, "unconnected")
+
+    def _diagnostic(
+        self, robot: int, place: Location | None, text: str, hint: str, flag: str
+    ) -> Diagnostic:
+        executable = self._executables[robot]
+        if place is None:
+            return Diagnostic("warning", Location(executable.name), text, hint=hint, flag=flag)
+        lines = executable.detail().lines.get(place.file, ())
+        line = lines[place.line - 1] if 0 < place.line <= len(lines) else ""
+        return Diagnostic("warning", place, text, line, hint, flag=flag)
