@@ -24,11 +24,7 @@ _FILE: Final = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW | os.O_NONB
 
 
 def save_files(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
-    """Write files below a folder, which is created if only its last component is missing.
-
-    Returns:
-        Errors for the files that could not be written; all others are.
-    """
+    """Write files below a folder, made if only its last part is missing; return the errors."""
     try:
         folder.mkdir(exist_ok=True)
         top = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)

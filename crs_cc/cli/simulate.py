@@ -234,13 +234,7 @@ def _write(path: Path, picture: bytes) -> None:
 
 
 def _save_files(session: Session, run: Run, options: RunOptions) -> bool:
-    """Save the files that the programs wrote, or warn that they are discarded.
-
-    Warn also of files that they did not find although they exist here.
-
-    Returns:
-        Whether all files to be saved were saved.
-    """
+    """Save the files that programs wrote, or warn; return whether all to be saved were saved."""
     robots = run.result.robots
     if not options.quiet:
         found = [missed_warning(robot, session.missed_files(n)) for n, robot in enumerate(robots)]

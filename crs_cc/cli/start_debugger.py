@@ -73,11 +73,7 @@ def file_input(path: Path) -> Input:
 
 
 def _save_files(debugger: Debugger, options: DebugOptions) -> bool:
-    """Save the files that the programs have written so far, if requested.
-
-    Returns:
-        Whether all of them were saved.
-    """
+    """Save the files written so far, if requested; return whether all were saved."""
     if options.outputs is None:
         return True
     files = [(name, debugger.session.files(n)) for n, name in enumerate(debugger.names)]

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import Final, Literal, TypeAlias, TypeVar
+from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
 
 from crs_cc.ir.record_layout import lay_out
 from crs_cc.ir.value_type import MemoryType
@@ -37,18 +37,10 @@ class _Type:
 class VoidType(_Type):
     """`void`. Its size is 1, for arithmetic on pointers to it (a GNU extension)."""
 
+    size: ClassVar = 1
+    align: ClassVar = 1
     const: bool = False
     volatile: bool = False
-
-    @property
-    def size(self) -> int:
-        """Return 1 [byte], as gcc's `sizeof(void)` does."""
-        return 1
-
-    @property
-    def align(self) -> int:
-        """Return 1 [byte]."""
-        return 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,24 +173,12 @@ class EnumType(_Type):
 class PointerType(_Type):
     """A pointer to `target`."""
 
+    size: ClassVar = 4
+    align: ClassVar = 4
+    memory: ClassVar[MemoryType] = "i32"
     target: CType
     const: bool = False
     volatile: bool = False
-
-    @property
-    def size(self) -> int:
-        """Return 4 [bytes]."""
-        return 4
-
-    @property
-    def align(self) -> int:
-        """Return 4 [bytes]."""
-        return 4
-
-    @property
-    def memory(self) -> MemoryType:
-        """Return its memory type."""
-        return "i32"
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,31 +217,18 @@ class ArrayType(_Type):
 
 @dataclass(frozen=True, slots=True)
 class FunctionType(_Type):
-    """A function; `parameters` is None when it was declared without a prototype."""
+    """A function; `parameters` is None when it was declared without a prototype.
 
+    Its size is 1, as with gcc; it has no qualifiers.
+    """
+
+    size: ClassVar = 1
+    align: ClassVar = 1
+    const: ClassVar = False
+    volatile: ClassVar = False
     result: CType
     parameters: tuple[CType, ...] | None = None
     variadic: bool = False
-
-    @property
-    def size(self) -> int:
-        """Return 1 [byte], as gcc's `sizeof` of a function does."""
-        return 1
-
-    @property
-    def align(self) -> int:
-        """Return 1 [byte]."""
-        return 1
-
-    @property
-    def const(self) -> bool:
-        """Return False: functions have no qualifiers."""
-        return False
-
-    @property
-    def volatile(self) -> bool:
-        """Return False: functions have no qualifiers."""
-        return False
 
 
 @dataclass(slots=True)

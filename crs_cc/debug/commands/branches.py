@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import parse_numbers, reject_arguments, require_argument
+from crs_cc.debug.commands.arguments import parse_numbers, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.stop_text import position_text
@@ -28,8 +28,7 @@ def _restart(context: CommandContext, text: str) -> Answer:
     return context.move(partial(context.debugger.restart, numbers[0]))
 
 
-def _info_checkpoints(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_checkpoints(context: CommandContext, _text: str) -> Answer:
     found = context.debugger.branches.current.checkpoints
     for each in found:
         yield f"{each.number:<3} {_shown(each)}"
@@ -58,8 +57,7 @@ def _compare(context: CommandContext, text: str) -> Answer:
         yield f"{each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
 
 
-def _info_branches(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_branches(context: CommandContext, _text: str) -> Answer:
     branches = context.debugger.branches
     for name in branches.names():
         yield f"{'=>' if name == branches.current.name else '  '} {name}"

@@ -10,7 +10,6 @@ from crs_cc.debug.commands.arguments import (
     OutputFormat,
     parse_format,
     parse_numbers,
-    reject_arguments,
     require_argument,
 )
 from crs_cc.debug.commands.command import Command, Group
@@ -124,8 +123,7 @@ def _undisplay(context: CommandContext, text: str) -> Answer:
     yield from ()
 
 
-def _info_display(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_display(context: CommandContext, _text: str) -> Answer:
     if not context.displays:
         yield "No displays."
     for number, display in context.displays.items():
@@ -137,8 +135,7 @@ def _variable(each: Variable) -> str:
     return f"{each.name} = {each.value.text}{hidden}"
 
 
-def _info_locals(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_locals(context: CommandContext, _text: str) -> Answer:
     here = frame(context)
     found = context.debugger.view.variables(frame=here.number)
     if not found:
@@ -146,8 +143,7 @@ def _info_locals(context: CommandContext, text: str) -> Answer:
     yield from map(_variable, found)
 
 
-def _info_args(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_args(context: CommandContext, _text: str) -> Answer:
     here = frame(context)
     found = [
         each

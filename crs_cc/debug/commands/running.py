@@ -7,7 +7,7 @@ from functools import partial
 from typing import Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
+from crs_cc.debug.commands.arguments import parse_count, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.stop_text import when_text
@@ -15,14 +15,12 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import BEGINNING
 
 
-def _start(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _start(context: CommandContext, _text: str) -> Answer:
     context.debugger.goto(BEGINNING)
     return context.move(context.debugger.start)
 
 
-def _run(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _run(context: CommandContext, _text: str) -> Answer:
     context.debugger.goto(BEGINNING)
     return context.move(context.debugger.resume)
 
@@ -38,8 +36,7 @@ def _continue(context: CommandContext, text: str) -> Answer:
     yield from context.move(context.debugger.resume)
 
 
-def _reverse_continue(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _reverse_continue(context: CommandContext, _text: str) -> Answer:
     return context.move(partial(context.debugger.resume, backward=True))
 
 
@@ -61,8 +58,7 @@ def _tick(context: CommandContext, text: str, *, backward: bool = False) -> Answ
     return context.move(partial(context.debugger.tick, parse_count(text), backward=backward))
 
 
-def _finish(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
-    reject_arguments(text)
+def _finish(context: CommandContext, _text: str, *, backward: bool = False) -> Answer:
     return context.move(partial(context.debugger.finish, backward=backward))
 
 
@@ -102,8 +98,7 @@ def _goto(context: CommandContext, text: str) -> Answer:
     return context.move(partial(go, int(number)))
 
 
-def _when(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _when(context: CommandContext, _text: str) -> Answer:
     yield when_text(context.debugger)
 
 

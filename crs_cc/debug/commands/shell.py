@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.arguments import reject_arguments
 from crs_cc.debug.commands.command import Command
 from crs_cc.debug.commands.context import CommandContext, CommandInput
 from crs_cc.debug.commands.table import find
@@ -84,6 +85,8 @@ class Shell:
             command, arguments = find(text)
             if by_user:
                 self._repeated = _repeated(command, text)
+            if not command.syntax:
+                reject_arguments(arguments)
             yield from _as_lines(command.run(self.context, arguments))
         except DebugError as error:
             yield self._fail(str(error))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.source import Location
 from crs_cc.debug.commands.answer import Answer, SourceLine
-from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
+from crs_cc.debug.commands.arguments import parse_count, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, Listing
 from crs_cc.debug.commands.stop_text import frame_text
@@ -85,8 +85,7 @@ def _move_frame(context: CommandContext, by: int) -> Answer:
     return context.show_selection()
 
 
-def _info_frame(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_frame(context: CommandContext, _text: str) -> Answer:
     found, here = frames(context), frame(context)
     yield f"#{here.number}  {frame_text(context.debugger, here)}"
     place = [each.number for each in found].index(here.number)
@@ -204,8 +203,7 @@ def _info_line(context: CommandContext, text: str) -> Answer:
         yield SourceLine(place.line, lines[place.line - 1])
 
 
-def _info_source(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_source(context: CommandContext, _text: str) -> Answer:
     robot = context.debugger.view.robot
     here = context.debugger.view.location()
     for path in context.debugger.run.programs[robot].paths:

@@ -15,7 +15,7 @@ from functools import partial
 from typing import Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import reject_arguments, require_argument
+from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.branches import BRANCHES
 from crs_cc.debug.commands.breakpoints import BREAKPOINTS
 from crs_cc.debug.commands.changes import CHANGES
@@ -56,8 +56,7 @@ def _apropos(_context: CommandContext, text: str) -> Answer:
         yield f"{command.name} - {command.summary}"
 
 
-def _quit(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _quit(context: CommandContext, _text: str) -> Answer:
     context.has_ended = True
     yield from ()
 

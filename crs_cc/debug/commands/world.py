@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.core.quantity import LENGTH
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import parse_count, parse_robot, reject_arguments
+from crs_cc.debug.commands.arguments import parse_count, parse_robot
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
@@ -23,8 +23,7 @@ _LEAST_M, _MOST_M = 0.01, 100_000.0
 """The size of a map, which is the same on every terminal, as scripts have it; chosen by us."""
 
 
-def _robots(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _robots(context: CommandContext, _text: str) -> Answer:
     session = context.debugger.session
     rows = [HEADINGS, *(summary(session, each) for each in range(len(context.debugger.names)))]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
@@ -48,8 +47,7 @@ def _info_robot(context: CommandContext, text: str) -> Answer:
     yield from lines(robot_rows(debugger.session, robot))
 
 
-def _info_world(context: CommandContext, text: str) -> Answer:
-    reject_arguments(text)
+def _info_world(context: CommandContext, _text: str) -> Answer:
     yield from lines(world_rows(context.debugger.session.environment))
 
 

@@ -54,11 +54,7 @@ class Repl:
         debugger.stop_points.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
-        """Execute scripts, then the user's commands.
-
-        Returns:
-            How many commands or scripts have failed.
-        """
+        """Execute scripts, then the user's commands; return how many have failed."""
         with self._keyboard.listening():
             for line in self.shell.greet():
                 self._terminal.line(line)

@@ -129,11 +129,7 @@ class _Paths:
         return reached and (then_ends or otherwise_ends)
 
     def _forget_assigned_in_loops(self) -> Unassigned:
-        """Remove the variables that an earlier iteration of an enclosing loop may have assigned.
-
-        Returns:
-            The removed variables.
-        """
+        """Remove, and return, the variables that an earlier iteration may have assigned."""
         removed: Unassigned = set()
         for each in self.open:
             removed |= self.unassigned & each.assigned

@@ -96,11 +96,7 @@ class CellList:
         self._ends = np.concatenate([[0], np.cumsum(counts)])
 
     def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        """Return pairs of query and point, including all pairs within the reach.
-
-        Returns:
-            the query and the point of each pair, by rising query.
-        """
+        """Return the query and the point of all pairs within reach, and some more, by query."""
         starts, counts = self._ranges(x_m, y_m)
         owners, members = expand(starts.ravel(), counts.ravel())
         return owners // counts.shape[1], self._order.take(members)

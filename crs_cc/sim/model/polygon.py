@@ -109,11 +109,7 @@ def is_convex(corners_m: FloatArray) -> bool:
 
 
 def triangles(corners_m: FloatArray) -> IndexArray:
-    """Triangulate a polygon with counter-clockwise corners.
-
-    Returns:
-        indices of three corners each, counter-clockwise, shape (n, 3).
-    """
+    """Return the indices of the corners of triangles of a polygon, counter-clockwise, (n, 3)."""
     left = list(range(len(corners_m)))
     found: list[list[int]] = []
     at = 0

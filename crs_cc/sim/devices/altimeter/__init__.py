@@ -28,13 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Altimeter:
-    """An altimeter.
-
-    Attributes:
-        rate_hz: maximum rate of measurements.
-        noise_m: standard deviation of the height's error.
-        period_s: period of its timer; 0 to measure on request.
-    """
+    """An altimeter."""
 
     rate_hz: float = rate("20Hz")
     noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of the height.")

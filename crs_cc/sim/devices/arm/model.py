@@ -18,18 +18,10 @@ class Arm:
     ahead, y to the left. Angles are counter-clockwise, 0 for straight on.
 
     Attributes:
-        x_m: the shoulder's position.
-        y_m: the shoulder's position.
-        upper_m: the length of the link between shoulder and elbow.
-        fore_m: the length of the link between elbow and tip.
-        shoulder_least_rad: clockwise limit of the joint between mount and upper link.
         shoulder_most_rad: its counter-clockwise limit.
         shoulder_radps: its speed.
-        elbow_least_rad: clockwise limit of the joint between both links.
         elbow_most_rad: its counter-clockwise limit.
         elbow_radps: its speed.
-        hand_m: maximum distance between the tip and an object that it grips.
-        most_kg: mass of the heaviest object that it lifts.
     """
 
     x_m: float = attribute(

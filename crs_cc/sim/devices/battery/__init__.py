@@ -77,11 +77,7 @@ class Batteries:
         self._lasts = not owners
 
     def drain(self, state: EnvState, timestep_s: float) -> IndexArray:
-        """Drain the motor batteries by a cycle whose axes have been turned to its end.
-
-        Returns:
-            which robots' motors were working.
-        """
+        """Drain motor batteries by a cycle, turned to its end; return whose motors were working."""
         held_back = state.bodies.slipping
         if self._lasts or not (state.drive.slice.any() or held_back.any()):
             return _NOBODY

@@ -14,14 +14,7 @@ _MOST_STEPS: Final = 64
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Battery:
-    """A battery and its load.
-
-    Attributes:
-        capacity_j: energy when full; infinite for one that is never empty.
-        charge: state of charge at the start, 0 to 1.
-        power_w: constant load.
-        curve_v: voltage at equally spaced states of charge from empty to full.
-    """
+    """A battery and its load."""
 
     capacity_j: float = attribute(
         "capacity", ENERGY, None, "Energy when fully charged.", positive=True
@@ -36,15 +29,7 @@ class Battery:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MotorBattery(Battery):
-    """The battery of the motors: a `Battery` with the load of the drive.
-
-    Attributes:
-        friction_n: rolling resistance of a turning wheel.
-        efficiency: efficiency of the drive.
-        stall_w: additional load while the robot is blocked.
-        cutoff_v: voltage below which the motors have no force.
-        is_in_status: whether bits 2 and 3 of the motors' status report its charge.
-    """
+    """The battery of the motors: a `Battery` with the load of the drive."""
 
     friction_n: float = attribute("friction", FORCE, "0N", "Friction of a turning wheel.")
     efficiency: float = attribute(

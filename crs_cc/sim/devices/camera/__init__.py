@@ -74,17 +74,9 @@ class Camera:
     """A camera on the mount that measures a row of colours and ranges.
 
     Attributes:
-        columns: pixels in the row.
         field_of_view_rad: the angle that they cover, half of it to each side.
         range_m: maximum range.
         x_m: its position ahead of the mount's centre.
-        y_m: its position to the left of the mount's centre.
-        direction_rad: direction of its axis.
-        rate_hz: maximum measuring rate.
-        noise_m: standard deviation of a range's error at a distance of 1 m.
-        background: red, green and blue of a column without an object, 0 to 255.
-        z_m: height of its beams above the ground.
-        period_s: measuring period by timer; 0 for on request only.
     """
 
     columns: int = attribute(

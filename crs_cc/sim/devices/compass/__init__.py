@@ -60,17 +60,7 @@ _FULL_TURN: Final = 3600
 
 @dataclass(frozen=True, slots=True)
 class Compass:
-    """A compass.
-
-    Attributes:
-        offset_rad: its reading in the direction of the world's x axis.
-        deviation_rad: the largest error through iron on the robot, before calibration.
-        calibration_s: time for the turn that calibrates it.
-        rate_hz: maximum measuring rate.
-        noise_rad: standard deviation of a reading's error.
-        is_on: whether it is on at the start.
-        period_s: measuring period by timer; 0 for on request only.
-    """
+    """A compass."""
 
     offset_rad: float = attribute(
         "offset", ANGLE, "0deg", "Reading of a robot that points along the world's x axis.",

@@ -25,13 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Gps:
-    """A GPS receiver.
-
-    Attributes:
-        rate_hz: maximum rate of measurements.
-        noise_m: standard deviation of the error along x and along y.
-        period_s: period of its timer; 0 to measure on request.
-    """
+    """A GPS receiver."""
 
     rate_hz: float = rate("1Hz")
     noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation in x and in y.")

@@ -15,14 +15,6 @@ class Gripper:
     """A gripper with two fingers.
 
     Lengths are in the frame of the mount: the turret, or the base of a robot without one.
-
-    Attributes:
-        place_m: distance of the palm ahead of the mount's centre.
-        reach_m: length of the fingers from the palm.
-        opening_m: distance between the open fingers.
-        closing_s: time to close completely, or to open.
-        most_kg: mass of the heaviest object that it holds.
-        force_n: force that pulls out an object that another gripper holds too.
     """
 
     place_m: float = attribute(

@@ -42,13 +42,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Heat:
-    """A heat sensor and a tagging device, which removes heat.
-
-    Attributes:
-        range_m: sensing range from the robot's centre; 0 for no sensor.
-        tag_range_m: range of tagging; 0 for no tagging device.
-        period_s: measuring period by timer; 0 for on request only.
-    """
+    """A heat sensor and a tagging device, which removes heat."""
 
     range_m: float = attribute("range", LENGTH, None, "Range, from the centre of the robot.")
     tag_range_m: float = attribute(

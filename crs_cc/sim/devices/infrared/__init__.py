@@ -71,19 +71,7 @@ _ALL: Final = " ".join(map(str, range(MAX_INFRARED)))
 
 @dataclass(frozen=True, slots=True)
 class Infrared:
-    """Sixteen infrared sensors around the mount, on the robot's shell.
-
-    Attributes:
-        step_m: the distance of a white surface for each unit of a reading.
-        half_angle_rad: the angle between the axis of a beam and its side.
-        reflectance: assumed reflectance of surfaces, up to 1.
-        rate_hz: maximum measuring rate.
-        noise_m: standard deviation of a distance's error.
-        history: default weight of the previous reading in the next one, in tenths.
-        order: default order of the sensors that measure.
-        z_m: height of its beams above the ground.
-        period_s: measuring period by timer; 0 for on request only.
-    """
+    """Sixteen infrared sensors around the mount, on the robot's shell."""
 
     step_m: float = attribute(
         "step", LENGTH, None,
@@ -252,11 +240,7 @@ class InfraredRing:
         rows: IndexArray,
         poses: FloatArray,
     ) -> Int32Array:
-        """Return the rings' readings without errors if their mounts were at other poses.
-
-        Returns:
-            readings, shape (k, 16).
-        """
+        """Return the errorless readings, (k, 16), of rings whose mounts were at other poses."""
         steps = _steps(*self._see(state, constants, rays, rows, poses))
         return np.asarray(np.rint(np.clip(steps, 0.0, FARTHEST)), dtype=np.int32)
 

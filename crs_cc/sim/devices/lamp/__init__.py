@@ -34,11 +34,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Lamp:
-    """A lamp.
-
-    Attributes:
-        brightest: maximum brightness.
-    """
+    """A lamp."""
 
     brightest: float = attribute(
         "brightest", BRIGHTNESS, "1000",

@@ -36,15 +36,9 @@ class Laser:
     """A laser that measures distances in its plane.
 
     Attributes:
-        points: maximum number of points.
         field_of_view_rad: the angle that they cover, half of it to each side.
         range_m: maximum range.
         forward_m: its distance ahead of the mount's centre.
-        rate_hz: maximum measuring rate.
-        noise_m: standard deviation of a distance's error at a distance of 1 m.
-        mode: the vendor's mode at the start; 0 for off.
-        z_m: height of its beams above the ground.
-        period_s: measuring period by timer; 0 for on request only.
     """
 
     points: int = attribute(

@@ -45,15 +45,7 @@ _TURN: Final = 2 * math.pi
 
 @dataclass(frozen=True, slots=True)
 class LightSensors:
-    """A ring of light sensors around the mount.
-
-    Attributes:
-        number: number of sensors, at equal angles, counter-clockwise.
-        first_rad: direction of the first one, relative to the mount's heading.
-        range_m: maximum distance at which a light is detected.
-        noise: standard deviation of a reading's error, relative to the reading.
-        period_s: measuring period by timer; 0 for on request only.
-    """
+    """A ring of light sensors around the mount."""
 
     number: int = attribute(
         "number", Count(1, _MAX), "8",

@@ -51,13 +51,7 @@ AROUND: Final = 0.25
 
 @dataclass(frozen=True, slots=True)
 class Microphones:
-    """Microphones that measure the level and direction of each tone.
-
-    Attributes:
-        range_m: maximum distance at which a sound is detected.
-        noise: standard deviation of a level's error, relative to the level.
-        period_s: measuring period by timer; 0 for on request only.
-    """
+    """Microphones that measure the level and direction of each tone."""
 
     range_m: float = attribute(
         "range", LENGTH, "10m", "Maximum distance of a sound.", positive=True

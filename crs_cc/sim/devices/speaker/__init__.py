@@ -35,11 +35,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Speaker:
-    """A speaker.
-
-    Attributes:
-        loudest: maximum level.
-    """
+    """A speaker."""
 
     loudest: float = attribute(
         "loudest", LOUDNESS, "1000", "Maximum level: the reading of microphones at 1 m.",

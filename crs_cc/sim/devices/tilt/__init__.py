@@ -30,13 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Inclinometer:
-    """An inclinometer on the mount.
-
-    Attributes:
-        rate_hz: maximum rate of measurements.
-        noise_rad: standard deviation of the error of pitch and of roll.
-        period_s: period of its timer; 0 to measure on request.
-    """
+    """An inclinometer on the mount."""
 
     rate_hz: float = rate("20Hz")
     noise_rad: float = attribute("noise", ANGLE, "0deg", "Standard deviation of pitch and of roll.")
