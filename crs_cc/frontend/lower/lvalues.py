@@ -129,6 +129,7 @@ def _indexed_array(moved: tree.PointerAdd) -> ArrayType | None:
     if isinstance(designated, tree.MemberAccess) and array.length <= 1:
         record = designated.record.type
         assert isinstance(record, RecordType)
+        assert record.record.members
         if record.record.kind == "union" or record.record.members[-1] is designated.member:
             return None
     if isinstance(array.element, ArrayType) and array.element.extent is not None:

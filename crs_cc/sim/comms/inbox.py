@@ -152,11 +152,7 @@ class Inboxes:
     def take(
         self, messages: MessageState, rows: IndexArray
     ) -> tuple[IndexArray, Records, FloatArray]:
-        """Remove the first message from each inbox that is not empty.
-
-        Returns:
-            which of the robots have one, the messages, and when they arrived.
-        """
+        """Take the first message of every inbox; return which have one, the messages and times."""
         head, left = self._heads(messages, rows)
         table = self._rows(messages)
         have = np.flatnonzero(left)
