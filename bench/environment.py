@@ -184,7 +184,7 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
         start = time.process_time()
         session.step()
         times.append(time.process_time() - start)
-    if session.running != robots:
+    if session.state.running != robots:
         sys.exit("a program has ended")
     robot_steps = robots * len(times)
     return Figures(

@@ -4,7 +4,9 @@ The programs are in `tests/c/planted`. Each way of finding errors is asked three
 program with the error stopped or reported, on the line of the error, and is the same program
 without the error left alone?
 
-    python bench/planted.py [--verbose] [FOLDER ...]
+    python bench/planted.py [--verbose] [NAMES ...]
+
+Each NAMES is a pattern of programs, such as `first/*` or `first/const_local`.
 """
 
 from __future__ import annotations
@@ -95,7 +97,7 @@ def matches(case: Planted, found: Found) -> bool:
 def main() -> None:
     """Print the comparison."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folders", nargs="*", default=["first", "second"])
+    parser.add_argument("names", nargs="*", default=["first/*", "second/*"])
     parser.add_argument("--verbose", action="store_true", help="name what was not found")
     parser.add_argument("--only-crs", action="store_true", help="leave the other tools out")
     options = parser.parse_args()
@@ -105,9 +107,9 @@ def main() -> None:
         ways["gcc, ASan and UBSan"] = sanitized
         if shutil.which("valgrind"):
             ways["valgrind"] = valgrind
-    for folder in options.folders:
-        cases = list(planted(folder))
-        print(f"{folder}: {len(cases)} programs")
+    for names in options.names:
+        cases = list(planted(names))
+        print(f"{names}: {len(cases)} programs")
         for name, way in ways.items():
             _print(name, cases, _measure(way, cases), verbose=options.verbose)
 

@@ -145,6 +145,7 @@ def _program_messages(
             defines=compiler.defines,
             undefines=compiler.undefines,
             standard=compiler.standard,
+            root=compiler.root,
             dialect=compiler.dialect or dialect,
         )
     except CompileError as error:

@@ -88,6 +88,7 @@ def compile_source(
         compiler.defines,
         compiler.undefines,
         compiler.standard,
+        compiler.root,
     )
     dialect = compiler.dialect or form(path, options) or dialect_of(together, options)
     program = compile_file(path, replace(options, dialect=dialect), diagnostics)
@@ -114,6 +115,7 @@ def _wat(
         defines=compiler.defines,
         undefines=compiler.undefines,
         standard=compiler.standard,
+        root=compiler.root,
         checked=checked,
         dialect=compiler.dialect,
     )

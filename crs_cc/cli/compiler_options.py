@@ -30,6 +30,7 @@ class CompilerOptions:
         standard: the C standard of the program.
         dialect: the API that it calls, `nomad` or `report`; None to detect it.
         warnings: which warnings are shown, and which are errors.
+        root: the folder of the user's whole project; None for the current directory.
     """
 
     include_paths: tuple[Path, ...] = ()
@@ -38,6 +39,7 @@ class CompilerOptions:
     standard: str = "gnu17"
     dialect: Dialect | None = None
     warnings: Selection = field(default_factory=Selection)
+    root: Path | None = None
 
 
 def _folders(
@@ -67,6 +69,11 @@ _OPTIONS = (
         help="Add DIR to the search path of #include; may be repeated.",
     ),
     click.option(
+        "--root", metavar="DIR", type=click.Path(path_type=Path, exists=True, file_okay=False),
+        help="The folder of the whole project: its C files may include its other files, as with "
+        "'../include/x.h'. By default the current directory, for programs inside it.",
+    ),
+    click.option(
         "-D", "--define", "defines", metavar="NAME[=VALUE]", multiple=True,
         help="Define a macro as VALUE, by default 1; may be repeated.",
     ),
@@ -77,8 +84,8 @@ _OPTIONS = (
     click.option(
         "-std", "standard", metavar="NAME", default="gnu17", show_default=True,
         type=click.Choice(list(STANDARDS)),
-        help="The C standard: c89, gnu89, c99, gnu99, c11, gnu11, c17 or gnu17. It selects the "
-        "predefined macros and, without 'gnu', trigraphs; the language accepted is the same.",
+        help="The C standard: c89, gnu89, c99, gnu99, c11, gnu11, c17, gnu17, c23 or gnu23. It "
+        "selects predefined macros and keywords, and, without 'gnu', trigraphs.",
     ),
     click.option(
         "-W", "warnings", metavar="[no-|error=]NAME", multiple=True, callback=_selection,
@@ -107,11 +114,12 @@ def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
         standard: str,
         dialect: Dialect | None,
         warnings: Selection,
+        root: Path | None,
         **others: Any,
     ) -> Any:
         macros = tuple(map(displayed, defines)), tuple(map(displayed, undefines))
         return command(
-            compiler=CompilerOptions(include_paths, *macros, standard, dialect, warnings),
+            compiler=CompilerOptions(include_paths, *macros, standard, dialect, warnings, root),
             **others,
         )
 

@@ -13,7 +13,7 @@ from typing import Final
 import click
 
 _IGNORED: Final = re.compile(
-    r"-O([0-3sgz]|fast)? | -g(gdb|dwarf(-\d)?|stabs)?[0-3]? | -p | -pg | -pipe | -[cv] | -s "
+    r"-O([0-3sgz]|fast)? | -g(gdb|dwarf(-\d)?|stabs)?[0-3]? | -p | -pg | -pipe | -c | -s "
     r"| -m(32|64|arch=.+|tune=.+|cpu=.+|[a-z]{3,}) | -f[a-z][\w=.+-]* | -W[lpa],.* "
     r"| -l(m|c|n|X11|Nclient) | -(static|shared|rdynamic|pthread|nostdinc|M{1,2}D?|MP)",
     re.VERBOSE,

@@ -138,6 +138,20 @@ def check_plot_path(path: Path) -> None:
         )
 
 
+def check_recording_path(path: Path) -> None:
+    """Check that a recording can be written to a file, and that the file is not a source.
+
+    Raises:
+        click.UsageError: it cannot.
+    """
+    _check_writable(path)
+    if path.suffix.lower() != ".mcap":
+        raise click.UsageError(
+            f"'{path}' is not an MCAP file: recordings are written as MCAP, name it"
+            f" {path.stem}.mcap."
+        )
+
+
 def _check_writable(path: Path) -> None:
     """Check, as far as possible without writing, that a file can be written."""
     folder = path.absolute().parent

@@ -10,6 +10,7 @@ import click
 
 from crs_cc.cli.compiler_options import gathered, merged
 from crs_cc.cli.inputs import check_readable
+from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.runtime.executable import Executable
@@ -17,6 +18,7 @@ from crs_cc.session.build import build_executable
 from crs_cc.session.empty_world import empty_world
 from crs_cc.sim.files.known_robots import known_robots
 from crs_cc.sim.model.world import Robot, WorldModel
+from crs_cc.toolchain.fingerprint import PACKAGE
 
 if TYPE_CHECKING:
     from crs_cc.cli.program_options import ProgramOptions
@@ -35,6 +37,8 @@ class Loaded:
         dialects: the API that each robot's program calls; None to detect it.
         arguments: each robot's `argv`.
         files: the initial contents of every program's disk, by file name.
+        files_read: the user's files that describe the world, with their contents.
+        compiled: the files that the compiler looked for, found or not.
     """
 
     world: WorldModel
@@ -43,6 +47,8 @@ class Loaded:
     dialects: tuple[Dialect | None, ...]
     arguments: tuple[tuple[str, ...], ...]
     files: dict[str, bytes]
+    files_read: dict[Path, bytes]
+    compiled: tuple[Path, ...]
 
 
 def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = False) -> Loaded:
@@ -53,8 +59,11 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
         WorldError: the world file is invalid.
         click.UsageError: a robot has no program.
     """
-    with gathered(diagnostics, options.compiler.warnings, quiet=options.quiet):
-        world = _world(options)
+    with (
+        gathered(diagnostics, options.compiler.warnings, quiet=options.quiet),
+        logged() as files_read,
+    ):
+        world = load_world_of(options)
         programs = [_program(robot, options) for robot in world.robots]
         dialects = [options.compiler.dialect or robot.dialect for robot in world.robots]
         wanted = list(zip(programs, dialects, strict=True))
@@ -75,10 +84,22 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
             for robot, each in zip(world.robots, wanted, strict=True)
         ),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
+        {path: each for path, each in files_read.items() if not _is_ours(path)},
+        tuple(path for path in sorted(map(Path, diagnostics.digests)) if not _is_ours(path)),
     )
 
 
-def _world(options: ProgramOptions) -> WorldModel:
+def _is_ours(path: Path) -> bool:
+    return path.is_absolute() and path.is_relative_to(PACKAGE)
+
+
+def load_world_of(options: ProgramOptions) -> WorldModel:
+    """Load the world of a run.
+
+    Raises:
+        WorldError: it is invalid.
+        click.UsageError: the robot is unknown.
+    """
     path, robot = options.inputs.world, options.robot
     if robot not in known_robots() and not robot.endswith(".xml"):
         names = ", ".join(known_robots())
@@ -127,6 +148,7 @@ def _build(
             defines=options.compiler.defines,
             undefines=options.compiler.undefines,
             standard=options.compiler.standard,
+            root=options.compiler.root,
             checked=options.checked,
             debug=debug,
             trap_overflow=options.trap_overflow,
@@ -134,3 +156,4 @@ def _build(
         )
     finally:
         diagnostics.messages[:] = merged(diagnostics.messages, own.messages)
+        diagnostics.digests.update(own.digests)

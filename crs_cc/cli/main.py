@@ -5,8 +5,10 @@
 1         a system error, such as a full disk
 2         invalid command line, or a device package that cannot be loaded
 70        internal error in crs
+120       a recording that is not ours, or is damaged
 121 122   invalid C source, invalid world file
 123       the only robot's program was stopped by a runtime error
+125       a recorded run takes another course when it is run again
 130       interrupted by Ctrl-C
 141       broken pipe: the reader closed the output
 """
@@ -30,6 +32,7 @@ from crs_cc.cli.debug import debug
 from crs_cc.cli.exit_status import BROKEN_PIPE, INTERRUPTED, SYSTEM
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
+from crs_cc.cli.replay import replay
 from crs_cc.cli.run import run
 from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.core.errors import CrsError, InternalError
@@ -41,6 +44,7 @@ Examples:
   crs run wander.c room.xml --max-time 60        for a minute of simulated time
   crs run wander.c room.xml --plot path.svg      plot the robot's path
   crs debug wander.c room.xml                    debug, forward and in reverse
+  crs replay run.mcap                            show a run that was recorded
   crs check wander.c room.xml                    report errors, run nothing
   crs new world room                             write a commented template
   crs compile --emit wat wander.c                show the WebAssembly
@@ -52,9 +56,11 @@ Exit status:
   1         a system error, such as a full disk
   2         invalid command line, or a device package that cannot be loaded
   70        internal error in crs
+  120       a recording that is not ours, or is damaged
   121 122   invalid C source, invalid world file
   123       the only robot's program was stopped by a runtime error
-  130       interrupted by Ctrl-C
+  125       a recorded run takes another course when it is run again
+130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output
 """
 
@@ -98,7 +104,7 @@ def crs() -> None:
     """Run unmodified C control programs for Nomadic robots in a simulated world."""
 
 
-for command in (run, debug, check, compile_, new, cache):
+for command in (run, debug, replay, check, compile_, new, cache):
     crs.add_command(command)
 
 

@@ -8,8 +8,9 @@ from typing import Any, Final
 
 import click
 
-from crs_cc.cli.inputs import check_plot_path
+from crs_cc.cli.inputs import check_plot_path, check_recording_path
 from crs_cc.cli.program_options import WithProgramArguments, program_options
+from crs_cc.cli.record_options import record_options
 from crs_cc.cli.run_options import RunOptions
 
 _EXAMPLES: Final = """
@@ -19,6 +20,7 @@ Examples:
   crs run wander.c room.xml --max-time 60 --plot path.svg
   crs run main.c turn.c office.xml -I include -D SPEED=80 -- fast 3
   crs run logger.c room.xml --file maps/room.txt --files out
+  crs run wander.c room.xml --record run.mcap
   crs run wander.c room.xml --max-time 5 --json | jq .robots[0].pose
 """
 
@@ -79,6 +81,7 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     default=None,
     help="Show the closing summary on stderr. Default: only on a terminal.",
 )
+@record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
 @program_options
 def run(**options: Any) -> int:
@@ -97,6 +100,8 @@ def run(**options: Any) -> int:
     run_options = RunOptions(**options)
     if run_options.plot is not None:
         check_plot_path(run_options.plot)
+    if run_options.record is not None:
+        check_recording_path(run_options.record)
     from crs_cc.cli.simulate import simulate
 
     return simulate(run_options)

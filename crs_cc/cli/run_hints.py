@@ -34,7 +34,7 @@ class RunHints:
         """
         if self.found or time.monotonic() < wrote_s + SILENT_S:
             return None
-        robot = next((each for each, alive in enumerate(self._session.alive) if alive), 0)
+        robot = next((each for each, alive in enumerate(self._session.state.alive) if alive), 0)
         call = self._session.current_call(robot)
         where = f", in '{call.function}'" if call else ""
         place = call.location if call and call.location else None
@@ -54,7 +54,7 @@ class RunHints:
     def _unconnected(self) -> Iterator[Diagnostic]:
         """Yield a warning for each place that calls the robot without a connection."""
         places = set()
-        for robot, call in enumerate(self._session.unconnected_calls):
+        for robot, call in enumerate(self._session.state.unconnected_calls):
             if call is None or call.location is None or call.location in places:
                 continue
             places.add(call.location)

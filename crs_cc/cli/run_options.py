@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from crs_cc.cli.program_options import ProgramOptions
+from crs_cc.cli.record_options import Sensors
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,6 +21,9 @@ class RunOptions(ProgramOptions):
         trace: what to show of each timestep: `requests`, the request queue, or `messages`.
         as_json: write the results to stdout as JSON.
         threads: how many threads may run programs; None for as many as there are processors.
+        record: the file of the recording.
+        record_every_s: simulated time between two recorded frames [s].
+        record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
         summary: show the summary; None to decide by whether stderr is a terminal.
     """
 
@@ -30,3 +34,6 @@ class RunOptions(ProgramOptions):
     as_json: bool = False
     threads: int | None = None
     summary: bool | None = None
+    record: Path | None = None
+    record_every_s: float = 0.05
+    record_sensors: Sensors = "read"

@@ -20,7 +20,7 @@ from crs_cc.cli.run_hints import RunHints
 from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.core.errors import CrsError
-from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
@@ -28,6 +28,7 @@ from crs_cc.sim.model.world import WorldModel
 if TYPE_CHECKING:
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
+    from crs_cc.recording.recorder import Recorder
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
 
 _AT_ONCE_S: Final = 5.0
@@ -67,6 +68,7 @@ def _simulate(options: RunOptions) -> int:
     _report(run, options, [*diagnostics.messages, *runner.hints.found, *hints])
     show(hints)
     is_kept = _save_files(runner.session, run, options)
+    runner.report_recording()
     runner.draw(run)
     return exit_status(run) if is_kept else SYSTEM
 
@@ -92,16 +94,18 @@ class Runner:
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
+        self._recorder = _recorder(loaded, options, self._seed)
         self.session = Session(
             world,
             loaded.executables,
             seed=self._seed,
             arguments=loaded.arguments,
-            output=self._output.write,
+            output=self._write,
             read=self._read,
             files=loaded.files,
             client=options.client,
             trace=self if self._trace is not None or self._plot is not None else None,
+            observer=self._recorder,
             threads=options.threads,
         )
         self.hints = RunHints(self.session, loaded.executables)
@@ -110,14 +114,19 @@ class Runner:
         """Step until all programs have ended, time is up, or Ctrl-C."""
         with self._interrupt:
             try:
+                if self._recorder is not None:
+                    self._recorder.begin(self.session)
                 self._step_to_end()
             except KeyboardInterrupt:  # while waiting for input
                 self._interrupt.requested = True
             finally:
                 self._progress.clear()
                 self._output.close()
+        result = self.session.result()
+        if self._recorder is not None:
+            self._recorder.finish(result)
         return Run(
-            self.session.result(),
+            result,
             str(self._options.inputs.world or ""),
             self._seed,
             time.monotonic() - self._started_s,
@@ -129,7 +138,7 @@ class Runner:
         """Yield the active call of each program that has not ended, if it is reported."""
         wanted = self._options.as_json or shows_summary(self._options)
         for robot in range(len(self.session.fleet)):
-            yield self.session.current_call(robot) if wanted else None
+            yield self.session.state.current_call(robot) if wanted else None
 
     def _step_to_end(self) -> None:
         end_s = self._end_s
@@ -155,7 +164,9 @@ class Runner:
         """Return the number of timesteps to run without a look at output and interrupts."""
         if self._plot is not None:
             return 1  # it samples each
-        left_s = _AT_ONCE_S / max(self.session.running, 1)
+        left_s = _AT_ONCE_S / max(self.session.state.running, 1)
+        if self._recorder is not None:
+            left_s = min(left_s, self._recorder.seconds_left())
         if self._end_s is not None:
             left_s = min(left_s, self._end_s - self.session.time_s)
         return max(1, int(left_s / self._loaded.world.timestep_s + _ROUNDING))
@@ -169,9 +180,18 @@ class Runner:
             self._plot.add_contacts(step, len(self.session.fleet))
 
     def _sample(self) -> None:
-        """Add the current positions to the plot."""
+        """Add the current positions to the plot and to the recording."""
+        if self._recorder is not None:
+            self._recorder.sample()
         if self._plot is not None:
             self._plot.sample(self.session)
+
+    def report_recording(self) -> None:
+        """Say whether the recording ended early."""
+        if self._recorder is not None and self._recorder.failed is not None:
+            reason, path = self._recorder.failed.strerror, self._options.record
+            text = f"the recording ends at {self._recorder.written_s:.2f} s: {reason}"
+            show([Diagnostic("warning", Location(str(path)), text)])
 
     def draw(self, run: Run) -> None:
         """Write the plot of the finished run, if it is wanted.
@@ -185,18 +205,26 @@ class Runner:
             picture = self._plot.picture(self.session, run, programs, sensors=sensors)
             _write(self._options.plot, picture)
 
-    def _read(self, _robot: int, size: int) -> bytes:
+    def _read(self, robot: int, size: int) -> bytes:
         self._progress.clear()
         self._output.flush()
         with self._interrupt.waiting():
-            return read_line(size)
+            content = read_line(size)
+        if self._recorder is not None:
+            self._recorder.read(robot, content)
+        return content
+
+    def _write(self, robot: int, stream: int, content: bytes) -> None:
+        self._output.write(robot, stream, content)
+        if self._recorder is not None:
+            self._recorder.write(robot, stream, content)
 
     def _progress_text(self) -> str:
         simulated_s, wall_s = self.session.time_s, time.monotonic() - self._started_s
         robots = len(self._loaded.world.robots)
         return (
             f"{simulated_s:.1f} s simulated, {simulated_s / max(wall_s, 1e-9):.1f} x real time, "
-            f"{self.session.running} of {robots} running"
+            f"{self.session.state.running} of {robots} running"
         )
 
 
@@ -213,6 +241,14 @@ def _plot(options: RunOptions) -> RunPlot | None:
     from crs_cc.cli.run_plot import RunPlot
 
     return RunPlot()
+
+
+def _recorder(loaded: Loaded, options: RunOptions, seed: int) -> Recorder | None:
+    if options.record is None:
+        return None
+    from crs_cc.cli.start_recording import start_recording
+
+    return start_recording(loaded, options, seed)
 
 
 def _trace(what: str, world: WorldModel) -> Listener:

@@ -129,5 +129,6 @@ def _front_end(
         compiler.defines,
         compiler.undefines,
         compiler.standard,
+        compiler.root,
     )
     return replace(options, dialect=dialect or dialect_of(sources, options))

@@ -45,6 +45,18 @@ class WorldError(CrsError):
     exit_status = 122
 
 
+class RecordingError(CrsError):
+    """A recording or a snapshot that is not ours, is damaged, or is of another version."""
+
+    exit_status = 120
+
+
+class ReplayMismatch(CrsError):  # noqa: N818 - what it reports is no failure of ours
+    """A recorded run has taken another course when it ran again."""
+
+    exit_status = 125
+
+
 class ProgramError(CrsError):
     """Undefined behaviour in a running C program; only its robot stops."""
 

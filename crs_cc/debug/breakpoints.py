@@ -140,7 +140,7 @@ class Breakpoints:
         return []
 
     def _at_statement(self, run: RecordedRun) -> list[BreakpointHit]:
-        robot = run.session.halted
+        robot = run.session.state.halted
         assert robot is not None
         number = int(run.session.fleet.slots["stopped"][robot]) - 1
         return [

@@ -101,7 +101,7 @@ class Navigator:
     def stop(self, reason: Reason, robot: int = -1, text: str = "") -> Stop:
         """Return a stop at the current position."""
         session = self._run.session
-        robot = robot if robot >= 0 or session.halted is None else session.halted
+        robot = robot if robot >= 0 or session.state.halted is None else session.state.halted
         time_s = self._run.time_s(robot)
         return Stop(reason, self._run.position, time_s, robot, (), text)
 
@@ -139,7 +139,7 @@ class Navigator:
                 return self.stop("step", aim.robot)
         if event.over:
             return self.stop("end")
-        if aim is not None and aim.robot in event.ended and self._run.session.running:
+        if aim is not None and aim.robot in event.ended and self._run.session.state.running:
             return self.stop("exit", aim.robot)
         return None
 
@@ -344,7 +344,7 @@ class Navigator:
         run = self._run
 
         def is_there() -> bool:
-            return run.session.halted == robot and run.statements_begun(robot) == statements
+            return run.session.state.halted == robot and run.statements_begun(robot) == statements
 
         if run.is_off_timeline or (run.statements_begun(robot) >= statements and not is_there()):
             run.history.visit(run.position)

@@ -89,7 +89,7 @@ class View:
     def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
         """Return the stack frames of a program, innermost first."""
         robot = self.robot if robot is None else robot
-        if not self.session.alive[robot] and not self.run.has_failed(robot):
+        if not self.session.state.alive[robot] and not self.run.has_failed(robot):
             return []
         stopped = self.run.stopped(robot)
         if self._seen is None or self._seen[0] is not stopped:

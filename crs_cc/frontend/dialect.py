@@ -36,7 +36,8 @@ def form(path: Path, options: Options) -> Dialect | None:
     is_vendors = any(Path(file).name.lower() == _VENDORS_HEADER for file in source.files)
     if is_vendors or not _VENDORS_GUARDS.isdisjoint(source.macros):
         return "nomad"
-    names = {item.name for item in items_of(lex(source.text, source.location, Diagnostics()))}
+    tokens = lex(source.text, source.location, Diagnostics(), options.standard)
+    names = {item.name for item in items_of(tokens)}
     if "main" in names:
         return "nomad"
     return "report" if _RUNCODE in names else None

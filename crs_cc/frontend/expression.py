@@ -141,13 +141,14 @@ class FileNames:
         report = unit.diagnostics
         source = self._source.more(EXPRESSION, text.replace("\n", " "))
         report.lines[EXPRESSION] = [text]
-        tokens = lex(source.text, source.location, report)
+        tokens = lex(source.text, source.location, report, unit.standard)
         if not tokens:
             report.error(Location(EXPRESSION, 1, 1), "expected an expression")
             return None
         names = unit.scope.names
         types = [name for name, symbol in names.items() if isinstance(symbol, TypedefName)]
-        node = parse_expression(tokens, [each for each in types if each not in symbols], report)
+        types = [each for each in types if each not in symbols]
+        node = parse_expression(tokens, types, report, unit.standard)
         if node is None or report.errors:
             return None
         place_ = Location(EXPRESSION, 1, 1)

@@ -90,6 +90,7 @@ def _unit(name: str, options: Options, diagnostics: Diagnostics) -> Unit:
         trusted=options.trusted,
         headers=options.system_paths,
         dialect=options.dialect,
+        standard=options.standard,
     )
 
 
@@ -141,11 +142,11 @@ def _check(unit: Unit, source: Preprocessed) -> None:
     if not source.is_complete:
         _stop_on_errors(unit)
     unit.diagnostics.stage = "parsing"
-    tokens = lex(source.text, source.location, unit.diagnostics)
+    tokens = lex(source.text, source.location, unit.diagnostics, unit.standard)
     if unit.dialect == "report":
         tokens = with_body(tokens, unit.name, unit.diagnostics)
     try:
-        nodes = parse(tokens, unit.diagnostics)
+        nodes = parse(tokens, unit.diagnostics, unit.standard)
     finally:
         if unit.dialect != "report" and unit.diagnostics.errors:
             suggest_dialect(tokens, unit.diagnostics)

@@ -153,6 +153,7 @@ class Program:
         undefined: the first use of each name that is used but not defined.
         declared: the type and location of the declarations of undefined names.
         weak: the names whose definition can be overridden.
+        aliases: for each further name of a function or object, its own name.
         starts: functions to be called before `main`, with their priority, the lowest first.
         ends: functions to be called after the program's end, the highest priority first.
     """
@@ -162,6 +163,7 @@ class Program:
     undefined: dict[str, Location] = field(default_factory=dict)
     declared: dict[str, tuple[CType, Location]] = field(default_factory=dict)
     weak: set[str] = field(default_factory=set)
+    aliases: dict[str, str] = field(default_factory=dict)
     starts: list[tuple[int, str]] = field(default_factory=list)
     ends: list[tuple[int, str]] = field(default_factory=list)
 

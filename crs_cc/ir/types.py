@@ -117,12 +117,19 @@ class Enumeration:
     constants: dict[str, int] | None = None
     integer: IntegerType = field(default_factory=lambda: UINT)
 
-    def complete(self, constants: dict[str, int]) -> None:
-        """Set the constants, and the integer type that can represent them."""
+    def complete(self, constants: dict[str, int], packed: bool = False) -> None:
+        """Set the constants, and the integer type that can represent them.
+
+        Args:
+            constants: the value of each constant.
+            packed: whether it is the smallest type, and not at least as large as `int`.
+        """
         self.constants = constants
-        types = (INT, LLONG) if min(constants.values(), default=0) < 0 else (UINT, ULLONG)
-        is_small = all(types[0].smallest <= each <= types[0].largest for each in constants.values())
-        self.integer = types[0] if is_small else types[1]
+        low, high = min(constants.values(), default=0), max(constants.values(), default=0)
+        types = (SCHAR, SHORT, INT, LLONG) if low < 0 else (UCHAR, USHORT, UINT, ULLONG)
+        allowed = types if packed else types[2:]
+        fitting = (each for each in allowed if each.smallest <= low and high <= each.largest)
+        self.integer = next(fitting, types[-1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,6 +272,7 @@ class Record:
     Attributes:
         tag: its tag, None when it has none.
         alias: its first typedef name; it is printed if there is no tag, or one of the library.
+        is_transparent: whether a parameter of this union takes values of its members' types.
         members: the members in the order of the source; None until they are known.
         named: all members with names, including those of anonymous members, with their offsets
             from the start of the whole.
@@ -275,6 +283,7 @@ class Record:
     kind: Literal["struct", "union"]
     tag: str | None = None
     alias: str | None = None
+    is_transparent: bool = False
     members: list[Member] | None = None
     named: dict[str, Member] = field(default_factory=dict)
     size: int = 0

@@ -22,6 +22,7 @@ from crs_cc.ir.program import Data, Function, Program, Relocation
 from crs_cc.ir.type_compat import agree
 from crs_cc.ir.types import CType
 from crs_cc.ir.value_type import MemoryType
+from crs_cc.runtime.aliases import resolve_aliases
 
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""
@@ -66,6 +67,7 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
     """
     diagnostics.stage = "linking"
     user = join(units, diagnostics)
+    resolve_aliases(user)
     whole = Program()
     for table, calls in ((STARTS, _in_order(user.starts)), (ENDS, _in_order(user.ends)[::-1])):
         user.data[table] = _table(table, calls)
@@ -182,8 +184,12 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
         _add_data(unit, whole, diagnostics)
         for name, location in unit.undefined.items():
             whole.undefined.setdefault(name, location)
+        for name, meant in unit.aliases.items():
+            whole.aliases.setdefault(name, meant)
         whole.starts += unit.starts
         whole.ends += unit.ends
+    for name in [each for each in whole.aliases if each in whole.functions or each in whole.data]:
+        del whole.aliases[name]  # a weak alias, which a definition overrides
     for unit in units:
         for name, (ctype, location) in unit.declared.items():
             whole.declared.setdefault(name, (ctype, location))

@@ -64,6 +64,7 @@ def build_executable(
     defines: Sequence[str] = (),
     undefines: Sequence[str] = (),
     standard: str = "gnu17",
+    root: Path | None = None,
     checked: bool = True,
     debug: bool = False,
     trap_overflow: bool = False,
@@ -78,6 +79,7 @@ def build_executable(
         defines: macros as `NAME`, `NAME=value` or `NAME(x)=value`.
         undefines: predefined macros to remove.
         standard: its C standard, see `frontend.preprocess.options.STANDARDS`.
+        root: the folder of the whole project; the current directory if it is not given.
         checked: check every access through a pointer.
         debug: allow breakpoints on every statement.
         trap_overflow: stop at signed overflow, in checked builds.
@@ -98,19 +100,22 @@ def build_executable(
         defines,
         undefines,
         standard,
+        str(root and root.resolve()),
         str(dialect),
         device_sources(),
     )
     entry = cache.load(key, _Linked)
     if entry is not None and _unchanged(entry):
         diagnostics.messages.extend(entry.warnings)
+        diagnostics.digests.update(entry.digests)
         return _build(entry, key, names, flags, diagnostics)
 
     from crs_cc.frontend.dialect import dialect_of
     from crs_cc.runtime.executable import make_executable
     from crs_cc.session.library import library_options
 
-    options = library_options(tuple(include_paths), tuple(defines), tuple(undefines), standard)
+    macros = tuple(defines), tuple(undefines)
+    options = library_options(tuple(include_paths), *macros, standard, root)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
         with without_collector():  # saves a fifth of the time
@@ -121,6 +126,7 @@ def build_executable(
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
+        diagnostics.digests.update(own.digests)
     cache.store(key, entry)
     cache.store(_code_key(key, entry, flags), executable.machine_code)
     return executable

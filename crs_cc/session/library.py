@@ -26,10 +26,13 @@ def library_options(
     defines: tuple[str, ...] = (),
     undefines: tuple[str, ...] = (),
     standard: str = "gnu17",
+    root: Path | None = None,
 ) -> Options:
     """Return the options of a program that uses the library's headers; see `Options`."""
+    macros = defines, undefines
+    generated = device_headers()
     return Options(
-        include_paths, (HEADERS,), defines, undefines, standard, generated=device_headers()
+        include_paths, (HEADERS,), *macros, standard=standard, root=root, generated=generated
     )
 
 

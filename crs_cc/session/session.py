@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import IndexArray, Int32Array, Int64Array
 from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.hints import Hint, Hints
@@ -46,13 +46,13 @@ from crs_cc.session.host import (
     no_input,
 )
 from crs_cc.session.lone_program import run_alone
-from crs_cc.session.result import RobotResult, RunResult, SessionSnapshot
+from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session_state import NEVER_S, SessionState
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    pass
 
 _ON_LINK = np.isin(
     np.arange(DEVICE_CODES.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *DEVICE_CODES]
@@ -89,6 +89,7 @@ class Session:
         client: Client = "nclient",
         trace: Listener | None = None,
         threads: int | None = None,
+        observer: Listener | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.
 
@@ -104,6 +105,7 @@ class Session:
             client: which of the vendor's client libraries to emulate.
             trace: is notified of every timestep.
             threads: how many threads may run programs, see `Fleet`; results do not depend on it.
+            observer: is notified of those in which something can happen.
 
         Raises:
             ValueError: there is not one program for each robot.
@@ -122,6 +124,7 @@ class Session:
         self.environment = self.state.environment
         self.fleet = self.state.fleet
         self._trace = trace
+        self._observer = observer
         self._hints = Hints(self.environment, self.fleet)
 
     # -- the state -----------------------------------------------------------------------------
@@ -135,46 +138,6 @@ class Session:
     def timesteps(self) -> int:
         """Number of timesteps run."""
         return self.state.timesteps
-
-    @property
-    def rounds(self) -> int:
-        """Number of rounds of programs run in the current timestep."""
-        return self.state.rounds
-
-    @property
-    def halted(self) -> int | None:
-        """The program that stopped in the middle of a round, if any."""
-        return self.state.halted
-
-    @property
-    def pending(self) -> Int64Array:
-        """Fuel given to each program for the current round; 0 outside a round."""
-        return self.state.pending
-
-    @property
-    def alive(self) -> BoolArray:
-        """Which programs are running."""
-        return self.state.alive
-
-    @property
-    def running(self) -> int:
-        """Number of programs that are running."""
-        return self.state.running
-
-    @property
-    def clock_s(self) -> FloatArray:
-        """Each program's clock [s]; infinite while it waits for an event."""
-        return self.state.clock_s
-
-    @property
-    def fuel(self) -> Int64Array:
-        """IR instructions that each program has run."""
-        return self.state.fuel
-
-    @property
-    def unconnected_calls(self) -> list[ActiveCall | None]:
-        """By robot, the first robot call that its program made without a connection, if any."""
-        return self.state.unconnected_calls
 
     @property
     def hints(self) -> Sequence[Hint]:
@@ -192,18 +155,6 @@ class Session:
     def result(self) -> RunResult:
         """Return the result of the run so far."""
         return self.state.result()
-
-    def robot_result(self, robot: int) -> RobotResult:
-        """Return the result of one robot so far."""
-        return self.state.robot_result(robot)
-
-    def request_on_link(self, robot: int) -> tuple[int, float] | None:
-        """Return a program's request on the link, see `SessionState.request_on_link`."""
-        return self.state.request_on_link(robot)
-
-    def current_call(self, robot: int) -> ActiveCall | None:
-        """Return the innermost active call in the user's files of a running program, if any."""
-        return self.state.current_call(robot)
 
     def files(self, robot: int) -> dict[bytes, bytes]:
         """Return the files that a robot's program created or changed, by name."""
@@ -258,7 +209,7 @@ class Session:
         Return before one in which several programs run or a request arrives, and in one in which
         the only program that runs has stopped.
         """
-        if not self._is_quiet or self.pending.any() or not self._can_continue:
+        if not self._is_quiet or self.state.pending.any() or not self._can_continue:
             return
         state, environment = self.state, self.environment
         until = min(environment.quiet_until(), environment.cycle + end - self.timesteps)
@@ -276,7 +227,7 @@ class Session:
             self._skip(cycles)
             state.rounds = rounds
             if stopped:
-                if self.halted is None:
+                if self.state.halted is None:
                     self.end_round()
                 return
 
@@ -289,7 +240,7 @@ class Session:
         if not self.begin_round():
             return False
         self.run_programs()
-        if self.halted is None:
+        if self.state.halted is None:
             self.end_round()
         return True
 
@@ -354,6 +305,8 @@ class Session:
         state.update_presence()
         if self._trace is not None:
             self._trace.step(step)
+        if self._observer is not None:
+            self._observer.step(step)
         return self._can_continue
 
     @property
@@ -364,7 +317,7 @@ class Session:
 
     @property
     def _can_continue(self) -> bool:
-        return self.running > 0 or self.environment.awaits
+        return self.state.running > 0 or self.environment.awaits
 
     def _skip(self, cycles: int) -> None:
         """End quiet cycles whose programs have used them up."""

@@ -136,7 +136,20 @@ def _moved(fleet: Fleet, executable: Executable) -> Fleet:
 
 def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:
     """Return the program of a case, without asking for its warnings."""
-    return build_executable(sources(path), Diagnostics(), debug=debug, checked=checked)
+    how = {"standard": standard(path), "debug": debug, "checked": checked}
+    return build_executable(sources(path), Diagnostics(), **how)
+
+
+def mark(path: Path, title: str) -> str:
+    """Return what a comment of a case says, `// title: ...`; nothing if there is none."""
+    match = re.search(rf"// {title}: *(.*)", path.read_text(encoding="latin-1"))
+    return match[1] if match else ""
+
+
+def standard(path: Path) -> str:
+    """Return the C standard of a case, from its options for gcc."""
+    match = re.search(r"-std=(\w+)", mark(path, "gcc options"))
+    return match[1] if match else "gnu17"
 
 
 def cases(folder: str) -> list[Path]:

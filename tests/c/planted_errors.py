@@ -63,9 +63,9 @@ class Found:
     line: int = 0
 
 
-def planted(folder: str = "*") -> Iterator[Planted]:
-    """Return the planted programs of a folder in a fixed order."""
-    for path in sorted(FOLDER.glob(f"{folder}/*.c")):
+def planted(names: str = "*/*") -> Iterator[Planted]:
+    """Return the planted programs whose names match a pattern, in a fixed order."""
+    for path in sorted(FOLDER.glob(f"{names}.c")):
         text = path.read_text()
         (found,) = _COMMENT.finditer(text)
         yield Planted(path, found[1], found[2], text[: found.start()].count("\n") + 1)

@@ -41,6 +41,7 @@ from tests.c.execution import (
     expected_warnings,
     name,
     sources,
+    standard,
 )
 
 FUEL_STEPS = 200_000
@@ -164,7 +165,7 @@ def test_a_wrong_program_is_refused_at_its_line(path: Path) -> None:
 @pytest.mark.parametrize("path", cases("warned"), ids=name)
 def test_a_doubtful_program_is_warned_of(path: Path) -> None:
     diagnostics = Diagnostics()
-    build_executable(sources(path), diagnostics)
+    build_executable(sources(path), diagnostics, standard=standard(path))
     wanted, found = expected_warnings(path), diagnostics.messages
     assert wanted
     for each in wanted:

@@ -7,22 +7,15 @@ reason` says why gcc cannot tell; the `.out` file is then written by hand.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from tests import gcc
-from tests.c.execution import cases, name, sources
+from tests.c.execution import cases, mark, name, sources
 
 LONGEST_S = 20.0
-
-
-def mark(path: Path, title: str) -> str:
-    """Return what a comment of a case says, `// title: ...`; nothing if there is none."""
-    match = re.search(rf"// {title}: *(.*)", path.read_text(encoding="latin-1"))
-    return match[1] if match else ""
 
 
 @pytest.mark.parametrize(

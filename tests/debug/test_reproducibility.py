@@ -185,5 +185,5 @@ def test_backward_and_forward_again_gives_the_same_bytes(sample: Sample) -> None
 
     whole = run_up_to(last, write, world, [each.executable for each in programs], **options)
     assert [debugger.run.console.text(robot) for robot in range(len(programs))] == outputs
-    assert debugger.session.fuel.tolist() == whole.fuel.tolist()
+    assert debugger.session.state.fuel.tolist() == whole.state.fuel.tolist()
     assert debugger.session.result() == whole.result()

@@ -38,7 +38,7 @@ def state_at(program: Executable, world: str, statements: int, *, first_stop: in
             assert session.end_cycle()
             continue
         session.run_programs()
-        if session.halted is None:
+        if session.state.halted is None:
             session.end_round()
     return session.state_hash()
 

@@ -61,7 +61,7 @@ def test_a_robot_joins_at_its_time(roam: Executable):
     guest = session.result().robots[1]
     assert (guest.outcome, guest.joined_s, guest.left_s) == ("running", 1.0, None)
     assert guest.distance_m > 0.2
-    assert 0 < session.fuel[1] < session.fuel[0]
+    assert 0 < session.state.fuel[1] < session.state.fuel[0]
 
 
 def test_join_times_are_rounded_up_to_a_timestep(roam: Executable):
@@ -79,7 +79,7 @@ def test_a_robot_leaves_and_keeps_its_result(roam: Executable):
     assert left.time_s == 2.0
     run_to(session, 4.0)
     assert session.result().robots[1] == left
-    assert session.running == 1
+    assert session.state.running == 1
 
 
 @pytest.mark.parametrize("join_s", [0.0, 0.05, 1.0, 2.35])

@@ -194,13 +194,13 @@ int main(void)
 def test_the_current_call_of_a_running_program_is_known(tmp_path: Path) -> None:
     program = build(tmp_path, CALLS)
     session = run(HALL, [program, program], 0).session
-    assert session.current_call(1) is None
+    assert session.state.current_call(1) is None
     assert session.result().robots[1].robot_call_s is None
     stands = []
     for until_s in (0.5, 1.5, 5):
         while session.time_s < until_s:
             session.step()
-        call = session.current_call(1)
+        call = session.state.current_call(1)
         assert call is not None
         assert call.location is not None
         stands.append((call.function, call.location.line, session.result().robots[1].robot_call_s))

@@ -164,7 +164,7 @@ def _stops(debug: Executable, threads: int) -> list[tuple[int | None, list[int]]
     stops = []
     for _ in range(40):
         run.session.run_round() or run.session.end_cycle()
-        stops.append((run.session.halted, run.session.fleet.slots["statements"].tolist()))
+        stops.append((run.session.state.halted, run.session.fleet.slots["statements"].tolist()))
     assert sum(halted is not None for halted, _ in stops) > 10
     return stops
 
@@ -181,7 +181,7 @@ def test_threads_are_used_only_by_rounds_that_take_long(
     monkeypatch.setattr(fleet, "PARALLEL_S", 0.0003)
     monkeypatch.setattr(fleet, "run_all", run_all)
     exits = Run([programs[3]] * len(WORLD.robots), 2).steps(20)
-    assert not exits.session.alive.any()
+    assert not exits.session.state.alive.any()
     assert not calls
     Run([programs[1]] * len(WORLD.robots), 2).steps(20)
     assert len(calls) > 10

@@ -118,15 +118,15 @@ class RecordedRun:
     def position(self) -> Position:
         """The position of the run."""
         session = self.session
-        if session.halted is None:
-            return Position(session.timesteps, session.rounds)
-        statements = int(session.fleet.slots["statements"][session.halted])
-        return Position(session.timesteps, session.rounds, session.halted, statements)
+        if session.state.halted is None:
+            return Position(session.timesteps, session.state.rounds)
+        statements = int(session.fleet.slots["statements"][session.state.halted])
+        return Position(session.timesteps, session.state.rounds, session.state.halted, statements)
 
     @property
     def can_advance(self) -> bool:
         """Whether programs are running or robots have yet to join."""
-        return self.session.running > 0 or self.session.environment.awaits
+        return self.session.state.running > 0 or self.session.environment.awaits
 
     def name(self, robot: int) -> str:
         """Return a robot's name."""
@@ -137,8 +137,8 @@ class RecordedRun:
         session = self.session
         if robot < 0:
             return session.time_s
-        if not session.alive[robot]:
-            return session.robot_result(robot).time_s
+        if not session.state.alive[robot]:
+            return session.state.robot_result(robot).time_s
         now_s = session.now_s(robot)
         return now_s if math.isfinite(now_s) else session.time_s
 
@@ -200,7 +200,7 @@ class RecordedRun:
             event = self._end_cycle()
         else:
             if before.robot < 0:
-                self.input_log.note(before, self.session.pending, self.session.fleet)
+                self.input_log.note(before, self.session.state.pending, self.session.fleet)
                 self._note_begun()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
@@ -212,7 +212,7 @@ class RecordedRun:
             if limit is not None and self._has_passed(limit) and self.position != limit:
                 self.is_off_timeline = True
                 return _LIMIT
-            event = self._end_round() if self.session.halted is None else _STATEMENT
+            event = self._end_round() if self.session.state.halted is None else _STATEMENT
             event = self._with_accesses(event)
         position = self.position
         if edit == position:
@@ -284,7 +284,7 @@ class RecordedRun:
         session.run_programs()
         if self._has_passed(limit) and self.position != limit:
             return None
-        if session.halted is not None:
+        if session.state.halted is not None:
             return self._with_accesses(_STATEMENT)
         session.state.rounds += 1
         assert round_ is not None
@@ -307,7 +307,7 @@ class RecordedRun:
         found = [
             WatchHit(robot, access, self._last_before(event, robot))
             for robot in self._marks.watched
-            if self._marks.at_once or robot == self.session.halted or robot in event.ended
+            if self._marks.at_once or robot == self.session.state.halted or robot in event.ended
             for access in self._watches[robot].take()
         ]
         return replace(event, accesses=tuple(found)) if found else event
@@ -315,7 +315,7 @@ class RecordedRun:
     def _last_before(self, event: RunEvent, robot: int) -> Position:
         """Return the last position before an access that a program made in this round."""
         session = self.session
-        round_ = session.rounds - (event.kind == "round")
+        round_ = session.state.rounds - (event.kind == "round")
         begun = self.statements_begun(robot) - 1
         if begun < self._begun[robot]:
             return Position(session.timesteps, round_)
@@ -334,11 +334,11 @@ class RecordedRun:
     def _has_passed(self, place: Position) -> bool:
         """Return whether a position inside the round that has just run is in the past."""
         session = self.session
-        if (session.timesteps, session.rounds) != (place.timestep, place.round):
+        if (session.timesteps, session.state.rounds) != (place.timestep, place.round):
             return False
         if place.robot < 0:
             return False
-        halted = session.halted
+        halted = session.state.halted
         return halted is None or (halted, self.statements_begun(halted)) >= (
             place.robot,
             place.statements,
@@ -347,17 +347,17 @@ class RecordedRun:
     def _end_round(self) -> RunEvent:
         session = self.session
         slots = session.fleet.slots
-        ran = np.flatnonzero(session.pending)
+        ran = np.flatnonzero(session.state.pending)
         posted = _posted(ran, slots["code"][ran])
         session.end_round()
-        ended = ran[~session.alive[ran]]
+        ended = ran[~session.state.alive[ran]]
         return RunEvent("round", posted, tuple(ended.tolist()))
 
     def _end_cycle(self) -> RunEvent:
-        session = self.session
-        timestep, rounds, alive = session.timesteps, session.rounds, session.alive.copy()
+        session, state = self.session, self.session.state
+        timestep, rounds, alive = session.timesteps, state.rounds, state.alive.copy()
         can_advance = session.end_cycle()
-        ended = tuple(np.flatnonzero(alive & ~session.alive).tolist())
+        ended = tuple(np.flatnonzero(alive & ~state.alive).tolist())
         self.input_log.end(timestep, rounds, ended)
         assert self._step is not None
         self.event_history.hear(self._step, session.environment)
@@ -422,7 +422,7 @@ class RecordedRun:
 
     def site(self, robot: int) -> StatementSite | None:
         """Return the statement before which a program has stopped, or None."""
-        if self.session.halted != robot:
+        if self.session.state.halted != robot:
             return None
         number = int(self.session.fleet.slots["stopped"][robot]) - 1
         return self.programs[robot].executable.detail().compiled.statements[number]
@@ -440,7 +440,7 @@ class RecordedRun:
         """Return whether a program has started and ended."""
         session = self.session
         joined_s = session.environment.state.presence.joined_s[robot]
-        return math.isfinite(joined_s) and not session.alive[robot]
+        return math.isfinite(joined_s) and not session.state.alive[robot]
 
     def has_failed(self, robot: int) -> bool:
         """Return whether a program was stopped by an error."""

@@ -38,7 +38,7 @@ HEADINGS: Final = ("robot", "name", "program", "does", "clock", "x", "y", "headi
 
 def summary(session: Session, robot: int) -> tuple[str, ...]:
     """Return a robot in one row of a table, whose columns are `HEADINGS`."""
-    result = session.robot_result(robot)
+    result = session.state.robot_result(robot)
     x_m, y_m, heading_rad = result.pose
     place = (length(x_m), length(y_m), angle(heading_rad % math.tau))
     if not session.environment.state.presence.present[robot]:
@@ -49,7 +49,7 @@ def summary(session: Session, robot: int) -> tuple[str, ...]:
 
 def robot_rows(session: Session, robot: int) -> list[Row]:
     """Return the rows of a robot."""
-    environment, result = session.environment, session.robot_result(robot)
+    environment, result = session.environment, session.state.robot_result(robot)
     model = environment.world.robots[robot].model
     rows = [
         Row("robot", f"{result.id}, number {robot}, a {model.name}"),
@@ -75,14 +75,14 @@ def robot_rows(session: Session, robot: int) -> list[Row]:
 
 def activity(session: Session, robot: int) -> str:
     """Return what a robot's program does, or its outcome."""
-    result = session.robot_result(robot)
+    result = session.state.robot_result(robot)
     if result.outcome == "exited":
         return f"exited with {result.exit_status}"
     if result.outcome == "failed":
         return "stopped by an error"
     if result.outcome != "running":
         return "left the world" if result.outcome == "left" else "has not joined"
-    on_link = session.request_on_link(robot)
+    on_link = session.state.request_on_link(robot)
     if on_link is not None:
         code, due_s = on_link
         return f"{_function(code)} is on the link until {instant(due_s)}"

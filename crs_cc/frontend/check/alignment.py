@@ -42,9 +42,14 @@ def attributes(node: Node) -> list[Attribute]:
     return [each for each in getattr(node, "attributes", None) or [] if type(each) is Attribute]
 
 
+def has_attribute(node: Node, name: str) -> bool:
+    """Return whether a declaration, struct, union or enum has an attribute."""
+    return any(each.name == name for each in attributes(node))
+
+
 def is_packed(node: Node) -> bool:
-    """Return whether a member or struct is `packed`."""
-    return any(each.name == "packed" for each in attributes(node))
+    """Return whether a member, struct or enum is `packed`."""
+    return has_attribute(node, "packed")
 
 
 def pack(node: Node) -> int:

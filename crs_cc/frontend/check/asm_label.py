@@ -31,6 +31,12 @@ def asm_label(node: Node) -> str:
     return label_among(attributes(node))
 
 
+def alias(node: Node) -> str:
+    """Return the name in a declaration's attribute `alias`, "" if it has none."""
+    found = (each for each in attributes(node) if each.name == "alias")
+    return next(("".join(word.value.strip('"') for word in each.words) for each in found), "")
+
+
 def label_among(found: list[Attribute]) -> str:
     """Return the linker name among attributes, "" if there is none.
 

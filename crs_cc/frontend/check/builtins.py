@@ -22,9 +22,11 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
+from pycparser import c_ast
+
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import constant, tree, vla
-from crs_cc.frontend.check.builtins_number import NUMBER_BUILTINS
+from crs_cc.frontend.check.builtins_number import NUMBER_BUILTINS, folded
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
 from crs_cc.frontend.check.conversion import assigned, convert, promote_argument
 from crs_cc.frontend.check.declarator import type_name
@@ -125,7 +127,7 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
     ]
     if name == "__builtin_alloca":
         return vla.alloca(unit, arguments[0], location)
-    return tree.Intrinsic(builtin.result, location, name, arguments)
+    return folded(tree.Intrinsic(builtin.result, location, name, arguments))
 
 
 def _count(nodes: list[Node], wanted: int, location: Location) -> None:
@@ -158,6 +160,17 @@ def _constant_p(unit: Unit, nodes: list[Node], location: Location) -> Expression
     value = rvalue(unit, nodes[0])
     is_text = isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
     return tree.integer(int(is_text or isinstance(value, tree.Literal)), INT, location)
+
+
+def _string_length(unit: Unit, nodes: list[Node], location: Location) -> Expression | None:
+    """Return the length of a string literal; None for any other argument."""
+    _count(nodes, 1, location)
+    node = nodes[0]
+    is_text = isinstance(node, c_ast.Constant) and node.type == "string"
+    text = expression(unit, node) if is_text else None
+    if not isinstance(text, tree.StringLiteral):
+        return None
+    return tree.integer(text.content.index(b"\0"), UINT, location)
 
 
 def _choose(unit: Unit, nodes: list[Node], location: Location) -> Expression:
@@ -250,6 +263,7 @@ _SPECIAL: Final = {
     "__builtin_expect_with_probability": _expect,
     "__builtin_object_size": _object_size,
     "__builtin_prefetch": _prefetch,
+    "__builtin_strlen": _string_length,
     "__builtin_types_compatible_p": _types_compatible,
     "__crs_stop": _stop,
     "__builtin_va_start": _va_start,

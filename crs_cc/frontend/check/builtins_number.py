@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Final, TypeAlias
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import tree
+from crs_cc.frontend.check import fold, tree
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.conversion import assigned, convert, is_integer, promote_argument
 from crs_cc.frontend.check.expressions import rvalue
@@ -54,16 +54,20 @@ def _values(unit: Unit, nodes: list[Node], count: int, location: Location) -> li
 
 
 def _kept(value: Expression) -> tuple[Expression, Expression]:
-    """Return the assignment of a value to a new variable, and the variable."""
+    """Return the assignment of a value to a new variable, and the variable; constants stay."""
+    if isinstance(value, tree.Literal):
+        return value, value
     symbol = ObjectSymbol("", value.type, value.location)
     name = tree.ObjectName(value.type, value.location, symbol)
     return tree.Assign(value.type, value.location, name, value), name
 
 
 def _then(*parts: Expression) -> Expression:
-    """Build `a, b, c`."""
+    """Build `a, b, c`, without constants that nothing uses."""
     result = parts[-1]
     for each in reversed(parts[:-1]):
+        if isinstance(each, tree.Literal):
+            continue
         result = tree.Comma(result.type, result.location, each, result)
     return result
 
@@ -93,6 +97,8 @@ def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> Numbe
             if not is_integer(each):
                 raise CheckError(location, f"overflow of '{each}' is not supported")
         target = unqualified(target)
+        if not has_target and (known := _known(op, left, right, target)) is not None:
+            return tree.integer(known, INT, location)
         keep, pointer = _kept(last)
         first = [keep] if has_target else [convert(last, INT)]
         place = tree.Dereference(target, location, pointer) if has_target else None
@@ -106,6 +112,15 @@ def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> Numbe
         return _then(keep_exact, *first, *store, differs)
 
     return check
+
+
+def _known(op: str, left: Expression, right: Expression, target: CType) -> int | None:
+    """Return whether an operation on constants overflows a type; None if they are not constant."""
+    assert isinstance(target, IntegerType | EnumType)
+    if not isinstance(left, tree.Literal) or not isinstance(right, tree.Literal):
+        return None
+    exact = fold.exact(op, int(left.value), int(right.value))
+    return int(exact != fold.wrap(exact, target.bits, target.signed))
 
 
 _WIDE: Final = FunctionType(INT, (INT, ULLONG, INT, ULLONG, INT, INT, INT, PointerType(ULLONG)))
@@ -171,13 +186,33 @@ def _number(value: int, like: Expression) -> Expression:
 
 def _count(name: str, value: Expression) -> Expression:
     suffix = "ll" if value.type.size == 8 else ""
-    return tree.Intrinsic(INT, value.location, f"__builtin_{name}{suffix}", [value])
+    return _computed(INT, f"__builtin_{name}{suffix}", [value])
+
+
+def _computed(ctype: CType, name: str, operands: list[Expression]) -> Expression:
+    """Return the call of a builtin, folded if its operands are constant."""
+    return folded(tree.Intrinsic(ctype, operands[0].location, name, operands))
+
+
+def folded(call: tree.Intrinsic) -> Expression:
+    """Return the value of a builtin's call as a constant if it is one."""
+    values = [each.value for each in call.arguments if isinstance(each, tree.Literal)]
+    if not values or len(values) < len(call.arguments):
+        return call
+    value = fold.builtin(call.name, values, call.arguments[0].type)
+    return call if value is None else tree.Literal(call.type, call.location, value)
+
+
+def _either(test: Expression, then: Expression, otherwise: Expression) -> Expression:
+    """Return `test ? then : otherwise` of two `int`s, folded if the test is constant."""
+    if isinstance(test, tree.Literal):
+        return then if test.value else otherwise
+    return tree.Conditional(INT, test.location, test, then, otherwise)
 
 
 def _find_first(unit: Unit, value: Expression) -> Expression:
-    place = value.location
-    number = operate(unit, "+", _count("ctz", value), _number(1, value), place)
-    return tree.Conditional(INT, place, value, number, _number(0, value))
+    number = operate(unit, "+", _count("ctz", value), _number(1, value), value.location)
+    return _either(value, number, _number(0, value))
 
 
 def _parity(unit: Unit, value: Expression) -> Expression:
@@ -240,7 +275,7 @@ def _real(value: float, like: Expression) -> Expression:
 
 def _magnitude(value: Expression) -> Expression:
     suffix = "f" if value.type.size == 4 else ""
-    return tree.Intrinsic(value.type, value.location, f"__builtin_fabs{suffix}", [value])
+    return _computed(value.type, f"__builtin_fabs{suffix}", [value])
 
 
 def _is_nan(unit: Unit, value: Expression) -> Expression:
@@ -271,7 +306,7 @@ def _is_normal(unit: Unit, value: Expression) -> Expression:
 def _sign_bit(unit: Unit, value: Expression) -> Expression:
     suffix = "f" if value.type.size == 4 else ""
     operands = [_real(1.0, value), value]
-    one = tree.Intrinsic(value.type, value.location, f"__builtin_copysign{suffix}", operands)
+    one = _computed(value.type, f"__builtin_copysign{suffix}", operands)
     return operate(unit, "<", one, _real(0.0, value), value.location)
 
 
@@ -284,7 +319,7 @@ def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
     tests = [_is_nan(unit, name), _is_infinite(unit, name), _is_normal(unit, name), is_zero]
     result = kinds[3]
     for test, kind in zip(reversed(tests), (kinds[4], kinds[2], kinds[1], kinds[0]), strict=True):
-        result = tree.Conditional(INT, location, test, kind, result)
+        result = _either(test, kind, result)
     return _then(keep, result)
 
 

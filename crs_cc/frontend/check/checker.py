@@ -50,15 +50,17 @@ class CheckError(Exception):
 
 @dataclass(slots=True, eq=False)
 class Automatic:
-    """A local variable of a variably modified type, in its scope.
+    """A local variable with an action at the end of its scope, or of a variably modified type.
 
     Attributes:
         mark: for an array, the hidden variable with the allocator's state before it.
+        cleanup: returns the call of its attribute `cleanup`.
     """
 
     name: str
     location: Location
     mark: ObjectSymbol | None
+    cleanup: Callable[[], tree.Expression] | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -131,11 +133,13 @@ class Unit:
         function: the function that is being checked.
         place: the last known location, for nodes without one.
         link_names: the number of static names of each spelling.
+        static_initialisers: the number of open initialisers in which every value is constant.
         prototypes: the number of open parameter lists, in which array lengths are not evaluated.
         unknown: the unknown names that were reported, with the function that used them.
         suggestions: the number of further unknown names that get a hint.
         trusted: whether its functions may change the state of shadow memory.
         dialect: the dialect, which determines the robot functions.
+        standard: the C standard, a key of `preprocess.options.STANDARDS`.
         headers: the directories of the headers that come with crs.
         macros: the names of the macros, for suggestions.
     """
@@ -150,11 +154,13 @@ class Unit:
     specified: dict[Any, CType] = field(default_factory=dict)
     function: FunctionState | None = None
     link_names: dict[str, int] = field(default_factory=dict)
+    static_initialisers: int = 0
     prototypes: int = 0
     unknown: set[tuple[str, str]] = field(default_factory=set)
     suggestions: int = 20
     trusted: bool = False
     dialect: Dialect = "nomad"
+    standard: str = "gnu17"
     headers: tuple[Path, ...] = ()
     macros: tuple[str, ...] = ()
 

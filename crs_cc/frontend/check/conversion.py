@@ -94,6 +94,10 @@ def decay(expression: Expression) -> Expression:
         return tree.AddressOf(PointerType(ctype), expression.location, expression)
     if ctype.const or ctype.volatile:
         expression.type = unqualified(ctype)
+    if isinstance(expression, tree.ObjectName) and expression.is_constant:
+        value = expression.symbol.constant
+        assert value is not None
+        return tree.Literal(expression.type, expression.location, value)
     return expression
 
 
@@ -203,7 +207,9 @@ def _union_of(value: Expression, target: RecordType) -> Expression:
     """Cast to a union with a member of the value's type (GNU C)."""
     location, source = value.location, unqualified(value.type)
     for member in target.record.members or [] if target.record.kind == "union" else []:
-        if compatible(unqualified(member.type), source):
+        is_null = isinstance(member.type, PointerType) and is_null_constant(value)
+        if compatible(unqualified(member.type), source) or is_null:
+            value = convert(value, unqualified(member.type))
             symbol = ObjectSymbol("", target, location, in_memory=True)
             is_field = member.bit_width is not None
             part = tree.InitialValue(0, member.type, value, member if is_field else None)
@@ -273,10 +279,15 @@ def assigned(
                 flag="int-conversion",
             )
         return convert(value, target)
-    if isinstance(target, RecordType) and source == target:
-        return value
+    if isinstance(target, RecordType) and (source == target or _takes_members(target, use)):
+        return value if source == target else _union_of(value, target)
     impossible = PHRASES[use][1].format(to=target, of=source)
     raise CheckError(value.location, impossible, hint)
+
+
+def _takes_members(target: RecordType, use: str) -> bool:
+    """Return whether a value may be passed as one of a union's members."""
+    return target.record.is_transparent and use == "pass"
 
 
 def _warn(

@@ -17,9 +17,10 @@ from crs_cc.frontend.check.alignment import (
     alignment,
     attribute_alignment,
     attributes,
+    has_attribute,
     natural_alignment,
 )
-from crs_cc.frontend.check.asm_label import asm_label
+from crs_cc.frontend.check.asm_label import alias, asm_label
 from crs_cc.frontend.check.checker import (
     Automatic,
     Checked,
@@ -28,10 +29,11 @@ from crs_cc.frontend.check.checker import (
     checks_statement,
     expression,
 )
-from crs_cc.frontend.check.conversion import decay, is_scalar
+from crs_cc.frontend.check.conversion import decay
 from crs_cc.frontend.check.declarator import declared_type, require_complete
 from crs_cc.frontend.check.function_attributes import apply_attributes
-from crs_cc.frontend.check.initializer import initialise
+from crs_cc.frontend.check.initializer import initialise, known_value
+from crs_cc.frontend.check.local_object import declare_local
 from crs_cc.frontend.check.mode import with_mode
 from crs_cc.frontend.check.scope import (
     BrokenName,
@@ -75,12 +77,14 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     location = unit.at_name(node)
     if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
         raise CheckError(location, f"multiple storage classes in the declaration of '{node.name}'")
+    if "constexpr" in storage:
+        ctype = qualify(ctype, const=True, volatile=False)
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
     elif unit.function is None or "extern" in storage:
         _declare_global(unit, node, ctype, location)
     else:
-        _declare_local(unit, node, ctype, location, out)
+        declare_local(unit, node, ctype, location, out)
 
 
 def _do(effects: list[tree.Expression], out: list[tree.Statement] | None) -> None:
@@ -105,9 +109,10 @@ def declared_or_broken(unit: Unit, node: Node) -> CType:
 
 
 def _is_auto(node: Node) -> bool:
-    """Return whether a declarator is a name with GNU C's `__auto_type`."""
+    """Return whether a declarator is a name with GNU C's `__auto_type`, or C23's `auto`."""
     specifier = node.type if isinstance(node, c_ast.TypeDecl) else None
-    return isinstance(specifier, c_ast.IdentifierType) and specifier.names == [AUTO_TYPE]
+    is_named = isinstance(specifier, c_ast.IdentifierType) and specifier.names == [AUTO_TYPE]
+    return is_named or isinstance(specifier, c_ast.InferredType)
 
 
 def _inferred(unit: Unit, node: Node) -> CType:
@@ -153,8 +158,9 @@ def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     if known is None:
         align = attribute_alignment(unit, attributes(node)) or natural_alignment(unit, node)
         unit.scope.names[node.name] = TypedefName(node.name, ctype, location, align)
-    if isinstance(ctype, RecordType) and ctype.record.alias is None:
-        ctype.record.alias = node.name
+    if isinstance(ctype, RecordType):
+        ctype.record.alias = ctype.record.alias or node.name
+        ctype.record.is_transparent |= has_attribute(node, "transparent_union")
 
 
 def _redefinition(known: Symbol, name: str, location: Location) -> CheckError:
@@ -284,20 +290,22 @@ def _differs_in_promotion(left: FunctionType, right: FunctionType) -> bool:
 
 def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) -> None:
     storage = node.storage or []
-    if unit.function is None and ("register" in storage or "auto" in storage):
+    is_automatic = "auto" in storage and not _is_auto(node.type)
+    if unit.function is None and ("register" in storage or is_automatic):
         raise CheckError(location, f"illegal storage class on file-scoped variable '{node.name}'")
     if is_variably_modified(ctype):
         text = f"object '{node.name}' with variably modified type must have no linkage"
         raise CheckError(location, text)
     is_extern = "extern" in storage
-    symbol = _global_symbol(unit, node, ctype, location, is_static="static" in storage)
+    symbol = _global_symbol(unit, node, ctype, location, is_static=_is_internal(storage))
     align = max(alignment(unit, node), natural_alignment(unit, node))
     symbol.align = max(symbol.align, align)
     symbol.is_weak = symbol.is_weak or any(each.name == "weak" for each in attributes(node))
     symbol.link_name = asm_label(node) or symbol.link_name
+    symbol.alias = alias(node) or symbol.alias
     if node.init is not None:
         _initialise_global(unit, symbol, node, ctype, location)
-    elif not is_extern:
+    elif not is_extern and not symbol.alias:
         if isinstance(ctype, RecordType) and not is_complete(ctype):
             pass  # C17 6.9.2p3: it may be completed later; checked at the end of the file.
         elif not is_complete(ctype) and not isinstance(ctype, ArrayType):
@@ -305,6 +313,11 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
         if not symbol.is_tentative and not symbol.is_defined:
             symbol.is_tentative = True
             unit.objects.append(tree.ObjectDefinition(symbol, None))
+
+
+def _is_internal(storage: list[str]) -> bool:
+    """Return whether storage classes give internal linkage to an object at file scope."""
+    return "static" in storage or "constexpr" in storage
 
 
 def _global_symbol(
@@ -353,6 +366,8 @@ def _initialise_global(
     symbol.is_defined = True
     symbol.location = location
     made, completed = initialise(unit, ctype, node.init, True)
+    symbol.constant = known_value(made, completed)
+    symbol.is_constexpr = "constexpr" in (node.storage or [])
     symbol.type = composite(symbol.type, completed)
     require_complete(symbol.type, location, node.name)
     unit.objects.append(tree.ObjectDefinition(symbol, made))
@@ -381,41 +396,7 @@ def finish_objects(unit: Unit) -> None:
     ]
 
 
-# Local objects
-
-
-def _declare_local(
-    unit: Unit, node: Node, ctype: CType, location: Location, out: list[tree.Statement] | None
-) -> None:
-    assert unit.function is not None
-    known = unit.scope.names.get(node.name)
-    if known is not None:
-        raise CheckError(location, f"redefinition of '{node.name}'", f"first at {known.location}")
-    symbol = ObjectSymbol(node.name, ctype, location)
-    symbol.align = max(alignment(unit, node), natural_alignment(unit, node))
-    symbol.in_memory = not is_scalar(ctype)
-    symbol.is_used = any(each.name in {"unused", "cleanup"} for each in attributes(node))
-    is_static = bool({"static", "_Thread_local"} & set(node.storage or []))
-    if is_static:
-        symbol.link_name = unit.static_name(f"{unit.function.symbol.name}.{node.name}")
-        symbol.is_defined = True
-    unit.scope.names[node.name] = symbol
-    made = None
-    if vla.is_variable(ctype) and (is_static or node.init is not None):
-        what = "be static" if is_static else "be initialized"
-        text = f"variable length array '{node.name}' cannot {what}"
-        raise CheckError(location, text)
-    if is_variably_modified(ctype):
-        vla.declare(unit, symbol, ctype, out)
-        if symbol.is_indirect:
-            return
-    if node.init is not None:
-        made, symbol.type = initialise(unit, ctype, node.init, is_static)
-    require_complete(symbol.type, location, node.name)
-    if is_static:
-        unit.objects.append(tree.ObjectDefinition(symbol, made))
-    elif out is not None:
-        out.append(tree.Declare(location, symbol, made))
+# Declarations in blocks
 
 
 def declare_broken(unit: Unit, node: Node) -> None:

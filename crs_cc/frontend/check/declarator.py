@@ -99,6 +99,8 @@ def _identifier(unit: Unit, node: Node) -> CType:
         return found
     if len(names) == 1:
         symbol = unit.scope.find(names[0])
+        if isinstance(symbol, ObjectSymbol):  # an earlier declarator of this declaration hides it
+            symbol = unit.scope.find_type(names[0])
         if isinstance(symbol, TypedefName):
             return symbol.type
         if isinstance(symbol, BrokenName):

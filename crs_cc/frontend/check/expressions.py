@@ -22,6 +22,7 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible
 from crs_cc.frontend.parse import literal
 from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import (
     CHAR,
     UINT,
@@ -54,6 +55,8 @@ def name(unit: Unit, node: Node) -> Expression:
     if isinstance(symbol, ObjectSymbol):
         symbol.is_used = True
         found = tree.ObjectName(symbol.type, location, symbol)
+        if symbol.constant is not None:
+            found.is_constant = symbol.is_constexpr or unit.static_initialisers > 0
         if symbol.is_indirect:
             assert isinstance(symbol.type, PointerType)
             return tree.Dereference(symbol.type.target, location, found)
@@ -92,8 +95,10 @@ def constant(unit: Unit, node: Node) -> Expression:
             content, element = literal.string(node.value)
             length = len(content) // element.size
             return tree.StringLiteral(ArrayType(element, length), location, content)
-        read = literal.character if node.type == "char" else literal.number
-        value, ctype = read(node.value)
+        if node.type == "char":
+            value, ctype = literal.character(node.value)
+        else:
+            value, ctype = literal.number(node.value, is_c90(unit.standard))
     except ValueError as problem:
         raise CheckError(location, str(problem)) from None
     return tree.Literal(ctype, location, value)

@@ -10,6 +10,7 @@ None
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from typing import Final, TypeAlias
 
 from crs_cc.frontend.parse.literal import single
@@ -91,6 +92,57 @@ def binary(op: str, ctype: CType, left: Number, right: Number) -> Number | None:
         exact = _integer_binary(op, ctype, int(left), int(right))
         return None if exact is None else wrap(exact, ctype.bits, ctype.signed)
     return None
+
+
+def exact(op: str, left: int, right: int) -> int:
+    """Return `left op right` in unlimited integers, for `+`, `-` and `*`."""
+    return {"+": left + right, "-": left - right, "*": left * right}[op]
+
+
+def builtin(name: str, values: Sequence[Number], ctype: CType) -> Number | None:
+    """Return the value of a builtin; None if it is none of these, or undefined.
+
+    Args:
+        name: its name.
+        values: its arguments.
+        ctype: the type of the first one.
+    """
+    name = name.removeprefix("__builtin_")
+    if isinstance(ctype, IntegerType):
+        number = int(values[0]) & (1 << ctype.bits) - 1
+        match name.rstrip("l"):
+            case "popcount":
+                return number.bit_count()
+            case "clz" if number:
+                return ctype.bits - number.bit_length()
+            case "ctz" if number:
+                return (number & -number).bit_length() - 1
+        return None
+    found = _FLOAT_BUILTINS.get(name) or _FLOAT_BUILTINS.get(name[:-1])
+    if found is None or not isinstance(ctype, FloatType):
+        return None
+    result = found(*map(float, values))
+    return single(result) if ctype.size == 4 else result
+
+
+def _rounded(how: Callable[[float], int]) -> Callable[[float], float]:
+    """Return a rounding function of floating-point numbers, which keeps signs and infinities."""
+
+    def function(value: float) -> float:
+        return math.copysign(how(value), value) if math.isfinite(value) else value
+
+    return function
+
+
+_FLOAT_BUILTINS: Final[dict[str, Callable[..., float]]] = {
+    "fabs": abs,
+    "copysign": math.copysign,
+    "sqrt": lambda value: math.sqrt(value) if value >= 0 else math.nan,
+    "floor": _rounded(math.floor),
+    "ceil": _rounded(math.ceil),
+    "trunc": _rounded(math.trunc),
+    "rint": _rounded(round),
+}
 
 
 def _float_binary(op: str, left: float, right: float) -> float | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.alignment import attributes
-from crs_cc.frontend.check.asm_label import asm_label
+from crs_cc.frontend.check.asm_label import alias, asm_label
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
 from crs_cc.frontend.parse.gnu_attributes import Attribute
@@ -23,6 +23,7 @@ def apply_attributes(unit: Unit, symbol: FunctionSymbol, node: Node) -> None:
         CheckError: one of them is invalid.
     """
     symbol.link_name = asm_label(node) or symbol.link_name
+    symbol.alias = alias(node) or symbol.alias
     if "_Noreturn" in (node.funcspec or []):
         symbol.is_noreturn = True
     for each in attributes(node):

@@ -120,6 +120,23 @@ def initialise(unit: Unit, ctype: CType, node: Node, is_static: bool) -> tuple[I
     Raises:
         CheckError: it has an error.
     """
+    unit.static_initialisers += is_static
+    try:
+        return _initialise(unit, ctype, node, is_static)
+    finally:
+        unit.static_initialisers -= is_static
+
+
+def known_value(initialiser: Initialiser, ctype: CType) -> int | float | None:
+    """Return the value of a `const` scalar with an initialiser, None if it is not a constant."""
+    if not ctype.const or ctype.volatile or len(initialiser.values) != 1:
+        return None
+    value = initialiser.values[0].value
+    is_plain = isinstance(value, tree.Literal) and not isinstance(ctype, ArrayType | RecordType)
+    return value.value if is_plain and isinstance(value, tree.Literal) else None
+
+
+def _initialise(unit: Unit, ctype: CType, node: Node, is_static: bool) -> tuple[Initialiser, CType]:
     filler = _Filler(unit, is_static)
     if isinstance(node, c_ast.InitList):
         filler.braced(_Part(ctype, 0), node)
@@ -383,6 +400,10 @@ class _Filler:
             raise CheckError(location, "designator in initializer for scalar type")
         places[-1].advance()
         places.append(_Place(part.type, part.offset))
+        # As in gcc, the rest of a struct that was copied as a whole becomes zero.
+        copied = [each for each in self.values if each.offset == part.offset]
+        if any(each.type == part.type and isinstance(each.type, RecordType) for each in copied):
+            self._override(part)
 
     def _choose_elements(self, place: _Place, designator: Node) -> int:
         """Select an element, or the first of a range; return the number of elements in it."""

@@ -44,6 +44,9 @@ class ObjectSymbol:
             length is one.
         align: the alignment from `_Alignas` [bytes], 0 for the type's own.
         block: the start and end of the block that declares it, see `ir.instruction.Variable`.
+        alias: the name of the object whose other name it is, from the attribute `alias`.
+        constant: the value that a `const` scalar always has, if it is known.
+        is_constexpr: whether that value may be used in constant expressions (C23 6.6p7).
     """
 
     name: str
@@ -60,6 +63,9 @@ class ObjectSymbol:
     is_indirect: bool = False
     align: int = 0
     block: tuple[Location, Location] | None = None
+    alias: str = ""
+    constant: int | float | None = None
+    is_constexpr: bool = False
 
     def variable(self) -> Variable:
         """Return its description for debuggers and messages."""
@@ -91,6 +97,8 @@ class FunctionSymbol:
             says so.
         is_noreturn: whether it never returns.
         is_weak: whether a definition in another file overrides it.
+        is_replaceable: whether its definition is GNU's `extern inline`, which another may follow.
+        alias: the name of the function whose other name it is, from the attribute `alias`.
         starts: the priority with which it runs before `main`; None if it does not.
         ends: the priority with which it runs after the program; None if it does not.
         format: its format string, if it has one.
@@ -106,6 +114,8 @@ class FunctionSymbol:
     is_used: bool = False
     is_noreturn: bool = False
     is_weak: bool = False
+    is_replaceable: bool = False
+    alias: str = ""
     starts: int | None = None
     ends: int | None = None
     format: Format | None = None
@@ -164,6 +174,16 @@ class Scope:
         while scope is not None:
             if name in scope.names:
                 return scope.names[name]
+            scope = scope.outer
+        return None
+
+    def find_type(self, name: str) -> TypedefName | None:
+        """Return the type of a name, even if another meaning of it is in an inner scope."""
+        scope: Scope | None = self
+        while scope is not None:
+            found = scope.names.get(name)
+            if isinstance(found, TypedefName):
+                return found
             scope = scope.outer
         return None
 

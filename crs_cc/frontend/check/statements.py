@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 from pycparser import c_ast
 
@@ -36,7 +36,15 @@ from crs_cc.frontend.check.suspicious_operands import warn_returned
 from crs_cc.frontend.check.tree import Expression, Statement
 from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.parse.lexer import Span
-from crs_cc.frontend.parse.nodes import ComputedGoto, LabelAddress, LocalLabels, Node, Range
+from crs_cc.frontend.parse.nodes import (
+    ComputedGoto,
+    LabelAddress,
+    LocalLabels,
+    Node,
+    Range,
+    StatementExpression,
+)
+from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, qualify
 
 
@@ -122,6 +130,11 @@ def nothing(_unit: Unit, _node: Node, _out: list[Statement]) -> None:
     """Check `;`, and ignore `#pragma`."""
 
 
+def _own_scope(unit: Unit) -> AbstractContextManager[object]:
+    """Open the scope of an `if`, `switch` or loop, which is a block since C99 (6.8.4p3)."""
+    return nullcontext() if is_c90(unit.standard) else unit.new_scope()
+
+
 def _condition(unit: Unit, node: Node) -> Expression:
     """Check a controlling expression; report an invalid one and replace it."""
     found = unit.attempt(_scalar, node)
@@ -139,9 +152,10 @@ def _scalar(unit: Unit, node: Node) -> Expression:
 @checks_statement(c_ast.If)
 def if_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Check `if`."""
-    condition = _condition(unit, node.cond)
-    then = body(unit, node.iftrue)
-    otherwise = body(unit, node.iffalse)
+    with _own_scope(unit):
+        condition = _condition(unit, node.cond)
+        then = body(unit, node.iftrue)
+        otherwise = body(unit, node.iffalse)
     out.append(tree.If(unit.at(node), condition, then, otherwise))
 
 
@@ -149,9 +163,13 @@ def if_(unit: Unit, node: Node, out: list[Statement]) -> None:
 def while_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Check `while` and `do`."""
     location = unit.at(node)
-    condition = _condition(unit, node.cond)
-    inner = _loop_body(unit, node.stmt)
     is_while = isinstance(node, c_ast.While)
+    with _own_scope(unit):
+        if is_while:
+            condition = _condition(unit, node.cond)
+        inner = _loop_body(unit, node.stmt)
+        if not is_while:
+            condition = _condition(unit, node.cond)
     out.append(tree.Loop(location, [], condition, None, inner, tests_first=is_while))
 
 
@@ -288,16 +306,17 @@ def check_labels(unit: Unit) -> None:
 def switch(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Check `switch`."""
     location = unit.at(node)
-    value = unit.attempt(_switch_value, node.cond)
-    if value is None:
-        value = tree.integer(0, INT, location)
     state = _function(unit)
-    opened = SwitchState(value.type, len(state.automatics))
-    state.switches.append(opened)
-    state.breakable.append(len(state.automatics))
-    inner = body(unit, node.stmt)
-    state.breakable.pop()
-    state.switches.pop()
+    with _own_scope(unit):
+        value = unit.attempt(_switch_value, node.cond)
+        if value is None:
+            value = tree.integer(0, INT, location)
+        opened = SwitchState(value.type, len(state.automatics))
+        state.switches.append(opened)
+        state.breakable.append(len(state.automatics))
+        inner = body(unit, node.stmt)
+        state.breakable.pop()
+        state.switches.pop()
     out.append(tree.Switch(location, value, inner, opened.labels))
 
 
@@ -403,15 +422,15 @@ def _leave(state: FunctionState, location: Location, value: Expression | None) -
     return made
 
 
-@checks(c_ast.Compound)
-def statement_expression(unit: Unit, node: Node) -> Expression:
+@checks(StatementExpression)
+def statement_expression(unit: Unit, node: StatementExpression) -> Expression:
     """Check `({ ... })`, a statement used as an expression (GNU C)."""
-    location = unit.at(node)
+    location, body_ = unit.at(node), node.body
     if unit.function is None:
         raise CheckError(location, "statement expression not allowed at file scope")
     out: list[Statement] = []
-    with _block(unit, node, out):
-        for each in node.block_items or []:
+    with _block(unit, body_, out):
+        for each in body_.block_items or []:
             statement(unit, each, out)
         value = _last_value(unit.function, out)
     return tree.StatementExpression(VOID if value is None else value.type, location, out, value)

@@ -12,13 +12,14 @@ from crs_cc.frontend.check.alignment import (
     alignment,
     attribute_alignment,
     attributes,
+    has_attribute,
     is_packed,
     natural_alignment,
     pack,
 )
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.conversion import is_integer
-from crs_cc.frontend.check.declarator import LARGEST_OBJECT, declared_type, specifies
+from crs_cc.frontend.check.declarator import LARGEST_OBJECT, declared_type, specifies, type_name
 from crs_cc.frontend.check.mode import with_mode
 from crs_cc.frontend.check.scope import EnumConstant, Tag
 from crs_cc.frontend.parse.nodes import Node
@@ -40,6 +41,7 @@ from crs_cc.ir.types import (
     is_complete,
     is_variably_modified,
     qualify,
+    unqualified,
 )
 
 
@@ -92,6 +94,7 @@ def _define(unit: Unit, record: Record, node: Node, tag: Tag | None) -> None:
                 members.append(member)
     _check_names(unit, members, node)
     align = attribute_alignment(unit, attributes(node))
+    record.is_transparent = has_attribute(node, "transparent_union")
     record.complete(members, max(1, align), pack(node))
     if record.size > LARGEST_OBJECT:
         raise CheckError(location, f"'{record.kind} {node.name or '<anonymous>'}' is too large")
@@ -163,14 +166,25 @@ def enum_type(unit: Unit, node: Node) -> CType:
             text = f"redefinition of 'enum {node.name}'"
             raise CheckError(location, text, f"first defined at {tag.location}")
         ctype.definition.constants = {}
-        _declare_constants(unit, ctype.definition, node.values.enumerators)
+        _declare_constants(unit, ctype.definition, node)
     return ctype
 
 
-def _declare_constants(unit: Unit, definition: Enumeration, nodes: list[Node]) -> None:
+def _fixed_type(unit: Unit, node: Node) -> IntegerType | None:
+    """Return the type after the colon of an enum's tag (C23 6.7.2.2); None if there is none."""
+    if node.underlying_type is None:
+        return None
+    ctype = unqualified(type_name(unit, node.underlying_type))
+    if not isinstance(ctype, IntegerType):
+        raise CheckError(unit.at(node), f"underlying type '{ctype}' of an enum is not an integer")
+    return ctype
+
+
+def _declare_constants(unit: Unit, definition: Enumeration, node: Node) -> None:
     """Declare the constants; one that fits is an `int`, others have the type of the enum."""
     value, constants, large = 0, {}, []
-    for each in nodes:
+    fixed = _fixed_type(unit, node)
+    for each in node.values.enumerators:
         if not isinstance(each, c_ast.Enumerator):
             continue
         location = unit.at(each)
@@ -185,10 +199,13 @@ def _declare_constants(unit: Unit, definition: Enumeration, nodes: list[Node]) -
         if known is not None:
             unit.error(location, f"redefinition of '{each.name}'", f"first at {known.location}")
         unit.scope.names[each.name] = made = EnumConstant(each.name, ctype, location, value)
-        if ctype is not INT:
+        if fixed is not None and not fixed.smallest <= value <= fixed.largest:
+            unit.error(location, f"'{each.name}' does not fit into '{fixed}'")
+        if ctype is not INT or fixed is not None:
             large.append(made)
         value += 1
-    definition.complete(constants)
+    definition.complete(constants, is_packed(node))
+    definition.integer = fixed or definition.integer
     for made in large:
         made.type = definition.integer
 

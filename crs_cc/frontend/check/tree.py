@@ -52,9 +52,10 @@ class StringLiteral(Expression):
 
 @dataclass(slots=True, eq=False)
 class ObjectName(Expression):
-    """A variable."""
+    """A variable; `is_constant` if its value, when it is read here, is a constant."""
 
     symbol: ObjectSymbol
+    is_constant: bool = False
 
 
 @dataclass(slots=True, eq=False)

@@ -8,6 +8,7 @@ from typing import Any, Final
 from pycparser import c_ast
 
 from crs_cc.frontend.check import calls, tree, vla
+from crs_cc.frontend.check.alignment import has_attribute
 from crs_cc.frontend.check.builtins import VA_LIST
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit
 from crs_cc.frontend.check.conversion import is_scalar
@@ -26,7 +27,9 @@ from crs_cc.frontend.check.statements import check_labels, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
 from crs_cc.frontend.check.unsupported import refused
+from crs_cc.frontend.parse.keywords import INLINE
 from crs_cc.frontend.parse.nodes import PREDECLARED_TYPES, Broken, Node
+from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import (
     DOUBLE,
     INT,
@@ -83,10 +86,15 @@ def _function_definition(unit: Unit, node: Node) -> None:
     storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
     is_static = "static" in storage
     symbol = declare_function(unit, declaration.name, ctype, location, is_static)
-    # An inline definition may be in a header that several files include (C17 6.7.4p7).
-    symbol.is_weak = symbol.is_weak or ("inline" in storage and not is_static)
-    symbol.is_used = symbol.is_used or "inline" in storage
     apply_attributes(unit, symbol, declaration)
+    if symbol.is_replaceable:
+        _forget_definition(unit, symbol)
+    # An inline definition may be in a header that several files include (C17 6.7.4p7).
+    is_inline = not INLINE.isdisjoint(storage)
+    symbol.is_weak = symbol.is_weak or (is_inline and not is_static)
+    symbol.is_used = symbol.is_used or is_inline
+    is_gnu = is_c90(unit.standard) or has_attribute(declaration, "gnu_inline")
+    symbol.is_replaceable = is_inline and is_gnu and "extern" in storage
     if symbol.is_defined:
         text = f"redefinition of '{declaration.name}'"
         raise CheckError(location, text, f"first at {symbol.location}")
@@ -110,6 +118,12 @@ def _function_definition(unit: Unit, node: Node) -> None:
         location, symbol, unit.at(node.body), parameters, passed, body, implicit
     )
     unit.functions.append(made)
+
+
+def _forget_definition(unit: Unit, symbol: FunctionSymbol) -> None:
+    """Drop the definition that GNU's `extern inline` gives, in favour of the real one."""
+    unit.functions = [each for each in unit.functions if each.symbol is not symbol]
+    symbol.is_defined = symbol.is_weak = symbol.is_replaceable = False
 
 
 def _specifier(node: Node) -> Node:

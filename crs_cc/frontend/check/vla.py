@@ -198,11 +198,16 @@ def alloca(unit: Unit, bytes_: Expression, location: Location) -> Expression:
 
 
 def release(automatics: list[Automatic], first: int, location: Location) -> Expression | None:
-    """Return the call that frees the memory of all variables from number `first` on, if any."""
-    for each in automatics[first:]:
-        if each.mark is not None:
-            return _release(each.mark, location)
-    return None
+    """Return what ends the scope of all variables from number `first` on, if anything does.
+
+    The attributes `cleanup` are obeyed from the last variable to the first, then all memory is
+    freed.
+    """
+    left = automatics[first:]
+    calls = [each.cleanup() for each in reversed(left) if each.cleanup is not None]
+    marks = [each.mark for each in left if each.mark is not None]
+    calls += [_release(each, location) for each in marks[:1]]
+    return after(calls[:-1], calls[-1]) if calls else None
 
 
 def _release(mark: ObjectSymbol, location: Location) -> Expression:
@@ -233,7 +238,8 @@ def finish(state: FunctionState, body: list[tree.Statement]) -> None:
     if mark is None:
         return
     for each in state.returns:
-        each.release = _release(mark, each.location)
+        done = [] if each.release is None else [each.release]
+        each.release = after(done, _release(mark, each.location))
     body.insert(0, _statement(_take_mark(mark)))
     body.append(_statement(_release(mark, mark.location)))
 
@@ -247,8 +253,8 @@ def jump(
         if left is not right:
             break
         common += 1
-    if common < len(target):
-        entered = target[common]
+    entered = next((each for each in target[common:] if each.cleanup is None), None)
+    if entered is not None:
         text = (
             f"{what} jumps into the scope of '{entered.name}', which has a variably modified type"
         )

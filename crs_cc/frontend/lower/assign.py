@@ -16,7 +16,16 @@ from crs_cc.frontend.lower.expressions import is_checked, operator_name, shift_c
 from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value, value_into
 from crs_cc.frontend.lower.memory import copy, load, store
 from crs_cc.ir.instruction import Binary, Constant, Move, Operand, Register
-from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerType, RecordType
+from crs_cc.ir.types import (
+    INT,
+    CType,
+    EnumType,
+    FloatType,
+    IntegerType,
+    Member,
+    PointerType,
+    RecordType,
+)
 
 
 @dataclass(slots=True, eq=False)
@@ -193,7 +202,7 @@ def _step(low: Lowering, expression: tree.Increment, target: _Target, old: Opera
     ctype, location, step = expression.type, expression.location, expression.step
     if isinstance(ctype, PointerType):
         step *= ctype.target.size
-    is_narrow = isinstance(ctype, IntegerType) and ctype.size < INT.size
+    is_narrow = isinstance(ctype, IntegerType | EnumType) and ctype.size < INT.size
     computed: CType = INT if is_narrow else ctype
     one = constant(computed, step)
     name = "add"

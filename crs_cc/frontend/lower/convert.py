@@ -148,7 +148,7 @@ def narrow(
     """Truncate a value to a `char`, `short` or wide bit-field; return that of other types as is."""
     if isinstance(target, IntegerType) and target.width is not None:
         return _narrow_wide(low, operand, target, location, into)
-    if target.size >= 4 or not isinstance(target, IntegerType):
+    if target.size >= 4 or not isinstance(target, IntegerType | EnumType):
         return operand
     if target.memory in _NARROW:
         return _unary(low, _NARROW[target.memory], operand, location, into)

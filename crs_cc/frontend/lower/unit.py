@@ -5,7 +5,7 @@ from __future__ import annotations
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.constant import ConstantAddress
-from crs_cc.frontend.check.scope import FunctionSymbol
+from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.lower.function import lower_function
 from crs_cc.frontend.lower.initializer import Image
 from crs_cc.frontend.lower.unit_state import UnitState
@@ -23,9 +23,12 @@ def lower_unit(unit: Unit) -> Program:
         state.program.functions[made.name] = made
         _note(state.program, function.symbol)
     program = state.program
+    _enter_aliases(unit, program)
     own = f"{unit.name}:"
     for name, location in state.uses.items():
         if name.startswith(own) and name not in program.functions and name not in program.data:
+            if name in program.aliases:
+                continue
             text = f"static function '{name.removeprefix(own)}' is used, but defined nowhere"
             unit.error(location, text)
     program.undefined = {
@@ -38,6 +41,23 @@ def lower_unit(unit: Unit) -> Program:
         if symbol is not None:
             program.declared[name] = symbol.type, symbol.location
     return program
+
+
+def _enter_aliases(unit: Unit, program: Program) -> None:
+    """Enter the other names of functions and objects; report one of which none is defined here."""
+    names = unit.scope.names
+    for symbol in names.values():
+        if not isinstance(symbol, ObjectSymbol | FunctionSymbol) or not symbol.alias:
+            continue
+        meant = names.get(symbol.alias)
+        target = getattr(meant, "link_name", None) or symbol.alias
+        if target not in program.functions and target not in program.data:
+            text = f"'{symbol.name}' is an alias of '{symbol.alias}', which is not defined here"
+            unit.error(symbol.location, text)
+        elif symbol.link_name is not None:
+            program.aliases[symbol.link_name] = target
+            if symbol.is_weak:
+                program.weak.add(symbol.link_name)
 
 
 def _note(program: Program, symbol: FunctionSymbol) -> None:

@@ -1,4 +1,4 @@
-"""GNU attributes, `__attribute__((packed, aligned(8)))`, and `#pragma pack`.
+"""Attributes: GNU's `__attribute__((packed, aligned(8)))`, C23's `[[noreturn]]`, `#pragma pack`.
 
 An attribute may appear nearly everywhere, but the grammar does not depend on it. So attributes are
 removed from the tokens before parsing and kept by the token that they precede; the parser attaches
@@ -30,28 +30,35 @@ Node: TypeAlias = Any
 _INTERNAL: Final = frozenset({PACK, ASM_LABEL})
 
 _IMPLEMENTED: Final = frozenset({
-    "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
-    "unused", "used",
+    "alias", "aligned", "cleanup", "constructor", "destructor", "format", "gnu_inline", "mode",
+    "noreturn", "packed", "transparent_union", "weak", "unused", "used", "maybe_unused",
 })  # fmt: skip
 """Attributes that are implemented."""
 
 _IGNORED: Final = frozenset({
     "access", "alloc_align", "alloc_size", "always_inline", "artificial", "assume_aligned", "cdecl",
-    "cold", "common", "const", "deprecated", "designated_init", "error", "externally_visible",
-    "fallthrough", "fastcall", "flatten", "format_arg", "gnu_inline", "hot", "interrupt",
-    "may_alias", "leaf", "malloc", "naked", "no_instrument_function", "no_reorder", "no_sanitize",
-    "no_sanitize_address", "no_split_stack", "noclone", "nocommon", "noinit", "noinline", "noipa",
-    "nonnull", "nonstring", "noplt", "nothrow", "optimize", "pure", "regparm", "retain",
-    "returns_nonnull", "returns_twice", "section", "sentinel", "stack_protect", "stdcall",
-    "symver", "target", "target_clones", "tls_model", "unavailable",
+    "carries_dependency", "cold", "common", "const", "deprecated", "designated_init", "error",
+    "externally_visible", "fallthrough", "fastcall", "flatten", "format_arg", "hot",
+    "interrupt", "may_alias", "leaf", "likely", "malloc", "naked", "nodiscard",
+    "no_instrument_function", "no_reorder", "no_sanitize", "no_sanitize_address", "no_split_stack",
+    "noclone", "nocommon", "noinit", "noinline", "noipa", "nonnull", "nonstring", "noplt",
+    "nothrow", "optimize", "pure", "regparm", "reproducible", "retain", "returns_nonnull",
+    "returns_twice", "section", "sentinel", "stack_protect", "stdcall", "symver", "target",
+    "target_clones", "tls_model", "unavailable", "unlikely", "unsequenced",
     "visibility", "warn_if_not_aligned", "warn_unused_result", "warning",
 })  # fmt: skip
 """Attributes that can be ignored: they do not change a program's behaviour."""
 
-_UNSUPPORTED: Final = frozenset({
-    "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "ms_struct",
-    "scalar_storage_order", "transparent_union", "vector_size", "weakref",
-})  # fmt: skip
+_BYTES: Final = "read and write the bytes one by one"
+_UNSUPPORTED: Final = {
+    "vector_size": "there are no vector types: use an array, and a loop over its elements",
+    "hardbool": "use '_Bool'",
+    "ifunc": "call the chosen function through a pointer",
+    "weakref": "declare the function itself with the attribute 'weak'",
+    "scalar_storage_order": _BYTES,
+    "ms_struct": _BYTES,
+    "gcc_struct": "it is the default: leave the attribute out",
+}
 """Attributes that cannot be ignored: a program would behave differently."""
 
 
@@ -87,7 +94,8 @@ def take_attributes(
     index = 0
     while index < len(tokens):
         token = tokens[index]
-        if token.value != KEYWORD:
+        is_bracketed = token.type == "LBRACKET" and _opens_attributes(tokens, index)
+        if token.value != KEYWORD and not is_bracketed:
             rest.append(token)
             index += 1
             if waiting:
@@ -96,7 +104,7 @@ def take_attributes(
             if pack.align and token.type in {"STRUCT", "UNION"}:
                 waiting.append(Attribute(PACK, token.location, value=pack.align))
             continue
-        inside, index = _inside(tokens, index + 1)
+        inside, index = _inside(tokens, index if is_bracketed else index + 1)
         if inside is None:
             diagnostics.error(token.location, f"expected '((' after '{KEYWORD}'")
             continue
@@ -108,16 +116,24 @@ def take_attributes(
     return rest, before
 
 
+_DEPTH: Final = {"LPAREN": 1, "RPAREN": -1, "LBRACKET": 1, "RBRACKET": -1}
+
+
 def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None, int]:
-    """Return the tokens between `((` and `))`, None if there are none, and the index after them."""
+    """Return the tokens inside `((...))` or `[[...]]`, and the index after them; None if none."""
     depth = 0
     for index in range(start, len(tokens)):
-        depth += {"LPAREN": 1, "RPAREN": -1}.get(tokens[index].type, 0)
+        depth += _DEPTH.get(tokens[index].type, 0)
         if depth < min(2, index - start + 1) and index - start < 2:
             return None, index
         if depth == 0:
             return tokens[start + 2 : index - 1], index + 1
     return None, len(tokens)
+
+
+def _opens_attributes(tokens: Sequence[Token], index: int) -> bool:
+    """Return whether `[` starts `[[...]]`; nothing else in C starts with two brackets."""
+    return index + 1 < len(tokens) and tokens[index + 1].type == "LBRACKET"
 
 
 def _split(tokens: Sequence[Token]) -> list[Attribute]:
@@ -126,6 +142,10 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
     depth, is_first = 0, True
     for token in tokens:
         if depth == 0 and token.type == "COMMA":
+            is_first = True
+        elif depth == 0 and token.type == "COLON":  # `gnu::packed`
+            if not is_first:
+                found.pop()
             is_first = True
         elif is_first:
             name = token.value
@@ -150,7 +170,8 @@ def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
     """Return whether an attribute is implemented; report it if it is unknown or unsupported."""
     name = attribute.name
     if name in _UNSUPPORTED:
-        diagnostics.error(attribute.location, f"attribute '{name}' is not supported")
+        text = f"attribute '{name}' is not supported"
+        diagnostics.error(attribute.location, text, _UNSUPPORTED[name])
     elif name not in _IMPLEMENTED and name not in _IGNORED:
         close = difflib.get_close_matches(name, sorted(_IMPLEMENTED | _IGNORED), n=1)
         hint = f"did you mean '{close[0]}'?" if close else ""

@@ -13,9 +13,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import cache
 from typing import Final, TypeAlias
 
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.parse.keywords import keywords
 
 Locate: TypeAlias = Callable[[int, int], Location]
 
@@ -75,22 +77,6 @@ class Span:
         return found
 
 
-_KEYWORDS: Final = {
-    "auto": "AUTO", "break": "BREAK", "case": "CASE", "char": "CHAR", "const": "CONST",
-    "continue": "CONTINUE", "default": "DEFAULT", "do": "DO", "double": "DOUBLE",
-    "else": "ELSE", "enum": "ENUM", "extern": "EXTERN", "float": "FLOAT", "for": "FOR",
-    "goto": "GOTO", "if": "IF", "inline": "INLINE", "int": "INT", "long": "LONG",
-    "offsetof": "OFFSETOF", "register": "REGISTER", "restrict": "RESTRICT",
-    "return": "RETURN", "short": "SHORT", "signed": "SIGNED", "sizeof": "SIZEOF",
-    "static": "STATIC", "struct": "STRUCT", "switch": "SWITCH", "typedef": "TYPEDEF",
-    "union": "UNION", "unsigned": "UNSIGNED", "void": "VOID", "volatile": "VOLATILE",
-    "while": "WHILE", "_Alignas": "_ALIGNAS", "_Alignof": "_ALIGNOF", "_Atomic": "_ATOMIC",
-    "_Bool": "_BOOL", "_Complex": "_COMPLEX", "_Generic": "_GENERIC",
-    "_Noreturn": "_NORETURN", "_Static_assert": "_STATIC_ASSERT",
-    "_Thread_local": "_THREAD_LOCAL", "__builtin_offsetof": "OFFSETOF",
-    "__builtin_va_arg": "__BUILTIN_VA_ARG", "__int128": "__INT128",
-    "__label__": "__LABEL__", "__typeof__": "TYPEOF", "__typeof": "TYPEOF", "typeof": "TYPEOF",
-}  # fmt: skip
 _PUNCTUATORS: Final = {
     "...": "ELLIPSIS", "<<=": "LSHIFTEQUAL", ">>=": "RSHIFTEQUAL", "++": "PLUSPLUS",
     "--": "MINUSMINUS", "->": "ARROW", "&&": "LAND", "||": "LOR", "<<": "LSHIFT",
@@ -102,7 +88,6 @@ _PUNCTUATORS: Final = {
     "[": "LBRACKET", "]": "RBRACKET", "{": "LBRACE", "}": "RBRACE", ",": "COMMA", ".": "PERIOD",
     ";": "SEMI", ":": "COLON",
 }  # fmt: skip
-_TYPES: Final = _KEYWORDS | _PUNCTUATORS
 
 _TOKEN: Final = re.compile(
     r"[ \t\f\v\r]*(?:"
@@ -117,25 +102,33 @@ _STRING, _CHARACTER, _NAME, _NUMBER, _PUNCTUATOR = 1, 2, 3, 4, 5
 
 _INTEGER: Final = re.compile(
     r"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)"
-    r"(?:[uU](?:ll|LL|[lL])?|(?:ll|LL|[lL])[uU]?)?"
+    r"(?:[uU](?:ll|LL|[lL])?|(?:ll|LL|[lL])[uU]?|[ijIJ])?"
 )
 _FLOATING: Final = re.compile(
     r"(?:(?:[0-9]+\.[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[0-9]+[eE][+-]?[0-9]+"
-    r"|0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)[pP][+-]?[0-9]+)[fFlL]?"
+    r"|0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)[pP][+-]?[0-9]+)(?:[fFlL]?[ijIJ]?|[ijIJ][fFlL])"
 )
 
 
-def lex(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Token]:
+@cache
+def _types(standard: str) -> dict[str, str]:
+    return {**keywords(standard), **_PUNCTUATORS}
+
+
+def lex(
+    text: str, locate: Locate, diagnostics: Diagnostics, standard: str = "gnu17"
+) -> list[Token]:
     """Return the tokens of a preprocessed file.
 
     Args:
         text: the text, without comments and directives.
         locate: returns the user's location for a line and column of the text.
         diagnostics: receives errors; invalid tokens are left out.
+        standard: the C standard, which determines the keywords.
     """
     tokens: list[Token] = []
     append = tokens.append
-    types = _TYPES
+    types = _types(standard)
     for lineno, line in enumerate(text.split("\n"), 1):
         for found in _TOKEN.finditer(line):
             kind = found.lastindex

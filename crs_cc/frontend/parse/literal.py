@@ -34,6 +34,11 @@ from crs_cc.ir.types import (
 _MAX_DIGITS: Final = 100
 _SUFFIX: Final = re.compile(r"[uUlL]*$")
 _DECIMAL: Final = {"": (INT, LONG, LLONG), "l": (LONG, LLONG), "ll": (LLONG,)}
+_DECIMAL_OF_C90: Final = {
+    "": (INT, LONG, ULONG, LLONG), "l": (LONG, ULONG, LLONG), "ll": (LLONG,)
+}  # fmt: skip
+"""In C90 a decimal constant may have the type `unsigned long`."""
+
 _ANY_SIGN: Final = {
     "": (INT, UINT, LONG, ULONG, LLONG, ULLONG),
     "l": (LONG, ULONG, LLONG, ULLONG),
@@ -52,8 +57,12 @@ _ELEMENT: Final = {None: CHAR, "": CHAR, "u8": CHAR, "L": INT, "u": USHORT, "U":
 
 
 @lru_cache(maxsize=4096)
-def number(text: str) -> tuple[int | float, IntegerType | FloatType]:
+def number(text: str, is_c90: bool = False) -> tuple[int | float, IntegerType | FloatType]:
     """Return the value and type of an integer or floating constant.
+
+    Args:
+        text: the constant.
+        is_c90: whether it has the type of C90.
 
     Raises:
         ValueError: no type can represent the value.
@@ -64,7 +73,7 @@ def number(text: str) -> tuple[int | float, IntegerType | FloatType]:
         return _floating(text.rstrip("fFlL"), text[-1], float.fromhex)
     if not is_hex and any(mark in text for mark in ".eE"):
         return _floating(text.rstrip("fFlL"), text[-1], float)
-    return _integer(text)
+    return _integer(text, is_c90)
 
 
 def _floating(digits: str, suffix: str, convert: Callable[[str], float]) -> tuple[float, FloatType]:
@@ -85,7 +94,7 @@ def single(value: float) -> float:
         return float("inf") if value > 0 else float("-inf")
 
 
-def _integer(text: str) -> tuple[int, IntegerType]:
+def _integer(text: str, is_c90: bool) -> tuple[int, IntegerType]:
     found = _SUFFIX.search(text)
     suffix = "" if found is None else found.group().lower()
     digits = text[: len(text) - len(suffix)]
@@ -98,7 +107,8 @@ def _integer(text: str) -> tuple[int, IntegerType]:
     if "u" in suffix:
         types = _UNSIGNED["u" + length]
     else:
-        types = (_DECIMAL if base == 10 else _ANY_SIGN)[length]
+        decimal = _DECIMAL_OF_C90 if is_c90 else _DECIMAL
+        types = (decimal if base == 10 else _ANY_SIGN)[length]
     for ctype in types:
         if value <= ctype.largest:
             return value, ctype

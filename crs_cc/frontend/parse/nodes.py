@@ -76,6 +76,16 @@ class LocalLabels(OwnNode):
         self.names = names
 
 
+class StatementExpression(OwnNode):
+    """`({ ... })`."""
+
+    __slots__ = ("body",)
+
+    def __init__(self, body: Any, coord: Any) -> None:
+        super().__init__(coord)
+        self.body = body
+
+
 class Range(OwnNode):
     """`first ... last`, in a `case` or a designator."""
 

@@ -23,7 +23,7 @@ from crs_cc.frontend.parse.lexer import Token
 from crs_cc.frontend.parse.nodes import Node
 
 
-def parse(tokens: Sequence[Token], diagnostics: Diagnostics) -> list[Node]:
+def parse(tokens: Sequence[Token], diagnostics: Diagnostics, standard: str = "gnu17") -> list[Node]:
     """Return the external declarations of a preprocessed file.
 
     Returns:
@@ -32,11 +32,14 @@ def parse(tokens: Sequence[Token], diagnostics: Diagnostics) -> list[Node]:
     Raises:
         GiveUp: too many errors, or too deep a nesting.
     """
-    return Grammar(tokens, diagnostics).translation_unit()
+    return Grammar(tokens, diagnostics, standard).translation_unit()
 
 
 def parse_expression(
-    tokens: Sequence[Token], type_names: Iterable[str], diagnostics: Diagnostics
+    tokens: Sequence[Token],
+    type_names: Iterable[str],
+    diagnostics: Diagnostics,
+    standard: str = "gnu17",
 ) -> Node | None:
     """Return the tree of a single expression; None if it has a syntax error."""
-    return Grammar(tokens, diagnostics, type_names).expression()
+    return Grammar(tokens, diagnostics, standard, type_names).expression()

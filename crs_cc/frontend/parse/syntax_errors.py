@@ -46,6 +46,17 @@ class SyntaxErrors:
         self._diagnostics = diagnostics
         self._last_patch = -1
         self._blamed = ""
+        self._nested: Token | None = None
+
+    def enter_nested(self) -> None:
+        """Note a nested function at its brace, if it looks like one that is not meant to be one."""
+        index = self._stream.index
+        brace, last = self._stream.buffer[index], self._stream.buffer[index - 1]
+        start = index - 1
+        while start > 0 and self._stream.buffer[start - 1].lineno == last.lineno:
+            start -= 1
+        if self._nested is None and self._stream.buffer[start].column == 1:
+            self._nested = brace
 
     def unexpected(self, msg: str, coord: object) -> NoReturn:
         """Report one of pycparser's errors.
@@ -59,6 +70,10 @@ class SyntaxErrors:
         """
         following = self._stream.buffer[self._stream.index]
         token = coord if isinstance(coord, Token) else following
+        if following is None and self._nested is not None:
+            token, msg = self._nested, "function definition is not allowed here"
+            report(self._diagnostics, token.location, msg, self._opened_before(token))
+            raise ParseError(msg)
         text = _PLAIN_TEXT.get(msg)
         if text is None:
             text = msg[:1].lower() + msg[1:]
@@ -137,8 +152,16 @@ class SyntaxErrors:
 
     def _opened(self, opening: str, what: str) -> str:
         """Return a hint at the last parenthesis, bracket or brace that is still open."""
+        return self._opened_up_to(self._stream.index, opening, what)
+
+    def _opened_before(self, token: Token) -> str:
+        """Return a hint at the last brace that is open before a token."""
+        place = self._stream.buffer.index(token)
+        return self._opened_up_to(place, "LBRACE", "a '}' may be missing for the")
+
+    def _opened_up_to(self, index: int, opening: str, what: str) -> str:
         depth, closing = 0, _CLOSING[opening]
-        for token in reversed(self._stream.buffer[: self._stream.index]):
+        for token in reversed(self._stream.buffer[:index]):
             depth += {closing: 1, opening: -1}.get(token.type, 0)
             if depth < 0:
                 return f"{what} {_SPELLING[opening]} at {token.location}"

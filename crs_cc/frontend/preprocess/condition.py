@@ -21,7 +21,7 @@ from typing import Final, NamedTuple
 
 from crs_cc.frontend.preprocess.constants import Value, constant
 from crs_cc.frontend.preprocess.source_text import Place
-from crs_cc.frontend.preprocess.tokens import CHARACTER, NAME, NUMBER, STRING, Token, shown, spell
+from crs_cc.frontend.preprocess.tokens import CHARACTER, NAME, NUMBER, STRING, Token, shown
 
 _COMPARE: Final[dict[str, Callable[[int, int], bool]]] = {
     "==": lambda left, right: left == right,
@@ -211,17 +211,12 @@ def _shifted(number: int, count: int) -> int:
     return number << min(count, 64) if count >= 0 else number >> min(-count, 64)
 
 
-def resolve_operators(
-    tokens: Sequence[Token],
-    is_defined: Callable[[str], bool],
-    has_header: Callable[[str, Token], bool],
-) -> list[Token]:
-    """Replace `defined NAME`, `defined(NAME)` and `__has_include(...)` by 0 or 1.
+def resolve_defined(tokens: Sequence[Token], is_defined: Callable[[str], bool]) -> list[Token]:
+    """Replace `defined NAME` and `defined(NAME)` by 0 or 1.
 
     Args:
         tokens: the expression.
         is_defined: returns whether a name is a macro.
-        has_header: returns whether a header, such as `"a.h"` or `<a.h>`, exists.
 
     Raises:
         ConditionError: one of them is not well-formed.
@@ -233,9 +228,6 @@ def resolve_operators(
         if token.text == "defined":
             name, index = _operand_of_defined(tokens, index)
             answer = is_defined(name)
-        elif token.text == "__has_include":
-            header, index = _operand_of_has_include(tokens, index)
-            answer = has_header(header, token)
         else:
             result.append(token)
             index += 1
@@ -254,20 +246,3 @@ def _operand_of_defined(tokens: Sequence[Token], index: int) -> tuple[str, int]:
     if at + 1 >= len(tokens) or tokens[at + 1].text != ")":
         raise ConditionError(tokens[index].place, "missing ')' after 'defined'")
     return tokens[at].text, at + 2
-
-
-def _operand_of_has_include(tokens: Sequence[Token], index: int) -> tuple[str, int]:
-    place = tokens[index].place
-    inside = [each.text for each in tokens[index + 1 : index + 3]]
-    if len(inside) < 2 or inside[0] != "(":
-        raise ConditionError(place, "'__has_include' must be followed by a header in parentheses")
-    end = index + 2
-    if tokens[end].kind == STRING:
-        end += 1
-    else:
-        while end < len(tokens) and tokens[end].text[-1:] != ">":
-            end += 1
-        end += 1
-    if end >= len(tokens) or tokens[end].text != ")":
-        raise ConditionError(place, "missing ')' after '__has_include'")
-    return spell(tokens[index + 2 : end]), end + 1

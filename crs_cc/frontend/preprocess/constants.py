@@ -55,7 +55,7 @@ def constant(token: Token) -> Value:
     """Return the value of a number or character constant; one with an error if it is invalid."""
     if token.kind == CHARACTER:
         return _character(token)
-    match = INTEGER.fullmatch(token.text)
+    match = INTEGER.fullmatch(token.text.replace("'", ""))
     if match is None or len(token.text) > MAX_DIGITS:
         problem = f"'{shown(token.text)}' is not an integer"
         return Value(0, unsigned=False, problem=problem, place=token.place)

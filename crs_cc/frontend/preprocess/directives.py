@@ -13,16 +13,17 @@ from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.frontend.preprocess import conditionals
-from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_operators
+from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_defined
+from crs_cc.frontend.preprocess.embed import embed
+from crs_cc.frontend.preprocess.feature_tests import HEADER, resolve_features
 from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
-from crs_cc.frontend.preprocess.macros import RESERVED, read_definition
+from crs_cc.frontend.preprocess.macros import FEATURE_TESTS, RESERVED, read_definition
 from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.source_text import Place
 from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import NAME, STRING, Token, shown, spell, tokenise
 
 _DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
-_HEADER: Final = re.compile(r"[ \t\v\f]*(?:\"([^\"]*)\"|<([^>]*)>)")
 _PRAGMAS_WITH_MEANING: Final = frozenset({"weak", "redefine_extname"})
 _ASSERTIONS: Final = frozenset({"assert", "unassert"})
 MAX_LINE: Final = (1 << 31) - 1
@@ -135,7 +136,8 @@ def _include(state: State, line: _Line) -> None:
     header = _header_name(state, line)
     if header is None:
         return
-    name, quoted, place = header
+    name, quoted, place, after = header
+    _demand_end(state, line, after)
     here = state.reader.header if line.name == "include_next" else None
     found = state.headers.find(
         name, quoted=quoted, folder=state.reader.folder, after=here.root if here else None
@@ -151,48 +153,54 @@ def _include(state: State, line: _Line) -> None:
             place, f"'{shown(name)}' not found; using '{meant}'", flag="header-name"
         )
     state.include(found, place)
+    if line.name == "import":
+        state.once.add(found.file)
 
 
-def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
-    """Return a header's name, whether it is quoted, and its place (C17 6.10.2)."""
+def _embed(state: State, line: _Line) -> None:
+    header = _header_name(state, line)
+    if header is None:
+        return
+    name, quoted, place, after = header
+    found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
+    if isinstance(found, Refusal):
+        state.report.error(place, found.text, found.hint)
+        return
+    state.pending += embed(state, found, state.expand(after), place)
+
+
+def _header_name(state: State, line: _Line) -> tuple[str, bool, Place, list[Token]] | None:
+    """Return a file's name, whether it is quoted, its place, and the tokens after it (6.10.2)."""
     rest, place = line.rest, line.rest_place
-    match = _HEADER.match(rest)
+    match = HEADER.match(rest)
     if match is None:
         tokens = state.expand(line.tokens())
         if not tokens:
             state.report.error(line.place, f"'#{line.name}' must be followed by a header's name")
             return None
         rest, place = spell(tokens), tokens[0].place
-        match = _HEADER.match(rest)
+        match = HEADER.match(rest)
         if match is None:
             state.report.error(place, 'write "name.h" or <name.h>')
             return None
-        after = []
+        after = tokenise(rest[match.end() :], place) if line.name == "embed" else []
     else:
         place += len(rest) - len(rest.lstrip())
         after = tokenise(rest[match.end() :], line.rest_place + match.end())
-    _demand_end(state, line, after)
-    return match[1] or match[2] or "", match[1] is not None, place
+    return match[1] or match[2] or "", match[1] is not None, place, after
 
 
 def _condition(state: State, line: _Line) -> bool:
     """Return the value of the expression after `#if` or `#elif`."""
 
     def is_defined(name: str) -> bool:
-        return name in state.macros or name == "__has_include"
-
-    def has_header(header: str, token: Token) -> bool:
-        match = _HEADER.fullmatch(header)
-        if match is None:
-            raise ConditionError(token.place, 'write "name.h" or <name.h>')
-        name, quoted = match[1] or match[2] or "", match[1] is not None
-        found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
-        return not isinstance(found, Refusal)
+        return name in state.macros or name in FEATURE_TESTS
 
     try:
-        tokens = resolve_operators(line.tokens(), is_defined, has_header)
-        tokens = resolve_operators(state.expand_condition(tokens), is_defined, has_header)
-        return evaluate(tokens)
+        tokens = resolve_defined(line.tokens(), is_defined)
+        tokens = state.expand_condition(resolve_features(state, tokens, expanded=False))
+        tokens = resolve_defined(tokens, is_defined)
+        return evaluate(resolve_features(state, tokens, expanded=True))
     except ConditionError as error:
         place = line.place if error.place is None else error.place
         state.report.error(place, f"in '#{line.name}': {error}", error.hint)
@@ -214,7 +222,7 @@ def _names_a_macro(state: State, line: _Line) -> bool:
     name = _only_name(state, line)
     if name is None:
         return False
-    is_defined = name.text in state.macros or name.text == "__has_include"
+    is_defined = name.text in state.macros or name.text in FEATURE_TESTS
     return is_defined != line.name.endswith("ndef")
 
 
@@ -317,6 +325,7 @@ _DIRECTIVES: Final[dict[str, Callable[[State, _Line], None]]] = {
     "undef": _undef,
     "include": _include,
     "import": _include,
+    "embed": _embed,
     "include_next": _include,
     "if": _if,
     "ifdef": _ifdef,

@@ -12,7 +12,7 @@ rewritten, so syntax without a keyword, such as `case 1 ... 5`, must be excluded
 >>> gnu = GnuSyntax(Report(Diagnostics(), Places()), lambda tokens: [])
 >>> line = "static __inline__ int f(void), x asm(\"y\") __attribute((unused));"
 >>> spell(gnu.rewrite(tokenise(line, 0), before=lambda: ""))
-'static inline int f(void), x __attribute__((__asm_label__("y"))) __attribute__((unused));'
+'static __inline int f(void), x __attribute__((__asm_label__("y"))) __attribute__((unused));'
 """
 
 from __future__ import annotations
@@ -33,17 +33,16 @@ ASM_LABEL: Final = "__asm_label__"
 """The attribute by which the preprocessor replaces `asm("name")` after a declarator."""
 
 _EQUIVALENTS: Final = {
-    "__inline": "inline", "__inline__": "inline",
+    "__inline__": "__inline",
     "__const": "const", "__const__": "const",
     "__volatile": "volatile", "__volatile__": "volatile",
-    "__restrict": "restrict", "__restrict__": "restrict",
+    "__restrict__": "__restrict",
     "__signed": "signed", "__signed__": "signed",
     "__alignof": "_Alignof", "__alignof__": "_Alignof",
     "__complex": "_Complex", "__complex__": "_Complex",
     "__thread": "_Thread_local",
     "__FUNCTION__": "__func__", "__PRETTY_FUNCTION__": "__func__",
     "__builtin_offsetof": "offsetof",
-    "typeof": "__typeof__", "__typeof": "__typeof__",
     "__attribute": "__attribute__",
 }  # fmt: skip
 _DROPPED: Final = frozenset({"__extension__"})
@@ -84,9 +83,17 @@ class _Construct:
 class GnuSyntax:
     """Rewrites a stream of tokens, which is passed in pieces."""
 
-    def __init__(self, report: Report, pragma: Pragma) -> None:
+    def __init__(self, report: Report, pragma: Pragma, *, strict: bool = False) -> None:
+        """Set up the rewriting.
+
+        Args:
+            report: receives errors.
+            pragma: executes `_Pragma`.
+            strict: whether the program is in ISO C, where `asm` is a name.
+        """
         self._report = report
         self._pragma = pragma
+        self._names = frozenset({"asm"}) if strict else frozenset()
         self._construct: _Construct | None = None
 
     @property
@@ -108,7 +115,7 @@ class GnuSyntax:
             ):
                 continue
             text = token.text
-            if text not in WORDS or token.kind != NAME:
+            if text not in WORDS or token.kind != NAME or text in self._names:
                 result.append(token)
             elif text in _EQUIVALENTS:
                 result.append(Token(NAME, _EQUIVALENTS[text], token.place, token.spaced))

@@ -2,11 +2,12 @@
 
 A program may be hostile, and a compiler that reads any file that `#include` names shows its
 contents in messages. So only regular files may be read that are, after all links are followed,
-below the directory of the main file, a directory of `-I`, or the directory of our own headers.
+below the directory of the main file, a directory of `-I`, the directory of our own headers, or the
+root of the project that the main file is in: the current directory, or that of `--root`.
 
->>> headers = Headers(Path("demo"), Options())
->>> headers.find("../secret.h", quoted=True, folder=Path("demo"))
-Refusal(text="'../secret.h' is outside the directories that a program may read", hint='')
+>>> headers = Headers(Path("demo"), Options(root=Path("demo")))
+>>> headers.find("../secret.h", quoted=True, folder=Path("demo")).text
+"'../secret.h' is outside the directories that a program may read"
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ GENERATED: Final = "<generated>"
 """The folder of generated headers in messages."""
 _OUTSIDE: Final = "lies outside"
 """Replaces the digest of a file that may not be read; it never compares equal to a stored one."""
+
+_ROOT_HINT: Final = "run crs in a folder that contains both, or name that folder with --root"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +75,10 @@ class Headers:
         self._generated = dict(options.generated)
         folders = (main_folder, *self.include_paths, *self.system_paths)
         self._roots = [root for root in map(_resolved, folders) if root is not None]
+        project, main = _resolved(options.root or Path.cwd()), _resolved(main_folder)
+        is_inside = project and main and main.is_relative_to(project)
+        if project and is_inside and (options.root or project != Path(project.anchor)):
+            self._roots.append(project)
 
     def find(
         self, name: str, *, quoted: bool, folder: Path, after: Path | None = None
@@ -112,7 +119,8 @@ class Headers:
             content = self._generated[name].encode()
             return Header(path, path, Path(GENERATED), name, content=content)
         if outside:
-            return Refusal(f"'{shown(name)}' is outside the directories that a program may read")
+            text = f"'{shown(name)}' is outside the directories that a program may read"
+            return Refusal(text, _ROOT_HINT)
         return self._missing(name, folders)
 
     def find_ours(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:

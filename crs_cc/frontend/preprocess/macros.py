@@ -24,7 +24,10 @@ from crs_cc.frontend.preprocess.tokens import HASH, NAME, PASTE, PUNCTUATOR, Tok
 
 VARIADIC: Final = "__VA_ARGS__"
 OPTIONAL: Final = "__VA_OPT__"
-RESERVED: Final = frozenset({"defined", VARIADIC, OPTIONAL, "__has_include"})
+FEATURE_TESTS: Final = frozenset({"__has_include", "__has_embed", "__has_c_attribute"})
+"""The operators of `#if` that ask for features, which `#ifdef` takes for macros."""
+
+RESERVED: Final = frozenset({"defined", VARIADIC, OPTIONAL}) | FEATURE_TESTS
 """Names that cannot be macros."""
 
 PartKind = Literal["token", "argument", "raw", "string", "rest", "optional"]

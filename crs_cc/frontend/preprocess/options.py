@@ -16,8 +16,19 @@ STANDARDS: Final = {
     "c99": "199901L", "gnu99": "199901L", "c9x": "199901L", "gnu9x": "199901L",
     "c11": "201112L", "gnu11": "201112L", "c1x": "201112L", "gnu1x": "201112L",
     "c17": "201710L", "gnu17": "201710L", "c18": "201710L", "gnu18": "201710L",
+    "c23": "202311L", "gnu23": "202311L", "c2x": "202311L", "gnu2x": "202311L",
 }  # fmt: skip
 """The names of `-std=`, each with its `__STDC_VERSION__`."""
+
+
+def is_c90(standard: str) -> bool:
+    """Return whether a key of `STANDARDS` means the language of 1990."""
+    return STANDARDS[standard] in {"", "199409L"}
+
+
+def is_c23(standard: str) -> bool:
+    """Return whether a key of `STANDARDS` means the language of 2023."""
+    return STANDARDS[standard] == "202311L"
 
 
 Dialect: TypeAlias = Literal["nomad", "report"]
@@ -37,11 +48,13 @@ class Options:
         system_paths: directories of the headers that come with crs_cc, searched last.
         defines: macros to define, as `NAME`, `NAME=value` or `NAME(a)=value` (`-D`).
         undefines: names to undefine after that (`-U`).
-        standard: the C standard, a key of `STANDARDS` (`-std=`). It selects predefined macros and
-            trigraphs; the language is the same in all.
+        standard: the C standard, a key of `STANDARDS` (`-std=`). It selects predefined macros,
+            trigraphs, which words are keywords, and what C90 and C23 mean by the same text.
         dialect: the robot functions that the program calls: the vendor's, or those of the CRS
             report, which need no header; a program for these may consist of bare statements.
         trusted: whether the file is the allocator, see `ir.program.Function`.
+        root: the folder of the user's whole project, whose files may be included from anywhere in
+            it; None for the current directory.
         generated: headers of ours that are in no file: the name of each, and its text.
     """
 
@@ -52,6 +65,7 @@ class Options:
     standard: str = "gnu17"
     trusted: bool = False
     dialect: Dialect = "nomad"
+    root: Path | None = None
     generated: tuple[tuple[str, str], ...] = ()
 
     @property

@@ -102,7 +102,8 @@ class Writer:
 
     def line(self, text: str, place: Place) -> None:
         """Write a line of the source unchanged."""
-        self._rows.append(text.rstrip().translate(_AS_SPACE))
+        is_literal = '"' in text or "'" in text  # which may contain such characters
+        self._rows.append(text.rstrip() if is_literal else text.rstrip().translate(_AS_SPACE))
         self._lines.append(place)
 
     def tokens(self, tokens: Sequence[Token]) -> None:

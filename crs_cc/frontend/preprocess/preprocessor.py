@@ -101,7 +101,9 @@ class _Run:
         self.state.strict = options.is_strict
         self.options = options
         self.writer = Writer()
-        self.gnu = GnuSyntax(report, lambda tokens: execute_pragma(self.state, tokens))
+        self.gnu = GnuSyntax(
+            report, lambda tokens: execute_pragma(self.state, tokens), strict=options.is_strict
+        )
 
     def read(self, content: str, path: Path) -> None:
         """Read all files."""

@@ -37,6 +37,9 @@ _FLOATING: Final = (
 _FLOATING_NUMBER: Final = re.compile(_FLOATING)
 _INTEGER: Final = rf"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*){SUFFIX}"
 
+_IMAGINARY: Final = re.compile(rf"(?:{_FLOATING}|{_INTEGER})[ijIJ][fFlL]?")
+"""An imaginary constant of GNU C."""
+
 _ESCAPED: Final = r"[0-7abefnrtvxuUE\\?'\"]"
 """The characters with a meaning after a backslash (C17 6.4.4.4), and gcc's `\\e`."""
 _IN_STRING: Final = rf"[^\"\\\udc80-\udcff]|\\{_ESCAPED}"
@@ -132,8 +135,8 @@ def _ascii_name(name: str) -> str:
 
 
 def _number(token: Token, report: Report) -> str:
-    text = token.text
-    if INTEGER.fullmatch(text) or _FLOATING_NUMBER.fullmatch(text):
+    text = token.text.replace("'", "")
+    if INTEGER.fullmatch(text) or _IMAGINARY.fullmatch(text) or _FLOATING_NUMBER.fullmatch(text):
         return text
     hint = ""
     if text.isdigit():

@@ -219,6 +219,14 @@ class Environment:
         return self._data.state
 
     @property
+    def last_state(self) -> EnvState:
+        """The state since the last cycle that was executed, for who only reads what moves.
+
+        Nothing moves in skipped cycles; timers and what they fill are not up to date.
+        """
+        return self._running.state
+
+    @property
     def world(self) -> WorldModel:
         """The world; it changes only when a robot is added or dismissed."""
         return self._running.world
@@ -231,12 +239,12 @@ class Environment:
     @property
     def names(self) -> tuple[str, ...]:
         """The names of all objects: contacts refer to objects by index into them."""
-        return self._data.names
+        return self._running.names
 
     @property
     def pushables(self) -> tuple[str, ...]:
         """The names of pushable objects, in the order of the bodies after the robots."""
-        return self._data.pushables
+        return self._running.pushables
 
     @property
     def objects(self) -> tuple[Robot | Solid, ...]:

@@ -282,11 +282,17 @@ def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]
         return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
     if served.replies is None or not served.results[row]:
         return {}
+    return {"reply": reply_values(served, row)}
+
+
+def reply_values(served: Served, row: int) -> tuple[int | float | str, ...]:
+    """Return the results in the reply to a traced request of one robot, in the table's order."""
+    assert served.replies is not None
     message, results = served.replies[row], REQUESTS[served.code].results
     positions = [result.position for result in results]
     numbers = (message[array][place].item() for array, place in positions if place >= 0)
     content = (field for field in results if field.place == "data")
-    return {"reply": (*numbers, *(value for field in content for value in _data(message, field)))}
+    return (*numbers, *(value for field in content for value in _data(message, field)))
 
 
 def _data(message: np.void, field: Field) -> tuple[int | str, ...]:

@@ -18,6 +18,7 @@ from pathlib import Path, PurePosixPath
 from typing import Final
 
 from crs_cc.core.file_names import from_text
+from crs_cc.core.input_files import note
 
 _FOLDER: Final = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
 _FILE: Final = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
@@ -38,7 +39,7 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
             f"must be a relative path to a file ({ending}) in the world's folder or below"
         )
     try:
-        return _read(folder, path.parts, most)
+        content = _read(folder, path.parts, most)
     except OSError as error:
         # Which of these errors reports a link depends on the call.
         if error.errno in (errno.ELOOP, errno.EMLINK, errno.ENOTDIR):
@@ -46,6 +47,8 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
         if error.errno == errno.ENOENT:
             raise ValueError("no such file") from None
         raise ValueError(f"cannot be read: {error.strerror or type(error).__name__}") from None
+    note(folder / path, content)
+    return content
 
 
 def _read(folder: Path, parts: tuple[str, ...], most: int) -> bytes:

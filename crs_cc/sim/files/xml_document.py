@@ -17,6 +17,7 @@ from typing import Final
 from lxml import etree
 
 from crs_cc.core.errors import WorldError
+from crs_cc.core.input_files import note
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.sim.files import device_schema
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
@@ -56,12 +57,14 @@ def read_file(path: Path) -> bytes:
         if status.st_size > MAX_BYTES:
             raise WorldError.at(place, f"larger than {MAX_BYTES} bytes")
         with path.open("rb") as file:
-            return file.read(MAX_BYTES)
+            content = file.read(MAX_BYTES)
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise WorldError.at(place, f"cannot be read: {reason}") from None
     except ValueError:  # a null character in the name
         raise WorldError.at(place, "cannot be read: not a valid file name") from None
+    note(path, content)
+    return content
 
 
 def outermost(text: bytes) -> str:

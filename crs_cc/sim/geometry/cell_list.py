@@ -65,6 +65,16 @@ def blocks(counts: IndexArray, most: int | None = None) -> Iterator[slice]:
         first = last
 
 
+def parts(whole: slice, most: int) -> Iterator[slice]:
+    """Yield slices of at most so many queries that together are a slice.
+
+    >>> [(part.start, part.stop) for part in parts(slice(2, 7), 4)]
+    [(2, 6), (6, 7)]
+    """
+    for first in range(whole.start, whole.stop, most):
+        yield slice(first, min(first + most, whole.stop))
+
+
 def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None:
     """Return all pairs of query and point, or None if there are too many to list them all.
 

@@ -54,7 +54,7 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import blocks
 from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.geometry.pings import Pings, Points
-from crs_cc.sim.kernels.program import PING_SIZE, kernels
+from crs_cc.sim.kernels.program import PING_SIZE, kernels, pairs
 
 _MANY: Final = 1 << 10  # more shapes of a ping than this may be equal ones
 
@@ -147,9 +147,9 @@ class _Shapes:
         """Return the rows of the pings that the kernel reads, see `kernels/echoes.c`."""
         pings = self.pings
         table = np.empty((len(pings), PING_SIZE))
-        table[:, 0:2] = _pairs(pings.place)
-        table[:, 2:4] = _pairs(pings.start)
-        table[:, 4:6] = _pairs(pings.axis)
+        table[:, 0:2] = pairs(pings.place)
+        table[:, 2:4] = pairs(pings.start)
+        table[:, 4:6] = pairs(pings.axis)
         table[:, 6], table[:, 7] = pings.half_rad, pings.range_m
         table[:, 8], table[:, 9] = pings.falloff, pings.critical_rad
         table[:, 10:13] = self.counts
@@ -165,7 +165,7 @@ def _table(
     """Return rows of points and numbers by rising ping, and the number of rows of each ping."""
     table = np.empty((len(ping), 2 * len(points) + len(numbers)))
     for column, point in enumerate(points):
-        table[:, 2 * column : 2 * column + 2] = _pairs(point)
+        table[:, 2 * column : 2 * column + 2] = pairs(point)
     for column, each in enumerate(numbers, start=2 * len(points)):
         table[:, column] = each
     if count > 1:
@@ -184,8 +184,3 @@ def _first_two(ping: IndexArray, table: FloatArray) -> IndexArray:
     others = np.setdiff1d(np.arange(len(rows)), first)
     _, second = np.unique(rows[others], axis=0, return_index=True)
     return np.sort(np.concatenate([first, others[second]]))
-
-
-def _pairs(points: ComplexArray) -> FloatArray:
-    """Return complex numbers as pairs of real ones, shape (k, 2)."""
-    return np.ascontiguousarray(points).view(np.float64).reshape(-1, 2)

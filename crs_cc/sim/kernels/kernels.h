@@ -3,6 +3,7 @@
 #define CRS_KERNELS_H
 
 #define BLOCK 0x20000               /* elements of an array; complex numbers are two doubles each */
+#define RAY_BINS 256                /* of directions in a turn, see rays.c */
 
 /* Elementwise functions, see functions.c. */
 void __crs_apply(int function, int count, double *a, double *b, double *out);
@@ -10,5 +11,10 @@ void __crs_apply(int function, int count, double *a, double *b, double *out);
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
 void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,
                   const double *voices, double *out);
+
+/* The distances that beams measure, see rays.c. `out` has the distance of each beam of each robot,
+   and then, if they are wanted, the object that each hits. The first call initialises it. */
+void __crs_rays(int count, int segments, int circles, int is_first, int wants_objects,
+                const double *fan, double *robots, double *out, const double *shapes);
 
 #endif

@@ -3,9 +3,9 @@
 
 #include "kernels.h"
 
-enum { ECHOES = 100 };      /* other numbers are those of elementwise functions */
+enum { ECHOES = 100, RAYS };        /* other numbers are those of elementwise functions */
 
-static int arguments[8];
+static int arguments[10];
 static double arena[3][2 * BLOCK];
 
 int __crs_start(void)
@@ -20,6 +20,9 @@ int __crs_start(void)
         if (n[0] == ECHOES)
             __crs_echoes(n[1], n[2], arena[0], arena[0] + n[3], arena[0] + n[4], arena[0] + n[5],
                          arena[0] + n[6]);
+        else if (n[0] == RAYS)
+            __crs_rays(n[1], n[2], n[3], n[4], n[5], arena[0], arena[0] + n[6], arena[0] + n[7],
+                       arena[0] + n[8]);
         else
             __crs_apply(n[0], n[1], arena[0], arena[1], arena[2]);
     }

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Location
 
@@ -34,8 +34,13 @@ _ECHOES: Final = struct.Struct("<7i")
 _ARCS: Final = 13
 _ECHOES_NUMBER: Final = 100
 
+_RAYS: Final = struct.Struct("<9i")
+_RAYS_NUMBER: Final = 101
+
 PING_SIZE: Final = 13
 """Numbers in a row of pings, see `echoes.c`."""
+RAY_BINS: Final = 256
+"""Bins of directions in a turn, as in `kernels.h`."""
 
 
 class Kernels:
@@ -112,12 +117,55 @@ class Kernels:
         self._resume()
         return self._arena[end : end + count].copy()
 
+    def rays(
+        self,
+        fan: FloatArray,
+        poses: FloatArray,
+        segments: FloatArray,
+        circles: FloatArray,
+        objects: IndexArray | None,
+    ) -> FloatArray:
+        """Return the distance that each beam of each robot measures [m], see `rays.c`.
+
+        Args:
+            fan: the beams.
+            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+            segments: a row for each pair of robot and segment; the arena need not hold all.
+            circles: the same of circles.
+            objects: receives the object that each beam hits, shape (k, beams); None if not needed.
+        """
+        count, beams, arena = len(poses), int(fan[0]), self._arena
+        robots, wanted = len(fan), objects is not None
+        out = robots + 4 * count
+        shapes = out + (1 + wanted) * count * beams
+        arena[:robots] = fan
+        arena[robots:out].reshape(-1, 4)[:, :3] = poses
+        rows = max(0, self.room - shapes) // sum(table.shape[1] for table in (segments, circles))
+        for first in range(0, max(len(segments), len(circles), 1), max(rows, 1)):
+            end, sizes = shapes, []
+            for table in (segments[first : first + rows], circles[first : first + rows]):
+                arena[end : end + table.size] = table.ravel()
+                end += table.size
+                sizes.append(len(table))
+            numbers = (count, *sizes, first == 0, wanted, robots, out, shapes)
+            _RAYS.pack_into(self._memory, self._place, _RAYS_NUMBER, *numbers)
+            self._resume()
+        found = arena[out : out + (1 + wanted) * count * beams].reshape(-1, count, beams)
+        if objects is not None:
+            objects[:] = found[1]
+        return found[0].copy()
+
     def number(self, function: int, a: float, b: float) -> float:
         """Return a function of one or two numbers."""
         first, second, result = self.reals
         first[0], second[0] = a, b
         self.apply(function, 1)
         return float(result[0])
+
+
+def pairs(points: ComplexArray) -> FloatArray:
+    """Return complex numbers as pairs of real ones, shape (k, 2), as kernels read them."""
+    return np.ascontiguousarray(points).view(np.float64).reshape(-1, 2)
 
 
 @functools.cache

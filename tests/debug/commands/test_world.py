@@ -127,7 +127,7 @@ def test_a_change_of_the_world_is_replayed(shell: Shell) -> None:
 def test_the_world_can_be_changed_inside_a_timestep(shell: Shell) -> None:
     said(shell, "break 8 if i == 9", "continue", "delete")
     session = shell.debugger.session
-    assert session.halted == 0
+    assert session.state.halted == 0
     said(shell, "move robot0 to 1 3.5", "remove robot0")
     assert session.environment.state.x_m[0] == 1.0
     changed = here(shell)

@@ -22,7 +22,7 @@ SHAPES = {
     "unsigned short s; void f(int i) { s = i; }": ["entry:", "store u16 [@s], %i.0", "return"],
     "int a[9]; int f(int i) { return a[i]; }": [
         "entry:", "%1 = i32.shl %i.0, 2", "%2 = address @a", "%3 = i32.add %2, %1",
-        "%4 = load i32 [%3]", "return %4",
+        "bounds %i.0 < 9 [@a]", "%4 = load i32 [%3]", "return %4",
     ],
     "int a[9]; int f(void) { return a[3] + *(a + 4); }": [
         "entry:", "%0 = load i32 [@a + 12]", "%1 = load i32 [@a + 16]", "%2 = i32.add %0, %1",
@@ -32,7 +32,7 @@ SHAPES = {
         "entry:", "%0 = address @a + 12", "%1 = load i32 [%0]", "return %1",
     ],
     "int a[9]; int f(void) { return a[9]; }": [
-        "entry:", "%0 = address @a + 36", "%1 = load i32 [%0]", "return %1",
+        "entry:", "bounds 9 < 9 [@a]", "%0 = address @a + 36", "%1 = load i32 [%0]", "return %1",
     ],
     "int f(int *p, int i) { return p[i + 2]; }": [
         "entry:", "%2 = i32.shl %i.1, 2", "%3 = i32.add %p.0, %2", "%4 = load i32 [%3 + 8]",

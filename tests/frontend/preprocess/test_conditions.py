@@ -36,7 +36,10 @@ HOLDS = r"""
 L'\xff' == 255 && L'\u00e9' == 233 && '\0' == 0
 int == 0 && undefined == 0 && true == 0
 defined __LINE__ && defined(__CRS__) && !defined X && !defined (X)
-defined __has_include
+defined __has_include && defined __has_embed
+__has_c_attribute(nodiscard) == 202003L && !__has_c_attribute(none)
+__has_c_attribute(gnu::packed)
+0x1'ff == 511 && 1'000'000 == 1000000
 ONE && F(1) && F(F(1)) && F == 0 && EMPTY ONE
 DEFINED_ONE && F(DEFINED_ONE)
 __LINE__ == 5
@@ -74,7 +77,8 @@ WRONG = [
         "1:5: error: in '#if': '__has_include' must be followed by a header in parentheses",
     ),
     ("__has_include(<a.h)", "1:5: error: in '#if': missing ')' after '__has_include'"),
-    ("__has_include(a)", "1:5: error: in '#if': missing ')' after '__has_include'"),
+    ("__has_include(a)", "1:5: error: in '#if': write \"name.h\" or <name.h>"),
+    ("__has_c_attribute()", "1:5: error: in '#if': missing ')' after '__has_c_attribute'"),
 ]
 
 

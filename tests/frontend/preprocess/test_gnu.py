@@ -52,8 +52,8 @@ def test_bytes_that_are_not_utf8_are_preserved(tmp_path: Path) -> None:
 def test_output_can_be_parsed() -> None:
     program, _ = run(
         "typedef char *va_list;\n"
-        "static __inline__ int f(int n, ...) __attribute__((unused));\n"
-        "static __inline__ int f(int n, ...) {\n"
+        "static inline int f(int n, ...) __attribute__((unused));\n"
+        "static inline int f(int n, ...) {\n"
         "  va_list ap; int a<:2:> = <% __alignof__(int), 0 %>;\n"
         '  puts("100\\%" "\xe9"); größe: __extension__ ({ n; });\n'
         "  return __builtin_va_arg(ap, int *) + a[0];\n"

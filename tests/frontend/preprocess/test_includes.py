@@ -26,13 +26,16 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def run(source: str, **files: str) -> tuple[Preprocessed, Diagnostics]:
+def run(
+    source: str, *, root: Path | None = Path("user"), **files: str
+) -> tuple[Preprocessed, Diagnostics]:
     """Preprocess `user/main.c`; other files are given with `__` for `/` and `_` for `.`."""
     for name, content in files.items():
         Path(name.replace("__", "/").replace("_", ".")).write_text(content)
     Path("user/main.c").write_text(source)
     diagnostics = Diagnostics()
-    options = Options(include_paths=(Path("extra"),), system_paths=(Path("system"),))
+    folders = (Path("extra"),), (Path("system"),)
+    options = Options(*folders, root=root)
     return preprocess(Path("user/main.c"), options, diagnostics), diagnostics
 
 
@@ -100,11 +103,12 @@ def test_guards_and_pragma_once(project: Path) -> None:
 def test_has_include(project: Path) -> None:
     lines = [
         f"#if __has_include({name})\nyes\n#else\nno\n#endif\n"
-        for name in ('"a.h"', "<a.h>", "<sys/linux/x.h>", '"../outside/secret.h"', '"none.h"')
+        for name in ('"a.h"', "<a.h>", "<sys/linux/x.h>", '"../outside/secret.h"', '"none.h"', "A")
     ]
-    program, diagnostics = run("".join(lines), user__a_h="#error not read")
+    source = '#define A "a.h"\n' + "".join(lines)
+    program, diagnostics = run(source, user__a_h="#error not read")
     assert diagnostics.messages == []
-    assert program.text.split() == ["yes", "no", "no", "no", "no"]
+    assert program.text.split() == ["yes", "no", "no", "no", "no", "yes"]
 
 
 def test_macro_call_may_continue_after_an_include(project: Path) -> None:
@@ -174,6 +178,63 @@ def test_existence_of_outside_files_is_not_revealed(project: Path) -> None:
     ]
     assert texts[0] == texts[1]
     assert "is outside the directories that a program may read" in texts[0]
+
+
+def test_a_project_that_contains_the_main_file_may_be_read(
+    project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (project / "user/link.h").symlink_to(project / "outside/secret.h")
+    source = '#include "../outside/secret.h"\n#include "link.h"\n'
+    for root in (None, project):
+        program, diagnostics = run(source, root=root)
+        assert diagnostics.messages == []
+        assert program.text.split() == [SECRET, SECRET]
+    monkeypatch.chdir(project / "user")
+    for root in (None, project / "outside"):
+        refused = Diagnostics()
+        preprocess(Path("main.c"), Options(root=root), refused)
+        assert len(refused.errors) == 2
+        assert "--root" in refused.errors[0].hint
+
+
+def test_an_import_is_read_once(project: Path) -> None:
+    program, _ = run('#import "a.h"\n#import "sub/../a.h"\n#include "a.h"\n', user__a_h="once")
+    assert program.text.split() == ["once"]
+
+
+def test_a_file_is_embedded_as_numbers(project: Path) -> None:
+    Path("user/a.bin").write_bytes(bytes([0, 255, 39, 10]))
+    Path("user/none.bin").write_bytes(b"")
+    lines = [
+        '#define NAME "a.bin"',
+        "#embed NAME limit(2) prefix(7,) suffix(, 9)",
+        '#embed "a.bin"',
+        '#embed "none.bin" if_empty(5)',
+        '#if __has_embed(NAME) + 2 * __has_embed("none.bin") + __has_embed("b.bin") == 5',
+        "found",
+        "#endif",
+    ]
+    program, diagnostics = run("\n".join(lines))
+    assert diagnostics.messages == []
+    assert program.text.replace(" ", "").split() == ["7,0,255,9", "0,255,39,10", "5", "found"]
+
+
+@pytest.mark.parametrize(
+    ("line", "text"),
+    [
+        ('"none.bin"', "'none.bin' file not found"),
+        ('"../outside/secret.h"', "is outside the directories"),
+        ('"a.bin" limit(x)', "'limit' of '#embed' must be a number"),
+        ('"a.bin" size(3)', "unknown parameter 'size' of '#embed'"),
+        ('"a.bin" limit', "'limit' must be followed by its value in parentheses"),
+        ('"large.bin"', "is larger than 131072 bytes"),
+    ],
+)
+def test_wrong_embeds_are_reported(project: Path, line: str, text: str) -> None:
+    Path("user/a.bin").write_bytes(b"a")
+    Path("user/large.bin").write_bytes(bytes(200_000))
+    _, diagnostics = run(f"#embed {line}")
+    assert [text in each.text for each in diagnostics.errors] == [True]
 
 
 def test_links_inside_the_directories_are_followed(project: Path) -> None:

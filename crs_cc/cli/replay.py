@@ -1,0 +1,78 @@
+"""`crs replay`: the command and its options; other modules do the work."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+import click
+
+from crs_cc.cli.inputs import check_plot_path, make_folder
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs replay run.mcap                            what was run, and what happened
+  crs replay run.mcap --at 12.5s                 the state at an instant
+  crs replay run.mcap --plot path.svg --csv out  a picture, and tables
+  crs replay run.mcap --verify                   run it again and compare
+  crs replay broken.mcap --recover mended.mcap   write what can be read
+  crs debug run.mcap --at 12.5s                  debug the recorded run
+"""
+
+
+def _instant(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
+    if text is None:
+        return None
+    from crs_cc.cli.rerun import parse_instant
+
+    try:
+        return parse_instant(text)
+    except ValueError as wrong:
+        raise click.BadParameter(f"{wrong}.") from None
+
+
+@click.command(
+    epilog=_EXAMPLES,
+    short_help="Show, export, verify or mend a recording.",
+    options_metavar="[OPTIONS]",
+)
+@click.argument("path", type=click.Path(path_type=Path), metavar="RUN.mcap")
+@click.option("--at", "at_s", callback=_instant, metavar="TIME", help="Show the state at TIME.")
+@click.option(
+    "--plot",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE.svg",
+    help="Plot the world from above with each robot's path.",
+)
+@click.option(
+    "--csv",
+    "tables",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.",
+)
+@click.option(
+    "--verify",
+    is_flag=True,
+    help="Run the recorded run again and compare its hashes; exit with 125 if they differ.",
+)
+@click.option(
+    "--recover",
+    "mended",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE.mcap",
+    help="Write what can be read of a damaged recording to FILE.mcap.",
+)
+def replay(path: Path, **options: Any) -> int:
+    """Show what a recording holds, or export, verify or mend it.
+
+    Recordings are made by crs run --record. Without options, the run is summarised.
+    """
+    if options["plot"] is not None:
+        check_plot_path(options["plot"])
+    if options["tables"] is not None:
+        make_folder(options["tables"])
+    from crs_cc.cli.show_recording import show_recording
+
+    return show_recording(path, **options)

@@ -1,0 +1,223 @@
+"""What `crs replay` does with a recording."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.cli.messages import printable, show
+from crs_cc.core.errors import RecordingError
+from crs_cc.core.source import Diagnostic, Location
+from crs_cc.recording import topics
+from crs_cc.recording.content import content_of
+from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.recording import Recording
+
+if TYPE_CHECKING:
+    from crs_cc.recording.recording import Roster
+
+_SHOWN: Final = 20  # robots, lines or events
+_BEFORE_S: Final = 1.0  # events shown before an instant
+_SONARS: Final = slice(17, 33)  # of State, see the vendor's manual
+
+
+def show_recording(
+    path: Path,
+    *,
+    at_s: float | None,
+    plot: Path | None,
+    tables: Path | None,
+    verify: bool,
+    mended: Path | None,
+) -> int:
+    """Do what is asked for with a recording; without anything, summarise it.
+
+    Raises:
+        CrsError: the recording is damaged, or its run takes another course now.
+        OSError: a file cannot be read or written.
+    """
+    recording = _opened(path)
+    try:
+        if mended is not None:
+            _recover(recording, mended)
+            return 0
+        if not recording.is_complete:
+            text = f"the recording ends at {recording.end_ns / NS:.2f} s, before the end of the run"
+            hint = "crs replay --recover FILE.mcap makes it readable for other programs"
+            show([Diagnostic("warning", Location(str(path)), text, hint=hint)])
+        if at_s is not None:
+            _print(state_at(recording, at_s))
+        if plot is not None:
+            from crs_cc.cli.recording_plot import recording_plot
+
+            plot.write_bytes(recording_plot(recording))
+        if tables is not None:
+            from crs_cc.cli.tables import write_tables
+
+            write_tables(recording, tables)
+        if verify:
+            _verify(recording)
+        if at_s is None and plot is None and tables is None and not verify:
+            _print(summary(recording))
+    finally:
+        recording.close()
+    return 0
+
+
+def _opened(path: Path) -> Recording:
+    try:
+        return Recording(path)
+    except OSError as error:
+        text = f"cannot be read: {error.strerror or error}"
+        raise RecordingError.at(Location(str(path)), text) from None
+
+
+def _print(lines: Iterator[str]) -> None:
+    for line in lines:
+        click.echo(printable(line))
+
+
+def _verify(recording: Recording) -> None:
+    from crs_cc.cli.verify import verify
+
+    found = verify(recording)
+    click.echo(
+        f"{recording.path}: the same run: {found.hashes} hashes agree, {found.states} of them of"
+        f" all state, up to {found.simulated_s:.2f} s"
+    )
+
+
+def _recover(recording: Recording, target: Path) -> None:
+    from crs_cc.recording.recovery import recover
+
+    if target.exists() and target.samefile(recording.path):
+        raise click.UsageError("--recover needs another file than the damaged one.")
+    found = recover(recording, target)
+    click.echo(
+        f"{target}: {found.messages} messages in {found.chunks} chunks up to {found.end_s:.2f} s;"
+        f" lost: {found.damaged} chunks, {found.lost_bytes} bytes at the end"
+    )
+
+
+def summary(recording: Recording) -> Iterator[str]:
+    """Yield the lines of a summary."""
+    run, versions = recording.description, recording.versions
+    end_s, roster = recording.end_ns / NS, recording.rosters[-1]
+    yield f"{recording.path}: {end_s:.2f} s simulated, {_count(len(roster.robots), 'robot')}"
+    sources = " ".join(run.sources) or "named by the world"
+    yield f"  program   {sources}{' -- ' if run.arguments else ''}{' '.join(run.arguments)}"
+    yield f"  world     {run.world or 'empty'}, timestep {run.timestep_s:g} s, seed {run.seed}"
+    yield f"  versions  {', '.join(f'{name} {value}' for name, value in versions.items())}"
+    yield from _ends(recording, roster)
+    counts: Counter[str] = Counter()
+    frames = hashes = pieces = size = inputs = 0
+    for message in recording.messages(*topics.TOPICS):
+        if message.topic == topics.FRAME.topic:
+            frames += 1
+        elif message.topic == topics.HASH.topic:
+            hashes += 1
+        elif message.topic == topics.INPUT.topic:
+            inputs += 1
+        elif message.topic in (topics.EVENT.topic, topics.OUTPUT.topic):
+            with recording.errors():
+                data = json.loads(message.data)
+                if message.topic == topics.EVENT.topic:
+                    counts[str(data.get("kind"))[:40]] += 1
+                else:
+                    pieces += 1
+                    size += len(content_of(data))
+    yield f"  recorded  {_count(frames, 'frame')}, {hashes} hashes, {_count(inputs, 'input')}"
+    events = ", ".join(f"{count} {kind}" for kind, count in sorted(counts.items()))
+    yield f"  events    {events or 'none'}"
+    yield f"  output    {_count(pieces, 'piece')}, {_count(size, 'byte')}"
+
+
+def _ends(recording: Recording, roster: Roster) -> Iterator[str]:
+    """Yield how the programs ended."""
+    if recording.result is None:
+        return
+    with recording.errors():
+        ends = json.loads(recording.result.get("robots", "[]"))
+        rows = [(str(outcome)[:20], status) for outcome, status in ends]
+    for name, (outcome, status) in list(zip(roster.robots, rows, strict=False))[:_SHOWN]:
+        yield f"  {name[:40]:9} {outcome}{'' if status is None else f' with {status}'}"
+    if len(rows) > _SHOWN:
+        yield f"  ... and {len(rows) - _SHOWN} more robots"
+
+
+def state_at(recording: Recording, at_s: float) -> Iterator[str]:
+    """Yield the lines that describe an instant."""
+    at_ns = min(round(at_s * NS), recording.end_ns)
+    frame = recording.frame_at(at_ns)
+    if frame is None:
+        yield f"{recording.path}: nothing is recorded at {at_s:g} s"
+        return
+    roster = recording.roster_at(frame.time_ns)
+    believed = recording.frame_at(at_ns, topics.ODOMETRY.topic)
+    yield f"{recording.path} at {at_ns / NS:.3f} s"
+    names = (*roster.robots, *roster.objects)
+    for row, name in enumerate(names[: frame.values.shape[1]][:_SHOWN]):
+        x_m, y_m, heading_rad = (float(value) for value in frame.values[:3, row])
+        if math.isnan(x_m):
+            yield f"  {name[:40]:12} not in the world"
+            continue
+        line = f"  {name[:40]:12} x {x_m:.3f} m  y {y_m:.3f} m  heading {_degrees(heading_rad)}"
+        if believed is not None and row < believed.values.shape[1]:
+            x_m, y_m, heading_rad = (float(value) for value in believed.values[:, row])
+            line += f"  odometry {x_m:.3f} m {y_m:.3f} m {_degrees(heading_rad)}"
+        yield line
+    if len(names) > _SHOWN:
+        yield f"  ... and {len(names) - _SHOWN} more"
+    yield from _last_readings(recording, at_ns, roster)
+    since_ns = max(0, at_ns - round(_BEFORE_S * NS))
+    lines = [
+        f"  {time_ns / NS:9.3f} s  {_name(roster, data)}  {data.get('kind')}: {data.get('text')}"
+        for time_ns, data in recording.data(topics.EVENT.topic, since_ns, at_ns)
+    ]
+    yield from lines[-_SHOWN:]
+    yield from _last_output(recording, at_ns, roster)
+
+
+def _last_readings(recording: Recording, at_ns: int, roster: Roster) -> Iterator[str]:
+    last: dict[int, tuple[float, list[int]]] = {}
+    for found in recording.readings(at_ns, at_ns):
+        due = found.clock_s <= at_ns / NS
+        rows = zip(found.robots[due], found.clock_s[due], found.states[due], strict=True)
+        for robot, clock_s, state in rows:
+            last[int(robot)] = float(clock_s), state[_SONARS].tolist()
+    for robot, (clock_s, sonars) in sorted(last.items())[:_SHOWN]:
+        name = roster.robots[robot][:40] if robot < len(roster.robots) else f"robot {robot}"
+        yield f"  {name:12} read at {clock_s:.3f} s: sonar {' '.join(map(str, sonars))} in"
+
+
+def _last_output(recording: Recording, at_ns: int, roster: Roster) -> Iterator[str]:
+    """Yield the last lines that were printed in the ten seconds before."""
+    since_ns = max(0, at_ns - 10 * NS)
+    lines: list[str] = []
+    for time_ns, data in recording.data(topics.OUTPUT.topic, since_ns, at_ns):
+        with recording.errors():
+            text = content_of(data).decode("utf-8", "replace")
+        who = _name(roster, data)
+        lines += [f"  {time_ns / NS:9.3f} s  {who}  {line}" for line in text.splitlines()[-5:]]
+        del lines[:-5]
+    yield from lines
+
+
+def _name(roster: Roster, data: dict[str, object]) -> str:
+    robot = data.get("robot")
+    is_known = isinstance(robot, int) and 0 <= robot < len(roster.robots)
+    return roster.robots[robot][:40] if is_known and isinstance(robot, int) else "-"
+
+
+def _degrees(angle_rad: float) -> str:
+    return f"{math.degrees(angle_rad) % 360:.1f} deg"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,62 @@
+"""From the options of a command to a recorder of its run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from crs_cc.frontend.preprocess.regular_file import read_regular_file
+from crs_cc.recording.description import RunDescription
+from crs_cc.recording.recorder import Recorder, RecorderOptions
+from crs_cc.recording.source_tree import INPUTS, SOURCES, SourceTree
+
+if TYPE_CHECKING:
+    from crs_cc.cli.load import Loaded
+    from crs_cc.cli.run_options import RunOptions
+
+
+def start_recording(loaded: Loaded, options: RunOptions, seed: int) -> Recorder:
+    """Create the file of a recording, and return its recorder.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    assert options.record is not None
+    files = dict(loaded.files_read)
+    for path in loaded.compiled:
+        content = read_regular_file(path)
+        if isinstance(content, bytes):
+            files[path] = content
+    tree = SourceTree.of(files, options.compiler.include_paths)
+    attachments = {f"{SOURCES}{name}": content for name, content in tree.contents.items()}
+    attachments |= {f"{INPUTS}{name}": content for name, content in loaded.files.items()}
+    description = _description(options, tree, loaded, seed)
+    wanted = RecorderOptions(options.record_every_s, options.record_sensors)
+    return Recorder(options.record, wanted, description.metadata(), attachments)
+
+
+def _description(
+    options: RunOptions, tree: SourceTree, loaded: Loaded, seed: int
+) -> RunDescription:
+    compiler, world = options.compiler, options.inputs.world
+    return RunDescription(
+        sources=tuple(map(tree.name, options.inputs.sources)),
+        world=tree.name(world) if world is not None else "",
+        arguments=options.arguments,
+        include_paths=tuple(map(tree.name, compiler.include_paths)),
+        defines=compiler.defines,
+        undefines=compiler.undefines,
+        standard=compiler.standard,
+        dialect=compiler.dialect or "",
+        checked=options.checked,
+        trap_overflow=options.trap_overflow,
+        seed=seed,
+        client=options.client,
+        link=options.link,
+        robot=tree.name(Path(options.robot)) if options.robot.endswith(".xml") else options.robot,
+        setup=options.setup,
+        files=tuple(loaded.files),
+        max_time_s=options.max_time_s or 0.0,
+        timestep_s=loaded.world.timestep_s,
+        frame_s=max(options.record_every_s, loaded.world.timestep_s),
+    )

@@ -1,0 +1,115 @@
+"""Run a recorded run again, and compare it with the recording second by second."""
+
+from __future__ import annotations
+
+import zlib
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from crs_cc.cli.load import load
+from crs_cc.cli.rerun import RecordedInput, unpacked
+from crs_cc.cli.run_options import RunOptions
+from crs_cc.core.errors import ReplayMismatch
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.recording import topics
+from crs_cc.recording.description import versions
+from crs_cc.recording.digest import digest
+from crs_cc.recording.mcap_records import NS
+from crs_cc.session.session import Session
+
+if TYPE_CHECKING:
+    from crs_cc.recording.recording import Recording
+
+
+@dataclass(frozen=True, slots=True)
+class Verified:
+    """What has been compared.
+
+    Attributes:
+        hashes: how many hashes.
+        states: how many of them of all state.
+        simulated_s: up to when.
+    """
+
+    hashes: int
+    states: int
+    simulated_s: float
+
+
+def verify(recording: Recording) -> Verified:
+    """Run a recorded run again, from its own files, and compare the hashes.
+
+    Raises:
+        ReplayMismatch: it takes another course.
+        RecordingError: the recording is not valid.
+        CrsError: the programs or the world cannot be loaded.
+    """
+    with unpacked(recording, RunOptions) as options:
+        loaded = load(options, Diagnostics())
+        return _Rerun(recording, loaded, options).compare()
+
+
+class _Rerun:
+    def __init__(self, recording: Recording, loaded: Any, options: RunOptions) -> None:
+        self._recording = recording
+        self._output_crc = 0
+        self._session = Session(
+            loaded.world,
+            loaded.executables,
+            seed=options.seed,
+            arguments=loaded.arguments,
+            output=self._write,
+            read=RecordedInput(recording).read,
+            files=loaded.files,
+            client=options.client,
+        )
+
+    def compare(self) -> Verified:
+        hashes = states = 0
+        for time_ns, data in self._recording.data(topics.HASH.topic):
+            with self._recording.errors():
+                timesteps = int(data["timesteps"])
+                if timesteps < self._session.timesteps:
+                    raise ValueError("the hashes are not in order")
+            self._run_to(timesteps)
+            expected = data.get("digest"), data.get("output")
+            found = digest(self._session), self._output_crc
+            if self._session.timesteps != timesteps or expected[0] != found[0]:
+                raise self._mismatch(time_ns, "the state differs")
+            if expected[1] != found[1]:
+                raise self._mismatch(time_ns, "the programs have printed something else")
+            hashes += 1
+            if "state" in data:
+                states += 1
+                if data["state"] != self._session.state_hash():
+                    raise self._mismatch(time_ns, "the programs' memory differs")
+        return Verified(hashes, states, self._session.time_s)
+
+    def _run_to(self, timesteps: int) -> None:
+        session = self._session
+        while session.timesteps < timesteps and session.advance(timesteps - session.timesteps):
+            pass
+
+    def _write(self, _robot: int, _stream: int, content: bytes) -> None:
+        self._output_crc = zlib.crc32(content, self._output_crc)
+
+    def _mismatch(self, time_ns: int, what: str) -> ReplayMismatch:
+        theirs, ours = self._recording.versions, {**_crs(), **versions()}
+        differ = [
+            f"{name} {theirs.get(name, '?')[:40]} (here {value})"
+            for name, value in ours.items()
+            if theirs.get(name) != value
+        ]
+        if differ:
+            hint = f"recorded with {', '.join(differ)}"
+        else:
+            same = ", ".join(f"{name} {value}" for name, value in ours.items())
+            hint = f"recorded with the same versions as here: {same}"
+        text = f"the run differs from its recording at {time_ns / NS:.2f} s: {what}"
+        return ReplayMismatch.at(Location(str(self._recording.path)), text, hint)
+
+
+def _crs() -> dict[str, str]:
+    from crs_cc import __version__
+
+    return {"crs": __version__}

@@ -1,0 +1,130 @@
+"""What is run: all that a recording needs besides the files to run it again."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
+from importlib.metadata import version
+from typing import Any, Final, Self
+
+from crs_cc import __version__
+from crs_cc.recording.source_tree import is_safe
+from crs_cc.recording.topics import FORMAT_VERSION
+
+PACKAGES: Final = ("numpy", "pymunk", "pycparser", "wasmtime")
+"""The packages that take part in a run."""
+
+_MAX_WORDS: Final = 100_000
+_MAX_SEED: Final = 2**128
+
+
+@dataclass(frozen=True, slots=True)
+class RunDescription:
+    """The command line of a run, with names of attachments for paths.
+
+    Attributes:
+        sources: the C files of the program.
+        world: the world file; empty for the built-in world.
+        arguments: of the program.
+        include_paths: folders for `#include`.
+        defines: macros.
+        undefines: predefined macros to remove.
+        standard: the C standard.
+        dialect: the API; empty to detect it.
+        checked: whether memory accesses are checked.
+        trap_overflow: whether a program stops at signed overflow.
+        seed: the random seed.
+        client: the vendor's client library.
+        link: `serial` or `ideal`.
+        robot: the default robot model: a built-in name or a file.
+        setup: the setup of all robots.
+        files: the names of files that programs can read; their contents are attachments.
+        max_time_s: when the run was to end [s]; 0 for never.
+        timestep_s: the world's timestep [s].
+        frame_s: simulated time between two frames [s].
+    """
+
+    sources: tuple[str, ...] = ()
+    world: str = ""
+    arguments: tuple[str, ...] = ()
+    include_paths: tuple[str, ...] = ()
+    defines: tuple[str, ...] = ()
+    undefines: tuple[str, ...] = ()
+    standard: str = "gnu17"
+    dialect: str = ""
+    checked: bool = True
+    trap_overflow: bool = False
+    seed: int = 0
+    client: str = "nclient"
+    link: str = "serial"
+    robot: str = "scout"
+    setup: str = ""
+    files: tuple[str, ...] = ()
+    max_time_s: float = 0.0
+    timestep_s: float = 0.05
+    frame_s: float = 0.05
+
+    def metadata(self) -> dict[str, str]:
+        """Return it as named strings, with the versions that take part."""
+        return {
+            "format": str(FORMAT_VERSION),
+            "crs": __version__,
+            **versions(),
+            "run": json.dumps(asdict(self), ensure_ascii=True),
+        }
+
+    @classmethod
+    def of(cls, metadata: Mapping[str, str]) -> Self:
+        """Return the description in a recording.
+
+        Raises:
+            ValueError: it is of another version, or not valid.
+        """
+        found = metadata.get("format", "")
+        if found != str(FORMAT_VERSION):
+            shown = found[:20] or "none"
+            raise ValueError(f"its format is {shown} (this version reads {FORMAT_VERSION})")
+        try:
+            values = json.loads(metadata.get("run", ""))
+        except (ValueError, RecursionError):
+            raise ValueError("the description of the run is not valid JSON") from None
+        known = values if isinstance(values, dict) else {"sources": None}
+        made = cls(**{each.name: _value(known, each.name, each.default) for each in fields(cls)})
+        made._check()
+        return made
+
+    def _check(self) -> None:
+        paths = [*self.sources, *self.include_paths, *([self.world] if self.world else [])]
+        unsafe = [path for path in paths if path != "." and not is_safe(path)]
+        if unsafe:
+            raise ValueError(f"{unsafe[0][:80]!r} is not a name of a file below a folder")
+        if not (1e-6 <= self.timestep_s <= 1e3 and 1e-6 <= self.frame_s <= 1e6):
+            raise ValueError("timestep_s or frame_s is out of range")
+        if not (0 <= self.seed < _MAX_SEED and 0.0 <= self.max_time_s < 1e12):
+            raise ValueError("seed or max_time_s is out of range")
+
+
+def versions() -> dict[str, str]:
+    """Return what may change a run besides crs: Python, the processor's kind, packages."""
+    return {
+        "python": platform.python_version(),
+        "machine": platform.machine(),
+        **{name: version(name) for name in PACKAGES},
+    }
+
+
+def _value(values: Mapping[str, Any], name: str, default: Any) -> Any:
+    """Return a field's value if it has the type of its default."""
+    value = values.get(name, default)
+    if isinstance(default, tuple):
+        is_list = isinstance(value, list | tuple) and len(value) <= _MAX_WORDS
+        if is_list and all(isinstance(each, str) for each in value):
+            return tuple(value)
+    elif isinstance(default, float):
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            return float(value)
+    elif type(value) is type(default):
+        return value
+    raise ValueError(f"the description of the run has an invalid {name}")

@@ -1,0 +1,380 @@
+"""Records a run while it goes on.
+
+What happens is gathered for a second of simulated time, then encoded at once and written as chunks:
+so a run that is killed loses its last second at most, and the cost of a timestep is that of copying
+a few arrays. When the disk is full, the recording ends and the run goes on.
+"""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal, Self
+
+import numpy as np
+
+from crs_cc.recording import readings, topics
+from crs_cc.recording.content import as_fields
+from crs_cc.recording.digest import digest
+from crs_cc.recording.frames import encode
+from crs_cc.recording.mcap_records import NS, Channel
+from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
+from crs_cc.recording.readings import Readings
+from crs_cc.recording.step_events import events_of, readings_of, traffic_of
+
+if TYPE_CHECKING:
+    from crs_cc.core.arrays import BoolArray, FloatArray
+    from crs_cc.session.result import RunResult
+    from crs_cc.session.session import Session
+    from crs_cc.sim.engine.step import Served, Step
+    from crs_cc.sim.state.env_state import EnvState
+
+Sensors = Literal["none", "read", "all"]
+
+FULL_HASH_SECONDS: Final = 30
+"""How often the hash of all state is recorded; for 10,000 robots it takes 0.7 s."""
+
+MAX_ROWS: Final = 20_000
+"""Readings that are gathered at most before they are encoded; some megabytes."""
+
+ODOMETRY_FRAMES: Final = 5
+"""Every so many frames, what the robots believe is recorded, too."""
+
+
+@dataclass(frozen=True, slots=True)
+class RecorderOptions:
+    """What is recorded.
+
+    Attributes:
+        every_s: simulated time between two frames, at least a timestep.
+        sensors: `State` vectors: `none`, those that programs `read`, or `all`, with each frame.
+    """
+
+    every_s: float = 0.05
+    sensors: Sensors = "read"
+
+
+class Recorder:
+    """Writes the recording of one session.
+
+    Attributes:
+        failed: the error that ended the recording, if any.
+        written_s: up to when the run has been written [s].
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        options: RecorderOptions,
+        run: Mapping[str, str],
+        attachments: Mapping[str, bytes],
+    ) -> None:
+        """Create the file.
+
+        Args:
+            path: the file, which is overwritten.
+            options: what to record.
+            run: what is run, see `crs_cc.recording.run_description`.
+            attachments: all files that the run depends on, by name.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        self.failed: OSError | None = None
+        self.written_s = 0.0
+        self._options = options
+        self._file: BinaryIO = path.open("wb", buffering=0)
+        self._writer = McapWriter(_Whole(self._file))
+        self._writer.metadata(topics.RUN, run)
+        for name, content in attachments.items():
+            self._writer.attachment(name, "application/octet-stream", content)
+        self._served: list[tuple[int, Served]] = []
+        self._served_rows = 0
+        self._times_ns: list[int] = []
+        self._frames: list[RawFrame] = []
+        self._odometry: list[tuple[int, FloatArray]] = []
+        self._output_crc = 0
+        self._rosters = 0
+        self._moved = True  # since the last frame
+        self._stride = 1
+
+    def begin(self, session: Session) -> None:
+        """Start with a session before its first timestep."""
+        self._session = session
+        self._per_second = max(1, round(1.0 / session.environment.timestep_s))
+        self._stride = max(1, round(self._options.every_s / session.environment.timestep_s))
+        self._last = session.timesteps
+        self._next_hash = session.timesteps + self._per_second
+        self._alive = session.state.alive.copy()
+        self._names: tuple[str, ...] = ()
+        self._note_roster()
+        self._add_frame()
+        self._add_hash()
+
+    # -- what happens in a timestep --------------------------------------------------------------
+
+    def step(self, step: Step) -> None:
+        """Record what happened in a timestep."""
+        self._moved = True
+        if self.failed is not None:
+            return
+        time_ns = _ns(step.time_s)
+        for event in events_of(step):
+            self._add_json(topics.EVENT, _ns(event.pop("time_s")), event)
+        if len(step.traffic):
+            self._add_json(topics.MESSAGE, time_ns, traffic_of(step.traffic))
+        if self._options.sensors == "none":
+            return
+        for served in step.served:
+            if served.states is not None:
+                self._served.append((time_ns, served))
+                self._served_rows += len(served.robots)
+        if self._served_rows > MAX_ROWS:
+            self._add_readings()
+        for reading in readings_of(step):
+            self._add_json(topics.READING, time_ns, reading)
+
+    def write(self, robot: int, stream: int, content: bytes) -> None:
+        """Record a piece of a program's output."""
+        if self.failed is not None:
+            return
+        self._output_crc = zlib.crc32(content, self._output_crc)
+        data = {"robot": robot, "stream": stream, **as_fields(content)}
+        self._add_json(topics.OUTPUT, self._now_ns(robot), data)
+
+    def read(self, robot: int, content: bytes) -> None:
+        """Record a piece of a program's standard input."""
+        data = {"kind": "stdin", "robot": robot, **as_fields(content)}
+        self._add_json(topics.INPUT, self._now_ns(robot), data)
+
+    def seconds_left(self) -> float:
+        """Return how much time may be simulated before the next call of `sample` [s]."""
+        left = self._next_hash - self._session.timesteps
+        return max(1, left) * self._session.environment.timestep_s
+
+    def sample(self) -> None:
+        """Record what is there after one or more timesteps, of which only the last moved."""
+        session = self._session
+        timesteps = session.timesteps
+        if self.failed is not None or timesteps == self._last:
+            return
+        if session.environment.names is not self._names:
+            self._note_roster()
+        if self._moved and timesteps // self._stride != self._last // self._stride:
+            self._add_frame()
+        self._last = timesteps
+        if timesteps >= self._next_hash:
+            self._end_second()
+        elif self._writer.pending > MAX_CHUNK:
+            self._cut()
+
+    def finish(self, result: RunResult) -> None:
+        """Record the end, with the results."""
+        if self.failed is None:
+            if self._moved:
+                self._add_frame()
+            self._add_hash(result.state_hash)
+            self._flush()
+            self._try(lambda: self._writer.metadata(topics.RESULT, _result_values(result)))
+            self._try(self._writer.finish)
+        self._file.close()
+
+    # -- frames and seconds ----------------------------------------------------------------------
+
+    def _end_second(self) -> None:
+        self._next_hash = (self._session.timesteps // self._per_second + 1) * self._per_second
+        seconds = self._session.timesteps // self._per_second
+        is_full = seconds % FULL_HASH_SECONDS == 0
+        self._add_hash(self._session.state_hash() if is_full else "")
+        self._flush()
+
+    def _flush(self) -> None:
+        """Encode and write what has been gathered."""
+        if self._frames:
+            messages = encode(_block(self._frames))
+            for time_ns, data in zip(self._times_ns, messages, strict=True):
+                self._writer.add(topics.FRAME, time_ns, data)
+        self._add_readings()
+        if self._odometry:
+            believed = encode(np.array([each for _, each in self._odometry]))
+            for (time_ns, _), data in zip(self._odometry, believed, strict=True):
+                self._writer.add(topics.ODOMETRY, time_ns, data)
+        self._frames.clear()
+        self._times_ns.clear()
+        self._odometry.clear()
+        self._cut()
+
+    def _add_readings(self) -> None:
+        if not self._served:
+            return
+        time_ns, answers = self._served[0][0], [served for _, served in self._served]
+        codes = [np.full(len(served.robots), served.code) for served in answers]
+        rows = Readings(
+            np.concatenate(codes),
+            np.concatenate([served.robots for served in answers]),
+            np.concatenate([served.clock_s for served in answers]),
+            np.concatenate([served.states for served in answers if served.states is not None]),
+        )
+        self._writer.add(topics.STATE, time_ns, readings.encode(rows, time_ns))
+        self._served, self._served_rows = [], 0
+
+    def _cut(self) -> None:
+        self._try(self._writer.cut)
+        if self.failed is None:
+            self.written_s = self._session.time_s
+
+    def _add_frame(self) -> None:
+        environment = self._session.environment
+        state = environment.last_state
+        if len(self._frames) % ODOMETRY_FRAMES == 0:
+            odometry = state.odometry
+            rows = [odometry.x_m, odometry.y_m, odometry.heading_rad]
+            self._odometry.append((_ns(environment.time_s), np.array(rows)))
+        self._frames.append(RawFrame.of(state, has_turret=self._has_turret))
+        self._times_ns.append(_ns(environment.time_s))
+        self._moved = False
+
+    def _add_hash(self, state_hash: str = "") -> None:
+        self._note_ends()
+        session = self._session
+        data = {
+            "timesteps": session.timesteps,
+            "digest": digest(session),
+            "output": self._output_crc,
+        }
+        if state_hash:
+            data["state"] = state_hash
+        self._add_json(topics.HASH, _ns(session.time_s), data)
+
+    def _note_ends(self) -> None:
+        """Record which programs have ended since the last time."""
+        session = self._session
+        alive = session.state.alive
+        if len(alive) == len(self._alive) and np.array_equal(alive, self._alive):
+            return
+        before: BoolArray = np.zeros(len(alive), np.bool_)
+        before[: len(self._alive)] = self._alive
+        for robot in np.flatnonzero(before & ~alive).tolist():
+            result = session.state.robot_result(robot)
+            text = f"program {result.outcome}"
+            if result.exit_status is not None:
+                text += f" with {result.exit_status}"
+            if result.error is not None:
+                text = f"{result.error.location}: {result.error.text}"
+            data = {"kind": result.outcome, "robot": robot, "text": text}
+            self._add_json(topics.EVENT, _ns(result.time_s), data)
+        self._alive = alive.copy()
+
+    def _note_roster(self) -> None:
+        """Record who and what is there from now on; a key frame follows."""
+        if self._frames:
+            self._flush()
+        environment = self._session.environment
+        self._names = environment.names
+        robots = environment.world.robots
+        self._has_turret = any("turret" in robot.model.drive.axis_names for robot in robots)
+        self._rosters += 1
+        values = {
+            "time_ns": str(_ns(environment.time_s)),
+            "robots": json.dumps([robot.id for robot in robots]),
+            "objects": json.dumps(list(environment.pushables)),
+            "columns": "x y heading turret" if self._has_turret else "x y heading",
+        }
+        self._try(lambda: self._writer.metadata(f"{topics.ROSTER}{self._rosters}", values))
+
+    # -- messages --------------------------------------------------------------------------------
+
+    def _add_json(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
+        content = json.dumps(data, separators=(",", ":"), ensure_ascii=True).encode()
+        self._writer.add(channel, time_ns, content)
+        if self._writer.pending > MAX_CHUNK:
+            self._cut()
+
+    def _now_ns(self, robot: int) -> int:
+        session = self._session
+        clock_s = float(session.state.clock_s[robot])
+        return _ns(clock_s if np.isfinite(clock_s) else session.time_s)
+
+    def _try(self, write: Callable[[], None]) -> None:
+        if self.failed is None:
+            try:
+                write()
+            except OSError as error:
+                self.failed = error
+
+
+class _Whole:
+    """A file without buffer that is written as a whole, or raises."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+
+    def write(self, data: bytes) -> int:
+        view = memoryview(data)
+        while view:
+            view = view[self._file.write(view) :]
+        return len(data)
+
+
+@dataclass(frozen=True, slots=True)
+class RawFrame:
+    """Copies of the arrays of a frame, quick to take.
+
+    Attributes:
+        position_m: of all bodies (rows, 2).
+        heading_rad: of the robots.
+        angle_rad: of all bodies.
+        present: which robots are in the world; never changed in place.
+        turret_rad: of the robots; None if none has a turret.
+    """
+
+    position_m: FloatArray
+    heading_rad: FloatArray
+    angle_rad: FloatArray
+    present: BoolArray
+    turret_rad: FloatArray | None
+
+    @classmethod
+    def of(cls, state: EnvState, *, has_turret: bool) -> Self:
+        """Copy them from a state."""
+        bodies = state.bodies
+        return cls(
+            bodies.position_m.copy(),
+            state.heading_rad.copy(),
+            bodies.angle_rad.copy(),
+            state.presence.present,
+            state.drive.turret_rad.copy() if has_turret else None,
+        )
+
+
+def _block(frames: Sequence[RawFrame]) -> FloatArray:
+    """Return frames as an array (frames, columns, rows)."""
+    has_turret, robots = frames[0].turret_rad is not None, len(frames[0].heading_rad)
+    block = np.zeros((len(frames), 3 + has_turret, len(frames[0].angle_rad)))
+    block[:, :2] = np.array([frame.position_m for frame in frames]).swapaxes(1, 2)
+    block[:, 2] = [frame.angle_rad for frame in frames]
+    block[:, 2, :robots] = [frame.heading_rad for frame in frames]
+    if has_turret:
+        block[:, 3, :robots] = [frame.turret_rad for frame in frames]
+    for number, frame in enumerate(frames):
+        if not frame.present.all():
+            block[number, :, :robots][:, ~frame.present] = np.nan
+    return block
+
+
+def _result_values(result: RunResult) -> dict[str, str]:
+    """Return the results as named strings."""
+    ends = [[robot.outcome, robot.exit_status] for robot in result.robots]
+    return {
+        "timesteps": str(result.timesteps),
+        "simulated_s": repr(result.simulated_s),
+        "state_hash": result.state_hash,
+        "robots": json.dumps(ends),
+    }
+
+
+def _ns(time_s: float) -> int:
+    return max(0, round(time_s * NS))

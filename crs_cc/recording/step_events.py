@@ -1,0 +1,92 @@
+"""What happened in a timestep, as plain data for messages in JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from crs_cc.requests import CODES, REQUESTS
+from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.engine.step import reply_values
+
+if TYPE_CHECKING:
+    from crs_cc.core.arrays import Records
+    from crs_cc.sim.engine.step import Served, Step
+
+_DECIMALS = 6
+_FATES = [fate.name.lower() for fate in Fate]
+
+
+def events_of(step: Step) -> Iterator[dict[str, Any]]:
+    """Yield the events of a timestep except messages, each with its `time_s`, `kind` and `text`."""
+    contacts = step.contacts
+    for robot, other, x_m, y_m in zip(
+        contacts.robot.tolist(),
+        contacts.other.tolist(),
+        contacts.x_m.tolist(),
+        contacts.y_m.tolist(),
+        strict=True,
+    ):
+        yield {
+            "time_s": step.time_s,
+            "kind": "collision",
+            "robot": robot,
+            "text": f"touched {step.names[other]}",
+            "x_m": round(x_m, _DECIMALS),
+            "y_m": round(y_m, _DECIMALS),
+        }
+    for event in step.events:
+        yield {
+            "time_s": event.time_s, "kind": event.kind, "robot": event.robot, "text": event.text
+        }  # fmt: skip
+    for served in step.served:
+        if served.code == CODES["DRAW"]:
+            yield from _marks(served)
+
+
+def _marks(served: Served) -> Iterator[dict[str, Any]]:
+    """Yield the marks that programs drew; erasures are no events."""
+    rows = zip(
+        served.robots.tolist(),
+        served.clock_s.tolist(),
+        served.arguments.tolist(),
+        served.results.tolist(),
+        strict=True,
+    )
+    for robot, clock_s, mark, result in rows:
+        if result and np.isfinite(clock_s):
+            yield {
+                "time_s": clock_s, "kind": "drawing", "robot": robot, "text": "drew a mark",
+                "mark": mark,
+            }  # fmt: skip
+
+
+def traffic_of(traffic: Records) -> dict[str, list[Any]]:
+    """Return what became of messages, by column."""
+    return {
+        "time_s": traffic["time_s"].round(_DECIMALS).tolist(),
+        "fate": [_FATES[fate] for fate in traffic["fate"].tolist()],
+        **{
+            name: traffic[name].tolist()
+            for name in ("channel", "sender", "receiver", "group", "type")
+        },
+        "bytes": traffic["size"].tolist(),
+        "number": traffic["number"].tolist(),
+    }
+
+
+def readings_of(step: Step) -> Iterator[dict[str, Any]]:
+    """Yield what sensors told programs besides `State`, by request, a row for each robot."""
+    for served in step.served:
+        if served.replies is None or served.states is not None:
+            continue
+        rows = [row for row, result in enumerate(served.results.tolist()) if result]
+        if rows:
+            yield {
+                "request": REQUESTS[served.code].name,
+                "robot": served.robots[rows].tolist(),
+                "time_s": served.clock_s[rows].round(_DECIMALS).tolist(),
+                "values": [list(reply_values(served, row)) for row in rows],
+            }

@@ -1,0 +1,149 @@
+"""What `crs run --record` writes can be read by others, and holds what happened."""
+
+from __future__ import annotations
+
+import errno
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from mcap.reader import NonSeekingReader, make_reader
+
+from crs_cc.cli.main import main
+from crs_cc.recording import recorder, topics
+from crs_cc.recording.frames import FrameDecoder, encode
+from crs_cc.recording.recording import Recording
+
+
+def test_the_public_reader_of_python_reads_it_with_all_checksums(recorded: Path) -> None:
+    with recorded.open("rb") as file:
+        reader = make_reader(file, validate_crcs=True)
+        summary = reader.get_summary()
+        assert summary is not None
+        assert summary.statistics is not None
+        messages = list(reader.iter_messages())
+        assert len(messages) == summary.statistics.message_count
+        names = [each.name for each in reader.iter_attachments()]
+        assert names == ["source/drive.c", "source/room.xml", "source/speed.h"]
+        assert [each.name for each in reader.iter_metadata()] == [
+            "crs.run", "crs.roster.1", "crs.result"
+        ]  # fmt: skip
+        for schema, channel, message in messages:
+            if channel.message_encoding == "json":
+                assert schema is not None
+                properties = json.loads(schema.data)["properties"]
+                content = json.loads(message.data)
+                assert content.keys() & properties.keys()
+
+
+def test_it_holds_what_happened(recorded: Path) -> None:
+    recording = Recording(recorded)
+    frames = list(recording.frames())
+    assert [frame.time_ns for frame in frames] == sorted(frame.time_ns for frame in frames)
+    assert frames[0].values[:, 0].tolist() == [1.0, 1.0, 0.0]
+    assert frames[-1].values[0, 0] > 2.0
+    assert recording.rosters[0].robots == ("robot0",)
+    assert recording.rosters[0].objects == ("crate",)
+    kinds = [data["kind"] for _, data in recording.data(topics.EVENT.topic)]
+    assert kinds == ["collision", "exited"]
+    pieces = [data for _, data in recording.data(topics.OUTPUT.topic)]
+    assert any("base64" in piece for piece in pieces)  # what is no UTF-8
+    inputs = [data["text"] for _, data in recording.data(topics.INPUT.topic)]
+    assert inputs == ["go\n"]
+    codes = np.concatenate([each.codes for each in recording.readings()])
+    states = np.concatenate([each.states for each in recording.readings()])
+    assert (codes == 12).sum() >= 0
+    assert states[:, 17].max() > 0
+    assert recording.is_complete
+    recording.close()
+
+
+def test_the_frame_at_an_instant_is_the_last_one_before_it(recorded: Path) -> None:
+    recording = Recording(recorded)
+    frames = list(recording.frames())
+    for frame in frames[::7]:
+        found = recording.frame_at(frame.time_ns + 1)
+        assert found is not None
+        assert found.time_ns == frame.time_ns
+        np.testing.assert_array_equal(found.values, frame.values)
+    recording.close()
+
+
+def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian() -> None:
+    random = np.random.default_rng(3)
+    block = random.normal(0.0, 300.0, (7, 4, 5))
+    block[2:4, :, 1] = np.nan
+    block[6, 0, 0] = 1e12  # farther than a frame can tell
+    decoder = FrameDecoder()
+    again = np.array([decoder.decode(data) for data in encode(block)])
+    assert again[6, 0, 0] == pytest.approx(214748.3647)
+    block[6, 0, 0] = again[6, 0, 0]
+    np.testing.assert_allclose(again, block, atol=0.5e-4)
+
+
+def test_a_run_that_is_killed_loses_its_last_second_at_most(recorded: Path, tmp_path: Path) -> None:
+    whole = recorded.read_bytes()
+    cut = tmp_path / "cut.mcap"
+    for share in (0.5, 0.8):
+        cut.write_bytes(whole[: int(len(whole) * share)])
+        recording = Recording(cut)
+        assert not recording.is_complete
+        ends = [chunk.last_ns for chunk in recording.mcap.chunks]
+        assert np.diff(ends).max() <= 1_000_000_000
+        assert list(recording.frames())
+        recording.close()
+        with cut.open("rb") as file:  # the public reader agrees
+            found = NonSeekingReader(file, validate_crcs=True)
+            times: list[int] = []
+            with pytest.raises(Exception):  # noqa: B017, PT011 - its errors have no common class
+                times.extend(
+                    each.log_time for *_, each in found.iter_messages(log_time_order=False)
+                )
+
+
+def test_a_full_disk_ends_the_recording_and_not_the_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    program = tmp_path / "count.c"
+    program.write_text(
+        "#include <stdio.h>\n#include <unistd.h>\n"
+        'int main(void) { int i; for (i = 0; i < 5; i++) { printf("%d", i); sleep(1); } return 4; }'
+    )
+    left = 1800
+    write = recorder._Whole.write
+
+    def limited(self: recorder._Whole, data: bytes) -> int:
+        nonlocal left
+        left -= len(data)
+        if left < 0:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return write(self, data)
+
+    monkeypatch.setattr(recorder._Whole, "write", limited)
+    path = tmp_path / "run.mcap"
+    assert main(["run", str(program), "--record", str(path), "--quiet"]) == 4
+    said = capfd.readouterr()
+    assert said.out == "01234"
+    assert "warning: the recording ends at" in said.err
+    assert "No space left on device" in said.err
+    recording = Recording(path)
+    assert not recording.is_complete
+    assert list(recording.frames())
+    recording.close()
+
+
+def test_recording_changes_nothing(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    recording = Recording(recorded)
+    recording.write_sources(tmp_path)
+    assert recording.result is not None
+    state = recording.result["state_hash"]
+    recording.close()
+    files = [str(tmp_path / name) for name in ("drive.c", "room.xml")]
+    (tmp_path / "input").write_text("go\nmore\n")
+    with (tmp_path / "input").open() as given, pytest.MonkeyPatch.context() as patch:
+        patch.setattr("sys.stdin", given)
+        main(["run", *files, "--json", "--quiet", "--max-time", "8"])
+    assert json.loads(capfd.readouterr().out)["state_hash"] == state

@@ -1,0 +1,152 @@
+"""`crs replay`: summary, instants, exports, verification, recovery."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+from crs_cc.recording.mcap_reader import McapReader
+from crs_cc.recording.mcap_writer import McapWriter
+from crs_cc.recording.recording import Recording
+from crs_cc.recording.topics import TOPICS
+
+
+def rewritten(source: Path, target: Path, *, run: dict[str, str] | None = None) -> None:
+    """Copy a recording with a changed description, and changed hashes at 2 s if there is none."""
+    reader = McapReader(source)
+    with target.open("wb") as file:
+        writer = McapWriter(file)
+        for name, values in reader.metadata.items():
+            writer.metadata(name, {**values, **(run or {})} if name == "crs.run" else values)
+        for name in reader.attachments:
+            writer.attachment(name, "", reader.attachment(name))
+        for chunk in reader.chunks:
+            for message in reader.messages(chunk):
+                data = message.data
+                if run is None and message.topic == "/crs/hash" and message.time_s == 2.0:
+                    data = json.dumps({**json.loads(data), "digest": "0" * 32}).encode()
+                writer.add(TOPICS[message.topic], message.time_ns, data)
+            writer.cut()
+        writer.finish()
+    reader.close()
+
+
+def test_without_options_it_summarises(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["replay", str(recorded)]) == 0
+    said = capfd.readouterr().out
+    assert "1 robot" in said
+    assert "program   drive.c" in said
+    assert "events    1 collision, 1 exited" in said
+    assert "robot0    exited with 3" in said
+
+
+def test_it_shows_an_instant(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["replay", str(recorded), "--at", "1.5s"]) == 0
+    said = capfd.readouterr().out
+    assert " at 1.500 s\n" in said
+    assert "crate" in said
+    assert "x 3.000 m  y 1.000 m" in said
+    assert "robot0  2 " in said
+    assert main(["replay", str(recorded), "--at", "soon"]) == 2
+
+
+def test_tables_have_units_and_no_formulas(recorded: Path, tmp_path: Path) -> None:
+    assert main(["replay", str(recorded), "--csv", str(tmp_path)]) == 0
+    rows = {path.stem: list(csv.DictReader(path.open(newline=""))) for path in tmp_path.iterdir()}
+    assert set(rows) == {"poses", "sensors", "events", "messages"}
+    assert rows["poses"][0]["x [m]"] == "1.0"
+    assert {row["name"] for row in rows["poses"]} == {"robot0", "crate"}
+    assert rows["events"][0]["kind"] == "collision"
+    assert float(rows["events"][0]["x [m]"]) > 2.0
+    sonar = [row for row in rows["sensors"] if row["request"] == "GET_SN"]
+    assert len(sonar) == 12
+    assert int(sonar[0]["sonar 0 [in]"]) > 0
+
+
+def test_it_plots(recorded: Path, tmp_path: Path) -> None:
+    picture = tmp_path / "path.svg"
+    assert main(["replay", str(recorded), "--plot", str(picture)]) == 0
+    assert b"drive.c in room.xml" in picture.read_bytes()
+
+
+def test_the_same_run_is_verified(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["replay", str(recorded), "--verify"]) == 0
+    assert "the same run" in capfd.readouterr().out
+
+
+def test_another_run_is_told_with_its_second_and_the_versions(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    other = tmp_path / "other.mcap"
+    rewritten(recorded, other)
+    assert main(["replay", str(other), "--verify"]) == 125
+    said = capfd.readouterr().err
+    assert "the run differs from its recording at 2.00 s: the state differs" in said
+    assert "recorded with the same versions as here: crs" in said
+    rewritten(recorded, other, run={"numpy": "1.0"})
+    assert main(["replay", str(other), "--verify"]) == 0
+
+
+def test_a_damaged_recording_is_mended(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    whole = recorded.read_bytes()
+    broken, mended = tmp_path / "broken.mcap", tmp_path / "mended.mcap"
+    broken.write_bytes(whole[: len(whole) * 2 // 3])
+    assert main(["replay", str(broken)]) == 0
+    assert "before the end of the run" in capfd.readouterr().err
+    assert main(["replay", str(broken), "--recover", str(broken)]) == 2
+    assert main(["replay", str(broken), "--recover", str(mended)]) == 0
+    assert "lost: 0 chunks" in capfd.readouterr().out
+    mine, theirs = Recording(mended), Recording(recorded)
+    frames = list(mine.frames())
+    assert 0 < len(frames) < len(list(theirs.frames()))
+    for found, meant in zip(frames, theirs.frames(), strict=False):
+        assert (found.values == meant.values).all()
+    mine.close()
+    theirs.close()
+    assert main(["replay", str(mended), "--verify"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("run", "reason"),
+    [
+        ({"format": "7"}, "its format is 7 (this version reads 1)"),
+        ({"run": "[" * 100_000}, "not valid JSON"),
+        ({"run": '{"sources": ["../../etc/passwd"]}'}, "not a name of a file below a folder"),
+        ({"run": '{"seed": 1e400}'}, "invalid seed"),
+    ],
+)
+def test_a_description_that_is_not_ours_is_refused(
+    recorded: Path,
+    tmp_path: Path,
+    capfd: pytest.CaptureFixture[str],
+    run: dict[str, str],
+    reason: str,
+) -> None:
+    other = tmp_path / "other.mcap"
+    rewritten(recorded, other, run=run)
+    assert main(["replay", str(other), "--verify"]) == 120
+    assert reason in capfd.readouterr().err
+
+
+def test_other_files_are_refused(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    other = tmp_path / "other.mcap"
+    other.write_bytes(b"\x89PNG")
+    assert main(["replay", str(other)]) == 120
+    assert "not an MCAP file" in capfd.readouterr().err
+    assert main(["replay", str(tmp_path)]) == 120
+    assert main(["replay", str(tmp_path / "none.mcap")]) == 120
+    shutil.copy(recorded, other)
+    with other.open("r+b") as file:  # the first chunk declares 2**63 bytes
+        at = McapReader(recorded).chunks[0].place.at
+        file.seek(at + 16)
+        file.write((2**63).to_bytes(8, "little"))
+    assert main(["replay", str(other)]) == 120
