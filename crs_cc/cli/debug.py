@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
+from crs_cc.cli.instants import parse_time
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ Examples:
   crs debug wander.c room.xml -- 500
   crs debug --batch -x crash.dbg wander.c room.xml
   crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
+  crs debug run.mcap --at 12.5s                  a run that was recorded
   crs debug --dap stdio                          serve an editor, see docs/editors.md
 """
 
@@ -63,6 +65,10 @@ _OPTIONS: Final = (
         help="Serve an editor over the Debug Adapter Protocol, on stdin and stdout or on a local "
         "port; 0 picks a free one.",
     ),
+    click.option(
+        "--at", "at_s", metavar="TIME", callback=parse_time,
+        help="Go to TIME first, in a recording.",
+    ),
     click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings."),
 )  # fmt: skip
 
@@ -86,7 +92,8 @@ def debug(**options: Any) -> int:
     """Compile a C control program and debug it in a simulated world.
 
     The programs and the world run together, forward and in reverse: reverse-step,
-    reverse-continue, goto. Programs, worlds and most options are those of crs run. Commands are
+    reverse-continue, goto. A recording (crs run --record) is debugged with its own files and input:
+    crs debug run.mcap. Programs, worlds and most options are those of crs run. Commands are
     named as in gdb; help lists them. In the full-screen interface, F1 shows the keys.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
@@ -98,6 +105,10 @@ def debug(**options: Any) -> int:
         return serve_editor(wanted.dap, read_options)
     if not wanted.inputs.sources and wanted.inputs.world is None:
         raise click.UsageError("no C file to debug.")
+    if any(path.suffix.lower() == ".mcap" for path in wanted.inputs.sources):
+        from crs_cc.cli.debug_recording import debug_recording
+
+        return debug_recording(wanted)
     from crs_cc.cli.start_debugger import debug_programs
 
     return debug_programs(wanted)

@@ -18,6 +18,7 @@ class DebugOptions(ProgramOptions):
         batch: exit after these.
         input: the programs' standard input; None for the terminal.
         tui: show the full-screen interface; None to decide by whether there is a terminal.
+        at_s: the time to go to first, in a recording [s].
         dap: serve an editor instead: `stdio` or a port number.
     """
 
@@ -27,3 +28,4 @@ class DebugOptions(ProgramOptions):
     input: Path | None = None
     tui: bool | None = None
     dap: str | None = None
+    at_s: float | None = None

@@ -8,6 +8,7 @@ from typing import Any, Final
 import click
 
 from crs_cc.cli.inputs import check_plot_path, make_folder
+from crs_cc.cli.instants import parse_time
 
 _EXAMPLES: Final = """
 \b
@@ -21,24 +22,13 @@ Examples:
 """
 
 
-def _instant(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
-    if text is None:
-        return None
-    from crs_cc.cli.rerun import parse_instant
-
-    try:
-        return parse_instant(text)
-    except ValueError as wrong:
-        raise click.BadParameter(f"{wrong}.") from None
-
-
 @click.command(
     epilog=_EXAMPLES,
     short_help="Show, export, verify or mend a recording.",
     options_metavar="[OPTIONS]",
 )
 @click.argument("path", type=click.Path(path_type=Path), metavar="RUN.mcap")
-@click.option("--at", "at_s", callback=_instant, metavar="TIME", help="Show the state at TIME.")
+@click.option("--at", "at_s", callback=parse_time, metavar="TIME", help="Show the state at TIME.")
 @click.option(
     "--plot",
     type=click.Path(dir_okay=False, path_type=Path),

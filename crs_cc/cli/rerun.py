@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from crs_cc.cli.compiler_options import CompilerOptions
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.program_options import ProgramOptions
-from crs_cc.core.quantity import TIME
 from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
@@ -112,12 +111,3 @@ class RecordedInput:
         if len(content) > wanted:
             pieces.appendleft(content[wanted:])
         return content[:wanted]
-
-
-def parse_instant(text: str) -> float:
-    """Return an instant in seconds: `12.5s`, or a number.
-
-    Raises:
-        ValueError: it is none.
-    """
-    return float(text) if text.replace(".", "", 1).isdigit() else TIME.parse(text)

@@ -54,4 +54,4 @@ def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) ->
         left_out = len(messages) - WARNINGS_BEFORE_RUN
         tell(f"... and {left_out} more warnings; crs check shows them all")
     given = no_input if options.input is None else file_input(options.input)
-    return make_debugger(loaded, options, output, given)
+    return make_debugger(loaded, options, None, output, given)

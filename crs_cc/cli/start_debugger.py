@@ -29,10 +29,15 @@ from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
+    from crs_cc.cli.recorded_run import RecordedRunCheck
 
 
-def debug_programs(options: DebugOptions) -> int:
+def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = None) -> int:
     """Debug programs interactively, and return the exit status.
+
+    Args:
+        options: what to debug.
+        recorded: the recording of the run, which gives the programs their input.
 
     Raises:
         CrsError: the programs cannot be loaded.
@@ -43,13 +48,16 @@ def debug_programs(options: DebugOptions) -> int:
     loaded = _load(options)
     if on_screen:
         given = None if options.input is None else file_input(options.input)
-        make = functools.partial(make_debugger, loaded, options)
+        if recorded is not None:
+            given = recorded.read
+        make = functools.partial(make_debugger, loaded, options, recorded)
         is_kept = _save_files(full_screen.show(options, make, given), options)
         return 0 if is_kept else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)
-    debugger = make_debugger(loaded, options, terminal.program, _input(options, keyboard))
+    given = _input(options, keyboard) if recorded is None else recorded.read
+    debugger = make_debugger(loaded, options, recorded, terminal.program, given)
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
     if not _save_files(debugger, options):
@@ -88,16 +96,23 @@ def _load(options: DebugOptions) -> Loaded:
     return loaded
 
 
-def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: Input) -> Debugger:
+def make_debugger(
+    loaded: Loaded,
+    options: DebugOptions,
+    recorded: RecordedRunCheck | None,
+    output: Output,
+    read: Input,
+) -> Debugger:
     """Return a debugger of loaded programs.
 
     Args:
         loaded: the world and the programs, in their debug builds.
         options: how to run them.
+        recorded: compares the run with its recording, if there is one.
         output: receives what they write.
         read: returns what they read.
     """
-    return Debugger(
+    debugger = Debugger(
         loaded.world,
         _programs(loaded, options),
         options.seed if options.seed is not None else loaded.world.seed or 0,
@@ -106,7 +121,11 @@ def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: I
         read=read,
         files=loaded.files,
         client=options.client,
+        observer=recorded,
     )
+    if recorded is not None:
+        recorded.begin(debugger.session)
+    return debugger
 
 
 def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:

@@ -40,7 +40,7 @@ from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import WorldEvent
 from crs_cc.session.host import Client, Input, Output, discard, no_input
-from crs_cc.session.session import Session
+from crs_cc.session.session import Listener, Session
 from crs_cc.sim.model.world import WorldModel
 
 Move = Callable[[], Stop]
@@ -74,6 +74,7 @@ class Debugger:
         read: Input = no_input,
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
+        observer: Listener | None = None,
     ) -> None:
         """Load the programs into the robots; for the arguments see `Session`."""
         self.run = RecordedRun(
@@ -85,6 +86,7 @@ class Debugger:
             arguments=arguments,
             files=files,
             client=client,
+            observer=observer,
         )
         self.view = View(self.run)
         self.stop_points = StopPoints(self.view)

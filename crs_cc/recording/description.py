@@ -12,6 +12,8 @@ from typing import Any, Final, Self
 from crs_cc import __version__
 from crs_cc.recording.source_tree import is_safe
 from crs_cc.recording.topics import FORMAT_VERSION
+from crs_cc.toolchain import cache
+from crs_cc.toolchain.fingerprint import WORLDS
 
 PACKAGES: Final = ("numpy", "pymunk", "pycparser", "wasmtime")
 """The packages that take part in a run."""
@@ -107,10 +109,11 @@ class RunDescription:
 
 
 def versions() -> dict[str, str]:
-    """Return what may change a run besides crs: Python, the processor's kind, packages."""
+    """Return what may change a run: Python, the kind of processor, our sources, packages."""
     return {
         "python": platform.python_version(),
         "machine": platform.machine(),
+        "sources": cache.version(WORLDS)[:12],
         **{name: version(name) for name in PACKAGES},
     }
 

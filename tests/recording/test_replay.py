@@ -150,3 +150,25 @@ def test_other_files_are_refused(
         file.seek(at + 16)
         file.write((2**63).to_bytes(8, "little"))
     assert main(["replay", str(other)]) == 120
+
+
+def test_the_debugger_goes_to_an_instant_of_a_recording_and_steps_back(
+    recorded: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    commands = ["-ex", "print i", "-ex", "reverse-step", "-ex", "reverse-step", "-ex", "goto 5"]
+    assert main(["debug", "--batch", str(recorded), "--at", "2s", *commands]) == 0
+    said = capfd.readouterr()
+    assert "told go" in said.out  # its recorded input
+    assert "= 3" in said.out
+    assert "t = 5.000 s" in said.out
+    assert "differs" not in said.err
+    assert main(["debug", "--batch", str(recorded), "room.xml"]) == 2
+
+
+def test_the_debugger_says_when_a_run_is_another(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    other = tmp_path / "other.mcap"
+    rewritten(recorded, other)
+    assert main(["debug", "--batch", str(other), "--at", "5s"]) == 0
+    assert "the run differs from its recording at 2.00 s" in capfd.readouterr().err

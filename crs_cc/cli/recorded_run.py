@@ -1,0 +1,55 @@
+"""A run that is debugged and was recorded: its input, and whether it is the same run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from crs_cc.cli.messages import show
+from crs_cc.cli.rerun import RecordedInput
+from crs_cc.core.source import Diagnostic, Location
+from crs_cc.recording import topics
+from crs_cc.recording.digest import digest
+
+if TYPE_CHECKING:
+    from crs_cc.recording.recording import Recording
+    from crs_cc.session.session import Session
+    from crs_cc.sim.engine.step import Step
+
+
+class RecordedRunCheck:
+    """Gives a run its recorded input, and says once if it takes another course."""
+
+    def __init__(self, recording: Recording) -> None:
+        """Read input and hashes.
+
+        Raises:
+            RecordingError: they are damaged.
+        """
+        self._path = recording.path
+        self._input = RecordedInput(recording)
+        self._expected: dict[int, object] = {}
+        for _, data in recording.data(topics.HASH.topic):
+            with recording.errors():
+                self._expected[int(data["timesteps"])] = data.get("digest")
+        self._session: Session | None = None
+        self._has_warned = False
+
+    def begin(self, session: Session) -> None:
+        """Compare this session."""
+        self._session = session
+
+    def read(self, robot: int, wanted: int) -> bytes:
+        """Return a piece of a program's recorded input."""
+        return self._input.read(robot, wanted)
+
+    def step(self, _step: Step) -> None:
+        """Compare the state after a timestep with its recorded hash, if there is one."""
+        session = self._session
+        if session is None or self._has_warned:
+            return
+        expected = self._expected.get(session.timesteps)
+        if expected is not None and expected != digest(session):
+            self._has_warned = True
+            text = f"the run differs from its recording at {session.time_s:.2f} s"
+            hint = "it has been changed, or was recorded by another version: see crs replay"
+            show([Diagnostic("warning", Location(str(self._path)), text, hint=hint)])
