@@ -16,6 +16,7 @@ Examples:
   crs replay run.mcap                            what was run, and what happened
   crs replay run.mcap --at 12.5s                 the state at an instant
   crs replay run.mcap --plot path.svg --csv out  a picture, and tables
+  crs replay run.mcap --html run.html            a page that plays it in a browser
   crs replay run.mcap --verify                   run it again and compare
   crs replay broken.mcap --recover mended.mcap   write what can be read
   crs debug run.mcap --at 12.5s                  debug the recorded run
@@ -41,6 +42,13 @@ Examples:
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
     help="Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.",
+)
+@click.option(
+    "--html",
+    "page",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE.html",
+    help="Write a page that shows the run in any browser, without a network.",
 )
 @click.option(
     "--verify",

@@ -33,6 +33,7 @@ def show_recording(
     at_s: float | None,
     plot: Path | None,
     tables: Path | None,
+    page: Path | None,
     verify: bool,
     mended: Path | None,
 ) -> int:
@@ -57,13 +58,15 @@ def show_recording(
             from crs_cc.cli.recording_plot import recording_plot
 
             plot.write_bytes(recording_plot(recording))
+        if page is not None:
+            _write_page(recording, page)
         if tables is not None:
             from crs_cc.cli.tables import write_tables
 
             write_tables(recording, tables)
         if verify:
             _verify(recording)
-        if at_s is None and plot is None and tables is None and not verify:
+        if not (verify or plot or tables or page) and at_s is None:
             _print(summary(recording))
     finally:
         recording.close()
@@ -81,6 +84,13 @@ def _opened(path: Path) -> Recording:
 def _print(lines: Iterator[str]) -> None:
     for line in lines:
         click.echo(printable(line))
+
+
+def _write_page(recording: Recording, path: Path) -> None:
+    from crs_cc.cli.recording_plot import world_of
+    from crs_cc.recording.viewer.page import html_page
+
+    path.write_text(html_page(recording, world_of(recording)), "utf-8", errors="replace")
 
 
 def _verify(recording: Recording) -> None:
