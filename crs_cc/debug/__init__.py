@@ -8,8 +8,8 @@ Read `engine` first: the operations of the debugger, without a user interface. I
   has advanced to; a `Stop` reports it to the user.
 - `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: where
   steps end.
-- `locations`: where breakpoints are, as the user writes it; `call_statements`: statements that call
-  a library function; `breakpoints`: which of them are hit; `stop`: why a run has stopped.
+- `locations`: where breakpoints are, as the user writes it; `breakpoints`: which of them are hit;
+  `stop`: why a run has stopped.
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
   that users watch.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.

@@ -8,7 +8,7 @@ the library before each statement that calls it.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.call_statements import calling
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
-from crs_cc.ir.names import plain_name
+from crs_cc.ir.instruction import Block, Call, Statement
+from crs_cc.ir.names import in_library, plain_name
+from crs_cc.ir.program import Function
 from crs_cc.requests import CODES
 from crs_cc.robot_api import GROUPS
 from crs_cc.robot_api.device import DEVICE_GROUPS
@@ -157,3 +158,44 @@ def is_file(file: str, wanted: str) -> bool:
     """Return whether a name refers to a file: its whole path, or the end of it."""
     parts, own = PurePath(displayed(wanted)).parts, PurePath(displayed(file)).parts
     return bool(parts) and own[-len(parts) :] == parts
+
+
+def calling(program: DebugProgram, name: str) -> frozenset[int]:
+    """Return the numbers of the user's statements that call a function by its name.
+
+    A function of the C library has no statements of its own, so a breakpoint on it stops before
+    each of these, whether or not the call is evaluated.
+    """
+    detail = program.executable.detail()
+    sites = {
+        (site.function, site.location): number
+        for number, site in enumerate(detail.compiled.statements)
+    }
+    return frozenset(
+        sites[function.name, place]
+        for function in detail.program.functions.values()
+        if not in_library(function.location)
+        for place in _places(function, name)
+        if (function.name, place) in sites
+    )
+
+
+def _places(function: Function, name: str) -> Iterator[Location]:
+    """Return the locations of a function's statements that call another one."""
+    entry = function.blocks[0]
+    begun: dict[Block, Location | None] = {entry: None}
+    waiting = [entry]
+    while waiting:
+        block = waiting.pop()
+        place = begun[block]
+        for instruction in block.instructions:
+            if isinstance(instruction, Statement):
+                place = instruction.location
+        end = block.terminator
+        callee = end.callee if isinstance(end, Call) else None
+        if isinstance(callee, str) and plain_name(callee) == name and place is not None:
+            yield place
+        for follower in block.successors():
+            if follower not in begun:
+                begun[follower] = place
+                waiting.append(follower)

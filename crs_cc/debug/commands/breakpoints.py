@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -18,12 +20,43 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, CommandInput
-from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
 
 if TYPE_CHECKING:
     from crs_cc.debug.watch import AccessKind
+
+_CONVERSION: Final = re.compile(
+    r"%(?:%|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|L|z|t|j)?([diouxXcsfFeEgGap]))"
+)
+_ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
+
+
+def log_text(literal: str, expressions: Sequence[str]) -> str:
+    r"""Return the message of a log point with the expressions in braces.
+
+    Raises:
+        DebugError: the format is not a string, or the number of expressions is wrong.
+
+    >>> log_text(r'"%d of %s\n"', ["left + 1", "name"])
+    '{left + 1} of {name}'
+    """
+    if not re.fullmatch(r'"(?:[^"\\]|\\.)*"', literal):
+        raise DebugError(f"{literal} is not a format string in double quotes")
+    text = re.sub(r"\\(.)", lambda found: _ESCAPES.get(found[1], found[0]), literal[1:-1])
+    left = list(expressions)
+
+    def value(found: re.Match[str]) -> str:
+        if not found[1]:
+            return "%"
+        if not left:
+            raise DebugError("not enough arguments for the format")
+        return f"{{{left.pop(0)}}}"
+
+    made = _CONVERSION.sub(value, text.removesuffix("\n"))
+    if left:
+        raise DebugError(f"too many arguments for the format: {', '.join(left)}")
+    return made
 
 
 def _robot(context: CommandContext, text: str) -> int | None:

@@ -18,7 +18,6 @@ from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.branches import BRANCHES
 from crs_cc.debug.commands.breakpoints import BREAKPOINTS
-from crs_cc.debug.commands.changes import CHANGES
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.data import DATA
@@ -26,7 +25,7 @@ from crs_cc.debug.commands.help_text import manual, mentions, overview, summarie
 from crs_cc.debug.commands.running import RUNNING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
-from crs_cc.debug.commands.world import WORLD
+from crs_cc.debug.commands.world import CHANGES, WORLD
 from crs_cc.debug.errors import DebugError
 
 

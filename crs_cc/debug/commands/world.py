@@ -1,7 +1,8 @@
-"""Commands about robots and their world."""
+"""Commands about robots and their world, and those that change it (`world.edits`)."""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Final
 
 from crs_cc.core.quantity import LENGTH
@@ -10,6 +11,7 @@ from crs_cc.debug.commands.arguments import parse_count, parse_robot
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.edits import EDITS
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
 from crs_cc.debug.world.run_map import run_map
@@ -127,5 +129,22 @@ WORLD: Final = Group(
             "output", "[ROBOT] [LINES]", "Show the output of the programs up to here.",
             _output, completes="robot",
         ),
+    ),
+)  # fmt: skip
+
+
+def _change(context: CommandContext, text: str, *, name: str) -> Answer:
+    yield f"{context.debugger.edit_world(f'{name} {text}')}."
+
+
+CHANGES: Final = Group(
+    "changes",
+    "Changes to the world, which start a new history.",
+    tuple(
+        Command(
+            name, each.syntax, each.summary, partial(_change, name=name),
+            text=each.text, completes="edit",
+        )
+        for name, each in EDITS.items()
     ),
 )  # fmt: skip

@@ -6,13 +6,12 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Any, Final
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.connection import Connection
-from crs_cc.debug.dap.handles import Handles
 from crs_cc.debug.dap.inbox import ClientRequest, Inbox
 from crs_cc.debug.dap.launch import Launch
 from crs_cc.debug.dap.locations import ClientLocations
@@ -20,6 +19,38 @@ from crs_cc.debug.dap.output_events import OutputEvents
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.stop import Stop
 from crs_cc.session.host import Output
+
+MAX_HANDLES: Final = 100_000  # per stop; chosen by us
+
+
+class Handles:
+    """Objects by the numbers by which a client refers to them until the run moves.
+
+    Numbers are never reused, so stale ones are detected.
+    """
+
+    def __init__(self) -> None:
+        self._first = 1
+        self._objects: list[Any] = []
+
+    def clear(self) -> None:
+        """Invalidate all handles."""
+        self._first += len(self._objects)
+        self._objects.clear()
+
+    def give(self, value: Any) -> int:
+        """Assign a number to an object; raise RefusalError if there are too many."""
+        if len(self._objects) >= MAX_HANDLES:
+            raise RefusalError("too many variables are expanded: collapse some, or resume")
+        self._objects.append(value)
+        return self._first + len(self._objects) - 1
+
+    def take(self, number: int) -> Any:
+        """Return the object with a number; raise RefusalError if it is unknown or stale."""
+        if not self._first <= number < self._first + len(self._objects):
+            raise RefusalError("the reference is no longer valid: the programs have moved on")
+        return self._objects[number - self._first]
+
 
 ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
 """Requests that want the programs to stop."""

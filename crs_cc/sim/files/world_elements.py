@@ -10,8 +10,7 @@ from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
 from crs_cc.core.file_names import from_text
-from crs_cc.core.quantity import HEAT, LENGTH, TIME
-from crs_cc.sim.files.beacon_elements import lights, sounds
+from crs_cc.core.quantity import BRIGHTNESS, HEAT, LENGTH, LOUDNESS, TIME
 from crs_cc.sim.files.communication_elements import communication
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.degradation_elements import degradations
@@ -23,8 +22,37 @@ from crs_cc.sim.files.material_elements import Materials
 from crs_cc.sim.files.object_ids import check_parts, name_objects
 from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements, pose, spread
 from crs_cc.sim.geometry.placement import misplaced, overlapping_objects
+from crs_cc.sim.model.beacons import TONES, Light, Sound
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
+
+
+def lights(root: Element, reader: Reader) -> tuple[Light, ...]:
+    """Return the lights of a world; errors go to the reader."""
+    return tuple(
+        Light(
+            element.attributes["id"],
+            reader.quantity(element, "x", LENGTH),
+            reader.quantity(element, "y", LENGTH),
+            reader.not_negative(element, "brightness", BRIGHTNESS),
+        )
+        for element in root.all("light")
+    )
+
+
+def sounds(root: Element, reader: Reader) -> tuple[Sound, ...]:
+    """Return the sounds of a world; errors go to the reader."""
+    return tuple(
+        Sound(
+            element.attributes["id"],
+            reader.quantity(element, "x", LENGTH),
+            reader.quantity(element, "y", LENGTH),
+            reader.not_negative(element, "level", LOUDNESS),
+            reader.whole(element, "tone", 0, TONES - 1),
+        )
+        for element in root.all("sound")
+    )
+
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1

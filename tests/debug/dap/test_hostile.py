@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.debug.dap import handles
+from crs_cc.debug.dap import session
 from crs_cc.debug.dap.framing import MAX_MESSAGE_BYTES
 from crs_cc.debug.dap.inbox import MAX
 from crs_cc.debug.dap.request_table import HANDLERS
@@ -157,7 +157,7 @@ def test_too_many_pending_requests_are_refused(client: Client, tmp_path: Path) -
 def test_the_number_of_handles_is_limited(
     client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(handles, "MAX", 100)
+    monkeypatch.setattr(session, "MAX_HANDLES", 100)
     path = tmp_path / "big.c"
     path.write_text("struct { int x; } big[200];\nint main(void) { return big[1].x; }\n")
     client.launch(path, stopOnEntry=True)
