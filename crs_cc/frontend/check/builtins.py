@@ -12,8 +12,8 @@ __builtin_memcpy, memmove, memset  whole blocks of memory
 __builtin_va_start, va_copy, ...   arguments of variadic functions; a `va_list` is a `char *`
 __builtin_expect, unreachable, trap, constant_p, choose_expr, types_compatible_p, ...
 
-Arithmetic ones are in `builtins_number`. Any other name with the prefix `__builtin_` means the
-library function without the prefix.
+Arithmetic ones are in `builtins_number`, `__sync_` and `__atomic_` ones in `builtins_atomic`. Any
+other name with the prefix `__builtin_` means the library function without the prefix.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from pycparser import c_ast
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import constant, tree, vla
+from crs_cc.frontend.check.builtins_atomic import ATOMIC_BUILTINS
 from crs_cc.frontend.check.builtins_number import NUMBER_BUILTINS, folded
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
 from crs_cc.frontend.check.conversion import assigned, convert, promote_argument
@@ -110,7 +111,7 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
     """Check a call of a builtin; return None for any other name."""
     location = unit.at(node)
     nodes = [] if node.args is None else node.args.exprs
-    special = _SPECIAL.get(name) or NUMBER_BUILTINS.get(name)
+    special = _SPECIAL.get(name) or NUMBER_BUILTINS.get(name) or ATOMIC_BUILTINS.get(name)
     if special is not None:
         return special(unit, nodes, location)
     if name in _CONSTANTS:

@@ -13,7 +13,13 @@ from typing import Final, TypeAlias
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import fold, tree
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.check.conversion import assigned, convert, is_integer, promote_argument
+from crs_cc.frontend.check.conversion import (
+    assigned,
+    convert,
+    is_integer,
+    is_scalar,
+    promote_argument,
+)
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import operate
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
@@ -53,16 +59,17 @@ def _values(unit: Unit, nodes: list[Node], count: int, location: Location) -> li
     return [rvalue(unit, each) for each in nodes]
 
 
-def _kept(value: Expression) -> tuple[Expression, Expression]:
+def kept(value: Expression) -> tuple[Expression, Expression]:
     """Return the assignment of a value to a new variable, and the variable; constants stay."""
     if isinstance(value, tree.Literal):
         return value, value
-    symbol = ObjectSymbol("", value.type, value.location)
+    in_memory = not is_scalar(value.type)
+    symbol = ObjectSymbol("", value.type, value.location, in_memory=in_memory)
     name = tree.ObjectName(value.type, value.location, symbol)
     return tree.Assign(value.type, value.location, name, value), name
 
 
-def _then(*parts: Expression) -> Expression:
+def then(*parts: Expression) -> Expression:
     """Build `a, b, c`, without constants that nothing uses."""
     result = parts[-1]
     for each in reversed(parts[:-1]):
@@ -99,17 +106,17 @@ def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> Numbe
         target = unqualified(target)
         if not has_target and (known := _known(op, left, right, target)) is not None:
             return tree.integer(known, INT, location)
-        keep, pointer = _kept(last)
+        keep, pointer = kept(last)
         first = [keep] if has_target else [convert(last, INT)]
         place = tree.Dereference(target, location, pointer) if has_target else None
         if max(left.type.size, right.type.size, target.size) > 4:
             return _wide(op, (left, right), target, (first, place), location)
         exact = operate(unit, op, convert(left, LLONG), convert(right, LLONG), location)
-        keep_exact, exact = _kept(exact)
+        keep_exact, exact = kept(exact)
         cut = convert(exact, target)
         store = [] if place is None else [tree.Assign(target, location, place, cut)]
         differs = operate(unit, "!=", convert(cut, LLONG), exact, location)
-        return _then(keep_exact, *first, *store, differs)
+        return then(keep_exact, *first, *store, differs)
 
     return check
 
@@ -145,12 +152,12 @@ def _wide(
     arguments.append(tree.integer(8 * target.size, INT, location))
     arguments.append(tree.integer(_is_signed(target), INT, location))
     arguments.append(tree.AddressOf(PointerType(ULLONG), location, result))
-    keep, overflows = _kept(tree.Call(INT, location, callee, arguments))
+    keep, overflows = kept(tree.Call(INT, location, callee, arguments))
     first, place = where
     if place is None:
-        return _then(keep, *first, overflows)
+        return then(keep, *first, overflows)
     store = tree.Assign(target, location, place, convert(result, target))
-    return _then(keep, *first, store, overflows)
+    return then(keep, *first, store, overflows)
 
 
 def _is_signed(ctype: CType) -> int:
@@ -174,8 +181,8 @@ def _bits(ctype: IntegerType, make: Callable[[Unit, Expression], Expression]) ->
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         (value,) = _values(unit, nodes, 1, location)
-        keep, name = _kept(assigned(unit, value, ctype, "pass"))
-        return _then(keep, make(unit, name))
+        keep, name = kept(assigned(unit, value, ctype, "pass"))
+        return then(keep, make(unit, name))
 
     return check
 
@@ -263,8 +270,8 @@ def _float(make: Callable[[Unit, Expression], Expression]) -> NumberBuiltin:
         (value,) = _values(unit, nodes, 1, location)
         if not isinstance(value.type, FloatType):
             raise CheckError(location, f"'{value.type}' is not a floating type")
-        keep, name = _kept(value)
-        return _then(keep, make(unit, name))
+        keep, name = kept(value)
+        return then(keep, make(unit, name))
 
     return check
 
@@ -314,13 +321,13 @@ def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
     """Check `__builtin_fpclassify(nan, infinite, normal, subnormal, zero, x)`."""
     *kinds, value = _values(unit, nodes, 6, location)
     kinds = [assigned(unit, each, INT, "pass") for each in kinds]
-    keep, name = _kept(value)
+    keep, name = kept(value)
     is_zero = operate(unit, "==", name, _real(0.0, name), location)
     tests = [_is_nan(unit, name), _is_infinite(unit, name), _is_normal(unit, name), is_zero]
     result = kinds[3]
     for test, kind in zip(reversed(tests), (kinds[4], kinds[2], kinds[1], kinds[0]), strict=True):
         result = _either(test, kind, result)
-    return _then(keep, result)
+    return then(keep, result)
 
 
 def _ordered(*ops: str) -> NumberBuiltin:
@@ -328,7 +335,7 @@ def _ordered(*ops: str) -> NumberBuiltin:
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         operands = _values(unit, nodes, 2, location)
-        pairs = [_kept(promote_argument(each)) for each in operands]
+        pairs = [kept(promote_argument(each)) for each in operands]
         (_, left), (_, right) = pairs
         result: Expression = tree.integer(0, INT, location)
         for op in ops:
@@ -337,7 +344,7 @@ def _ordered(*ops: str) -> NumberBuiltin:
             else:
                 test = operate(unit, op, left, right, location)
             result = operate(unit, "|", result, test, location)
-        return _then(*(keep for keep, _ in pairs), result)
+        return then(*(keep for keep, _ in pairs), result)
 
     return check
 

@@ -47,7 +47,7 @@ def call(unit: Unit, node: Node) -> Expression:
                 return _call(unit, node, decay(_library_function(unit, node.name)))
         if unit.scope.find(name) is None:
             if name.startswith(_ATOMIC):
-                text = f"'{name}' is not supported: a program has one thread, use plain operators"
+                text = f"'{name}' is not a known atomic builtin; use plain operators"
                 raise CheckError(unit.at(node.name), text)
             if name == "alloca":
                 node.name.name = "__builtin_alloca"

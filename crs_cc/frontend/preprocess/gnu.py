@@ -52,6 +52,11 @@ _CONSTRUCTS: Final = _ASM | _PRAGMA
 _ASM_QUALIFIERS: Final = frozenset({
     "const", "goto", "inline", "__inline", "__inline__", "volatile", "__volatile", "__volatile__",
 })  # fmt: skip
+_BARRIERS: Final = frozenset(
+    {"", "nop", "pause", "rep; nop", "rep;nop", "mfence", "lfence", "sfence"}
+)
+"""Instructions that change nothing for a single thread."""
+
 Pragma = Callable[[list[Token]], list[Token]]
 """Executes the tokens after `#pragma`, and returns their replacement."""
 
@@ -154,8 +159,13 @@ class GnuSyntax:
     def _close(self, construct: _Construct) -> list[Token]:
         """Return the replacement of a construct."""
         if construct.word.text in _ASM:
+            if construct.is_label:
+                return _label(construct)
+            sections = _sections(construct.inside[1:-1])
+            if "".join(each.text.strip('"') for each in sections[0]).strip() in _BARRIERS:
+                return _matched(sections)
             self._close_asm(construct)
-            return _label(construct) if construct.is_label else []
+            return []
         literal = "".join(each.text for each in construct.inside[1:-1])
         text = literal.removeprefix("L").strip('"').replace('\\"', '"')
         return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
@@ -168,6 +178,47 @@ class GnuSyntax:
                 "inline assembly is not supported",
                 "write it in C where __CRS__ is defined",
             )
+
+
+def _sections(tokens: Sequence[Token]) -> list[list[Token]]:
+    """Return the parts of an `asm` statement between its colons: code, outputs, inputs, ..."""
+    found: list[list[Token]] = [[]]
+    depth = 0
+    for token in tokens:
+        depth += {"(": 1, ")": -1, "[": 1, "]": -1}.get(token.text, 0)
+        if token.text == ":" and depth == 0:
+            found.append([])
+        else:
+            found[-1].append(token)
+    return found
+
+
+def _operands(tokens: Sequence[Token]) -> list[tuple[str, list[Token]]]:
+    """Return the constraint and the expression of each operand: `"=r"(x), [name] "m"(y)`."""
+    found: list[tuple[str, list[Token]]] = []
+    depth = 0
+    for token in tokens:
+        if depth == 0 and token.text[:1] == '"':
+            found.append((token.text.strip('"'), []))
+        depth += {"(": 1, ")": -1}.get(token.text, 0)
+        if found and (depth > 0 or token.text == ")"):
+            found[-1][1].append(token)
+    return found
+
+
+def _matched(sections: list[list[Token]]) -> list[Token]:
+    """Return the effect of an `asm` without code: an input moves to the output that it shares.
+
+    An input with the constraint "0" is in the same place as the first output.
+    """
+    outputs = _operands(sections[1]) if len(sections) > 1 else []
+    result: list[Token] = []
+    for constraint, value in _operands(sections[2]) if len(sections) > 2 else []:
+        if constraint.isdigit() and int(constraint) < len(outputs) and value:
+            comma = tokenise(",", value[0].place) if result else []
+            equals = tokenise("=", value[0].place)
+            result += [*comma, *outputs[int(constraint)][1], *equals, *value]
+    return result
 
 
 def _label(construct: _Construct) -> list[Token]:

@@ -29,8 +29,7 @@ def _all(names: str, hint: str) -> dict[str, str]:
 _HINTS: Final = {
     **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
     **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h", _PROCESSES),
-    **_all("sys/ptrace.h pthread.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
-    "stdatomic.h": f"control programs are single-threaded and need no atomics: {_GUARD}",
+    **_all("sys/ptrace.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
     "complex.h": f"complex numbers are not supported: {_GUARD}",
     **_all("curses.h ncurses.h term.h termio.h sgtty.h", _TERMINAL),
     **_all("readline/readline.h", _TERMINAL),

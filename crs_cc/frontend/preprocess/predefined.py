@@ -25,7 +25,7 @@ ORIGIN: Final = "<built-in>"
 """The name of the file that they are in; its only character is at place 0."""
 
 _ONES: Final = (
-    "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_ATOMICS__ __STDC_NO_COMPLEX__ __STDC_NO_THREADS__ "
+    "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_COMPLEX__ __STDC_NO_THREADS__ "
     "__STDC_IEC_559__ __STDC_UTF_16__ __STDC_UTF_32__ __i386__ __i386 __linux__ __linux "
     "__gnu_linux__ __unix__ __unix __ILP32__ _ILP32 __ELF__ "
     "__NO_INLINE__ __GNUC_STDC_INLINE__ __DBL_HAS_DENORM__ __DBL_HAS_INFINITY__ "
@@ -45,6 +45,12 @@ __BYTE_ORDER__ __ORDER_LITTLE_ENDIAN__
 __FLOAT_WORD_ORDER__ __ORDER_LITTLE_ENDIAN__
 __CHAR_BIT__ 8
 __BIGGEST_ALIGNMENT__ 16
+__ATOMIC_RELAXED 0
+__ATOMIC_CONSUME 1
+__ATOMIC_ACQUIRE 2
+__ATOMIC_RELEASE 3
+__ATOMIC_ACQ_REL 4
+__ATOMIC_SEQ_CST 5
 __STDC_EMBED_NOT_FOUND__ 0
 __STDC_EMBED_FOUND__ 1
 __STDC_EMBED_EMPTY__ 2
