@@ -357,6 +357,9 @@ FLOAT: Final = FloatType("float", 4, 65, "f32")
 DOUBLE: Final = FloatType("double", 8, 66, "f64")
 LDOUBLE: Final = FloatType("long double", 8, 67, "f64")
 
+NULLPTR: Final = PointerType(RecordType(Record("struct", "nullptr_t", "nullptr_t's target")))
+"""The type of C23's `nullptr`, a pointer to what nothing else points to."""
+
 BASIC_TYPES: Final[dict[str, IntegerType | FloatType]] = {
     each.name: each
     for each in (
@@ -421,6 +424,8 @@ def spell(ctype: CType, declarator: str = "") -> str:
     >>> spell(PointerType(FunctionType(INT, (PointerType(CHAR, const=True),), True)), "f")
     'int (*f)(char *const, ...)'
     """
+    if isinstance(ctype, PointerType) and ctype.target == NULLPTR.target:
+        return f"nullptr_t {declarator}".strip()
     if isinstance(ctype, PointerType):
         text = f"*{_qualifiers(ctype)}"
         gap = " " if text[-1].isalpha() and declarator[:1] not in {"", "[", "("} else ""

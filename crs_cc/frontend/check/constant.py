@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from crs_cc.frontend.check import checker, tree
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.check.conversion import is_integer
+from crs_cc.frontend.check.conversion import decay, is_integer
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
@@ -40,7 +40,7 @@ def integer(unit: Unit, node: Node, what: str) -> int:
     Raises:
         CheckError: it is not constant or not an integer.
     """
-    expression = checker.expression(unit, node)
+    expression = decay(checker.expression(unit, node))
     value = integer_value(expression)
     if value is None:
         raise CheckError(expression.location, f"{what} is not an integer constant expression")

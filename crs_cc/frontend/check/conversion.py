@@ -22,6 +22,7 @@ from crs_cc.ir.types import (
     BOOL,
     DOUBLE,
     INT,
+    NULLPTR,
     UINT,
     ULLONG,
     ULONG,
@@ -82,7 +83,8 @@ def is_null_constant(expression: Expression) -> bool:
     if not isinstance(expression, tree.Literal) or expression.value != 0:
         return False
     ctype = expression.type
-    return is_integer(ctype) or (isinstance(ctype, PointerType) and ctype.target == VOID)
+    is_null = isinstance(ctype, PointerType) and ctype.target in (VOID, NULLPTR.target)
+    return is_integer(ctype) or is_null
 
 
 def decay(expression: Expression) -> Expression:
@@ -312,7 +314,7 @@ def _check_pointers(
 ) -> None:
     assert isinstance(value.type, PointerType)
     left, right = target.target, value.type.target
-    if left is right or is_null_constant(value):
+    if left is right or is_null_constant(value) or right == NULLPTR.target:
         return
     lost = [
         word

@@ -15,13 +15,15 @@ from pycparser import c_ast
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import constant, tree, vla
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
-from crs_cc.frontend.check.conversion import convert
+from crs_cc.frontend.check.conversion import convert, decay
 from crs_cc.frontend.check.scope import BrokenName, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.other_language_hint import hint_for_type
 from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.preprocess.options import is_c23
 from crs_cc.ir.types import (
     BASIC_TYPES,
+    BOOL,
     UINT,
     VOID,
     ArrayType,
@@ -94,6 +96,8 @@ def _base(unit: Unit, node: Node) -> CType:
 
 def _identifier(unit: Unit, node: Node) -> CType:
     names = tuple(node.names)
+    if names == ("bool",) and is_c23(unit.standard):
+        return BOOL
     found = basic_type(names)
     if found is not None:
         return found
@@ -132,6 +136,8 @@ def _type_of(unit: Unit, node: Node) -> CType:
             if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
                 raise CheckError(unit.at(node), "invalid application of 'typeof' to bit-field")
             known = operand.type
+        if node.op == "typeof_unqual":
+            known = unqualified(known)
         unit.specified[node] = known
     return known
 
@@ -157,7 +163,7 @@ def _array(unit: Unit, node: Node) -> CType:
         if unit.prototypes == 0:
             raise CheckError(location, "star modifier used outside of a function prototype")
         return ArrayType(element, None, ObjectSymbol("", UINT, location))
-    given = expression(unit, node.dim)
+    given = decay(expression(unit, node.dim))
     length = constant.integer_value(given)
     if length is None or vla.is_variable(element):
         return vla.array(unit, element, given)
@@ -180,7 +186,9 @@ def _function(unit: Unit, node: Node) -> CType:
         what = "an array" if isinstance(result, ArrayType) else "a function"
         raise CheckError(location, f"function cannot return {what} of type '{result}'")
     result = unqualified(result)
-    if node.args is None or isinstance(node.args.params[0], c_ast.ID):
+    if node.args is None:
+        return FunctionType(result, () if is_c23(unit.standard) else None)
+    if isinstance(node.args.params[0], c_ast.ID):
         return FunctionType(result)
     unit.prototypes += 1
     try:

@@ -24,7 +24,9 @@ from crs_cc.frontend.parse import literal
 from crs_cc.frontend.parse.nodes import Node
 from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import (
+    BOOL,
     CHAR,
+    NULLPTR,
     UINT,
     VOID,
     ArrayType,
@@ -39,6 +41,7 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
+_PREDEFINED = {"bool": BOOL, "nullptr_t": NULLPTR}
 _FUNCTION_NAMES = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"}
 
 
@@ -95,6 +98,8 @@ def constant(unit: Unit, node: Node) -> Expression:
             content, element = literal.string(node.value)
             length = len(content) // element.size
             return tree.StringLiteral(ArrayType(element, length), location, content)
+        if node.type in _PREDEFINED:
+            return tree.Literal(_PREDEFINED[node.type], location, node.value == "true")
         if node.type == "char":
             value, ctype = literal.character(node.value)
         else:

@@ -186,7 +186,7 @@ class _Check:
 
     def _printed(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
         """Return the argument for a conversion of `printf`; None if it is unknown."""
-        if conversion in "diouxXc" and conversion:
+        if conversion in "diouxXbBc" and conversion:
             size = max(4, _INTEGER_BYTES.get(length, 4))
             return _Wanted(at, text, "integer", size, _INTEGER_NAMES[size])
         if conversion in "fFeEgGaA" and conversion:

@@ -20,7 +20,9 @@ from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.tree import Initialiser, InitialValue
 from crs_cc.frontend.check.type_compat import compatible
 from crs_cc.frontend.parse.nodes import Node, Range
+from crs_cc.frontend.preprocess.options import is_c23
 from crs_cc.ir.types import (
+    INT,
     ArrayType,
     CType,
     IntegerType,
@@ -250,6 +252,9 @@ class _Filler:
 
     def _braced_scalar(self, part: _Part, node: Node) -> None:
         location = self.unit.at(node)
+        if not node.exprs and is_c23(self.unit.standard):
+            self.scalar(part, tree.integer(0, INT, location))
+            return
         if not node.exprs:
             raise CheckError(location, "scalar initializer cannot be empty")
         if len(node.exprs) > 1:

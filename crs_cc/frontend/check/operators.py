@@ -31,6 +31,7 @@ from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     INT,
+    NULLPTR,
     VOID,
     ArrayType,
     CType,
@@ -144,7 +145,7 @@ def _compare_pointers(unit: Unit, left: Expression, right: Expression, place: Lo
         return
     if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
         a, b = unqualified(left.type.target), unqualified(right.type.target)
-        if VOID not in (a, b) and not compatible(a, b):
+        if not {VOID, NULLPTR.target} & {a, b} and not compatible(a, b):
             text = f"comparison of distinct pointer types ('{left.type}' and '{right.type}')"
             unit.warning(place, text, flag="distinct-pointer-types")
         return

@@ -21,7 +21,7 @@ from crs_cc.frontend.preprocess.macros import FEATURE_TESTS, RESERVED, read_defi
 from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.source_text import Place
 from crs_cc.frontend.preprocess.state import State
-from crs_cc.frontend.preprocess.tokens import NAME, STRING, Token, shown, spell, tokenise
+from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, STRING, Token, shown, spell, tokenise
 
 _DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
 _PRAGMAS_WITH_MEANING: Final = frozenset({"weak", "redefine_extname"})
@@ -200,11 +200,20 @@ def _condition(state: State, line: _Line) -> bool:
         tokens = resolve_defined(line.tokens(), is_defined)
         tokens = state.expand_condition(resolve_features(state, tokens, expanded=False))
         tokens = resolve_defined(tokens, is_defined)
-        return evaluate(resolve_features(state, tokens, expanded=True))
+        tokens = resolve_features(state, tokens, expanded=True)
+        if state.is_c23:
+            tokens = [_truth(each) for each in tokens]
+        return evaluate(tokens)
     except ConditionError as error:
         place = line.place if error.place is None else error.place
         state.report.error(place, f"in '#{line.name}': {error}", error.hint)
         return False
+
+
+def _truth(token: Token) -> Token:
+    """Return the number that C23's `true` is."""
+    is_true = token.kind == NAME and token.text == "true"
+    return Token(NUMBER, "1", token.place, token.spaced) if is_true else token
 
 
 def _if(state: State, line: _Line) -> None:

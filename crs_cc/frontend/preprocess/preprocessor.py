@@ -27,7 +27,7 @@ from crs_cc.frontend.preprocess.directives import execute_pragma, run_directive
 from crs_cc.frontend.preprocess.dynamic import dynamic_macros
 from crs_cc.frontend.preprocess.gnu import GnuSyntax
 from crs_cc.frontend.preprocess.includes import Headers
-from crs_cc.frontend.preprocess.options import DIALECT_HEADERS, Options
+from crs_cc.frontend.preprocess.options import DIALECT_HEADERS, Options, is_c23
 from crs_cc.frontend.preprocess.output import Preprocessed, Writer
 from crs_cc.frontend.preprocess.predefined import ORIGIN, predefined_macros
 from crs_cc.frontend.preprocess.regular_file import Refusal, read_regular_file
@@ -99,6 +99,7 @@ class _Run:
         report.places.add(ORIGIN, "")
         self.state = State(report, Headers(folder, options, diagnostics.digests))
         self.state.strict = options.is_strict
+        self.state.is_c23 = is_c23(options.standard)
         self.options = options
         self.writer = Writer()
         self.gnu = GnuSyntax(

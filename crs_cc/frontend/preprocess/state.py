@@ -59,6 +59,7 @@ class State:
         budget: the limit for macro expansion.
         characters_left: the remaining size of source.
         strict: whether the program is in ISO C, with trigraphs.
+        is_c23: whether `true` is 1 in conditions.
         kept_macros: the stack of `#pragma push_macro` for each name.
         pending: tokens from a directive, to be added to the program.
         uses: the macros that the program uses, by place.
@@ -73,6 +74,7 @@ class State:
     budget: Budget = field(default_factory=Budget)
     characters_left: int = MAX_CHARACTERS
     strict: bool = False
+    is_c23: bool = False
     kept_macros: dict[str, list[Macro | None]] = field(default_factory=dict)
     pending: list[Token] = field(default_factory=list)
     uses: MacroUses = field(default_factory=dict)

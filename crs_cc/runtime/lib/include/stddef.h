@@ -18,4 +18,9 @@ typedef long long max_align_t;
 
 #define offsetof(type, member) __builtin_offsetof(type, member)
 
+#if defined __STDC_VERSION__ && __STDC_VERSION__ > 201710L
+typedef __typeof__(nullptr) nullptr_t;
+#define unreachable() __builtin_unreachable()
+#endif
+
 #endif

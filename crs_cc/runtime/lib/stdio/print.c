@@ -126,7 +126,7 @@ static void print_integer(struct __crs_sink *sink, struct __crs_conversion *conv
                           unsigned long long value, const char *prefix)
 {
     const char *figures = conversion->letter == 'X' ? "0123456789ABCDEF" : "0123456789abcdef";
-    char digits[24], *first = digits + sizeof digits;
+    char digits[64], *first = digits + sizeof digits;
     int base = 10, size, zeros, after;
     unsigned int low;
 
@@ -137,6 +137,11 @@ static void print_integer(struct __crs_sink *sink, struct __crs_conversion *conv
         if (conversion->flags & ALTERNATE && value != 0)
             prefix = conversion->letter == 'X' ? "0X" : *prefix == '+' ? "+0x" :
                      *prefix == ' ' ? " 0x" : "0x";
+    }
+    if (conversion->letter == 'b' || conversion->letter == 'B') {
+        base = 2;
+        if (conversion->flags & ALTERNATE && value != 0)
+            prefix = conversion->letter == 'B' ? "0B" : "0b";
     }
     for (; value > UINT_MAX; value /= base)
         *--first = figures[value % base];

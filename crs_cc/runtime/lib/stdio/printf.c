@@ -71,7 +71,7 @@ static const char *read_position(const char *at, int *position)
 static int is_wide(const struct __crs_conversion *conversion)
 {
     return strchr("aAeEfFgG", conversion->letter) != NULL ||
-           (conversion->length == 'q' && strchr("diouxX", conversion->letter) != NULL);
+           (conversion->length == 'q' && strchr("diouxXbB", conversion->letter) != NULL);
 }
 
 static const char *read_specification(const char *at, struct __crs_conversion *conversion);
@@ -177,7 +177,7 @@ static const char *print_conversion(struct __crs_sink *sink, const char *format,
     } else if (*at == 'm') {
         conversion.letter = 's';
         __crs_print_word(sink, &conversion, (int)strerror(arguments->error));
-    } else if (strchr("diouxXcCsSpnaAeEfFgG", *at) != NULL) {
+    } else if (strchr("diouxXbBcCsSpnaAeEfFgG", *at) != NULL) {
         print_argument(sink, &conversion,
                        find_argument(arguments, conversion.position, &numbered));
     } else {
