@@ -97,8 +97,14 @@ class Activation:
 
     # -- start ------------------------------------------------------------------------------------
 
-    def connect(self, first: Node, landings: list[Landing]) -> Node:
-        """Return the entry, which leads to the first block, or to one of the landings."""
+    def connect(self, first: Node, landings: list[Landing], *, resumes: int = 0) -> Node:
+        """Return the entry, which leads to the first block, or to one of the landings.
+
+        Args:
+            first: the node of the first block.
+            landings: the points of resumption.
+            resumes: the index of the function that resumes this one; 0 if it does itself.
+        """
         entry, start = self._entry(), self._start(first, landings)
         is_small = self.writer.names.bodies.is_small(self.function.name)
         if is_small and not self.build.debug:  # it is never suspended
@@ -109,6 +115,20 @@ class Activation:
         rare = Node()
         entry.code += stopping.IS_NEGATIVE
         entry.exit, entry.targets, entry.unlikely = "branch", [rare, start], True
+        if resumes:
+            rare.code += [*self._passed_on(), ("call", resumes), ("return",)]
+            return entry
+        self._suspend_or_resume(rare, start, landings)
+        return entry
+
+    def _passed_on(self) -> list[Instr]:
+        """Push all that was passed."""
+        numbers = [FP, FUEL, *(number for number, _ in self.passed.values())]
+        return [("local.get", number) for number in numbers]
+
+    def _suspend_or_resume(self, rare: Node, start: Node, landings: list[Landing]) -> None:
+        """Continue where the fuel is less than zero."""
+        is_small = self.writer.names.bodies.is_small(self.function.name)
         resumption = rare
         if is_small:
             resumption = Node()
@@ -118,7 +138,14 @@ class Activation:
             rare.code += [*stopping.IS_STOPPED, ("i32.eqz",), ("if",)]
             rare.code += [*self._save_start(), ("end",)]
         self._resume(resumption, start, landings)
-        return entry
+
+    def resumption(self, landings: list[Landing]) -> Node:
+        """Return the entry of a function that resumes this one, and starts it again."""
+        node, again, size = Node(), Node(), self.frame.size
+        node.code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
+        again.code += [*self._passed_on(), ("call", self.number), ("return",)]
+        self._suspend_or_resume(node, again, landings)
+        return node
 
     def _entry(self) -> Node:
         """Set up the frame."""

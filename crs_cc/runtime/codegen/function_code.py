@@ -9,6 +9,8 @@ spill slots in the frame. When it is called again it reloads them and jumps to t
 
 from __future__ import annotations
 
+from typing import Final
+
 from crs_cc.ir.definite_assignment import Assignments
 from crs_cc.ir.instruction import (
     Block,
@@ -80,6 +82,9 @@ from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
+
+MOST_OUTLINED: Final = 8
+"""Functions with more calls resume themselves."""
 
 
 def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, FunctionInfo]:
@@ -172,13 +177,35 @@ class _FunctionCode:
         for block in self.function.blocks:
             self.block(block)
         landings = [landing for landing, _ in self.landings]
-        entry = self.activation.connect(self.nodes[self.function.blocks[0]], landings)
+        resumes = len(self.names.outlined) + self.names.first_outlined if self.is_outlined() else 0
+        first = self.nodes[self.function.blocks[0]]
+        entry = self.activation.connect(first, landings, resumes=resumes)
+        if resumes:
+            again = self.activation.resumption(landings)
         for number, (landing, _) in enumerate(self.failing, start=len(self.landings) + 1):
             landing.number = number
+        code = self.code(self.body_from(entry))
+        if resumes:
+            self.names.outlined.append(self.code(self.body_from(again)))
+        return code, self.info()
+
+    def is_outlined(self) -> bool:
+        """Return whether another function resumes this one.
+
+        Then the values that are live in it do not meet those that were saved. It is twice the code,
+        so it is for functions without loops, where the time goes to calls.
+        """
+        calls = all(isinstance(it, Call) for _, it in self.landings)
+        is_plain = not self.registers.headers and not self.homes
+        is_small = self.names.bodies.is_small(self.function.name)
+        if is_small or self.build.passes_in_memory or in_library(self.function.location):
+            return False
+        return is_plain and calls and 0 < len(self.landings) <= MOST_OUTLINED
+
+    def body_from(self, entry: Node) -> list[Instr]:
+        """Return the code from an entry on."""
         body = emit(entry, self.activation.failed()) + self.activation.epilogue()
-        if self.homes:
-            body = self.in_frame(body)
-        return self.code(body), self.info()
+        return self.in_frame(body) if self.homes else body
 
     def code(self, body: list[Instr]) -> Code:
         """Return the code with the types of its parameters and locals."""
@@ -219,17 +246,17 @@ class _FunctionCode:
     def block(self, block: Block) -> None:
         self.here = block
         if block not in self.registers.headers:
-            self.body(block, self.nodes[block], [])
+            self.write(block, self.nodes[block], [])
             return
         landing = self.add_landing(self.nodes[block], all_instructions(block)[0])
         landing.prepaid = prepaid = self.fuel.received[block]
         test: list[Instr] = [("local.get", FUEL), ("i64.const", -prepaid), ("i64.lt_s",), UNLIKELY]
         test += [*charge(-prepaid), *self.suspend(landing), ("end",)]
-        self.body(block, self.nodes[block], test)
+        self.write(block, self.nodes[block], test)
         if block in self.bottoms:
-            self.body(block, self.bottoms[block], test)
+            self.write(block, self.bottoms[block], test)
 
-    def body(self, block: Block, node: Node, test: list[Instr]) -> None:
+    def write(self, block: Block, node: Node, test: list[Instr]) -> None:
         """Write a block, after a test whether the function must be suspended."""
         selector, writer = self.selector, self.writer
         selector.forget()

@@ -89,6 +89,8 @@ def compile_program(
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
     conventions = {name: convention_of(each) for name, each in program.functions.items()}
     general = _general_forms(program, pointers, numbers, conventions)
+    made = [name for name, number in general.items() if number != numbers[name]]
+    own_and_program = len(own) + len(program.functions) + len(made)
     names = Symbols(
         addresses,
         numbers,
@@ -103,6 +105,7 @@ def compile_program(
         {},
         valueless_functions(program, pointers) if checked else set(),
         Bodies(small_functions(program.functions), checked=checked, traps_overflow=trap_overflow),
+        first_outlined=own_and_program,
     )
     tables = pointer_tables(program, pointers) if checked else {}
     heap, end = (addresses[name] for name in HEAP_SYMBOLS)
@@ -128,8 +131,6 @@ def compile_program(
         ],
         elements=[(0, 1, [general[name] for name in pointers])] if pointers else [],
     )
-    made = [name for name, number in general.items() if number != numbers[name]]
-    own_and_program = len(own) + len(program.functions) + len(made)
     build = Build(checked, debug, own_and_program + 1 if watching else 0, trap_overflow)
     infos = []
     for function in program.functions.values():
@@ -139,6 +140,7 @@ def compile_program(
     for name in made:
         sizes = [each.size for each in program.functions[name].parameters]
         module.functions.append(general_form(name, numbers[name], conventions[name], sizes))
+    module.functions += names.outlined
     begin = update_bounds(SHADOW + checked, len(names.statements))
     module.functions.append(
         _resume(general[ROOT], len(names.statements), begin if watching else [])
@@ -149,7 +151,7 @@ def compile_program(
     module.functions.append(_prefetch(checked=checked))
     module.exports = [
         ("memory", "memory", MEMORY),
-        ("resume", "func", own_and_program),
+        ("resume", "func", own_and_program + len(names.outlined)),
         ("prefetch", "func", len(module.functions) - 1),
         ("heap", "global", len(module.globals) - 1),
     ]

@@ -8,6 +8,7 @@ from crs_cc.runtime.codegen.convention import Convention
 from crs_cc.runtime.codegen.signatures import Shape
 from crs_cc.runtime.codegen.small_functions import Bodies
 from crs_cc.runtime.sites import CallSite, Site, StatementSite
+from crs_cc.runtime.wasm import Code
 
 
 @dataclass(slots=True)
@@ -29,6 +30,8 @@ class Symbols:
         call_sites: every call site, by its number minus 1.
         statements: the statements on which breakpoints can be set.
         accesses: number of numbered accesses, see `watchpoints.accesses`.
+        first_outlined: index in the module of the first of the outlined functions.
+        outlined: functions that resume others.
     """
 
     addresses: dict[str, int]
@@ -45,6 +48,8 @@ class Symbols:
     call_sites: list[CallSite] = field(default_factory=list)
     statements: list[StatementSite] = field(default_factory=list)
     accesses: int = 0
+    first_outlined: int = 0
+    outlined: list[Code] = field(default_factory=list)
 
     def number(self, site: Site) -> int:
         """Add a site that can fail, and return its number."""
