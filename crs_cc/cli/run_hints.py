@@ -35,7 +35,7 @@ class RunHints:
         if self.found or time.monotonic() < wrote_s + SILENT_S:
             return None
         robot = next((each for each, alive in enumerate(self._session.state.alive) if alive), 0)
-        call = self._session.current_call(robot)
+        call = self._session.state.current_call(robot)
         where = f", in '{call.function}'" if call else ""
         place = call.location if call and call.location else None
         time_s = self._session.time_s

@@ -37,7 +37,6 @@ from crs_cc.requests.request import fields
 from crs_cc.robot_api.row import OURS, Function
 from crs_cc.sim.devices import range_scan
 from crs_cc.sim.devices.camera.blobs import blobs
-from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor
 from crs_cc.sim.files.body import is_outside
@@ -58,7 +57,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.files.document import Element, Reader
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.events import EventLog
 
 
 MAX_COLUMNS: Final = 320
@@ -281,11 +279,6 @@ def _fan(camera: Camera) -> Fan:
     return Fan.of(beams, camera.z_m)
 
 
-def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
-    """Return the cameras of a world's robots."""
-    return _Cameras(row, world, seed).installed
-
-
 DEVICE = Device(
     name="camera",
     title="Camera",
@@ -295,7 +288,7 @@ DEVICE = Device(
     model=Camera,
     read=read,
     state=state_at_start,
-    install=install,
+    install=lambda row, world, seed, _log: _Cameras(row, world, seed).installed,
     requests=(
         device_request(
             "CAMERA", 201, "int crs_camera(struct crs_pixel *row, int most)",

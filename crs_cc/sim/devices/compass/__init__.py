@@ -47,7 +47,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.events import EventLog
 
 
 OFF: Final = 0
@@ -193,11 +192,6 @@ class _Compasses:
         return good
 
 
-def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
-    """Return the compasses of a world's robots."""
-    return _Compasses(row, world, seed).installed()
-
-
 def inspect(state: EnvState, number: int) -> str:
     """Return the last reading of a compass, and whether it is off."""
     compass = compasses(state)
@@ -212,7 +206,7 @@ DEVICE = Device(
     summary="A compass, which turns with the turret.",
     model=Compass,
     state=_at_start,
-    install=install,
+    install=lambda row, world, seed, _log: _Compasses(row, world, seed).installed(),
     degradables=(
         Degradable(
             "compass", "direction", ANGLE, elements_of("compass", lambda _model: ("0",)), 1,

@@ -55,7 +55,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.files.document import Element, Reader
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.events import EventLog
 
 
 MAX_INFRARED: Final = 16
@@ -301,11 +300,6 @@ def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
     return Fan.of(beams, ring.z_m)
 
 
-def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
-    """Return the infrared rings of a world's robots."""
-    return InfraredRing(row, world, seed).installed()
-
-
 def inspect(state: EnvState, number: int) -> str:
     """Return the readings of a ring."""
     return " ".join(f"{level:.0f}" for level in rings(state).level[number].tolist())
@@ -320,7 +314,7 @@ DEVICE = Device(
     model=Infrared,
     read=read,
     state=_at_start,
-    install=install,
+    install=lambda row, world, seed, _log: InfraredRing(row, world, seed).installed(),
     degradables=(
         Degradable(
             "infrared", "distance measured by an infrared sensor", LENGTH,

@@ -26,8 +26,6 @@ distance has no point.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from crs_cc.core.quantity import LENGTH
 from crs_cc.requests import device_request
 from crs_cc.requests.request import fields
@@ -38,17 +36,6 @@ from crs_cc.sim.devices.laser.model import NUM_LASER, Laser, laser_state, read, 
 from crs_cc.sim.model.degradable import Degradable, elements_of, numbered
 from crs_cc.sim.model.device import Device
 
-if TYPE_CHECKING:
-    from crs_cc.sim.devices.installed import Installed
-    from crs_cc.sim.model.world import WorldModel
-    from crs_cc.sim.state.events import EventLog
-
-
-def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
-    """Return the lasers of a world's robots."""
-    return Lasers(row, world, seed).installed
-
-
 DEVICE = Device(
     name="laser",
     title="Laser",
@@ -57,7 +44,7 @@ DEVICE = Device(
     model=Laser,
     read=read,
     state=state_at_start,
-    install=install,
+    install=lambda row, world, seed, _log: Lasers(row, world, seed).installed,
     requests=(
         device_request(
             "LASER", 204, "int crs_laser(int *ranges, int most)",

@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.installed import Installed
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.model.world import WorldModel
-    from crs_cc.sim.state.events import EventLog
 
 
 _MAX: Final = 32  # our choice
@@ -111,11 +110,6 @@ class _Rings:
         return has
 
 
-def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
-    """Return the light sensors of a world's robots."""
-    return _Rings(row, world, seed).installed()
-
-
 DEVICE = Device(
     name="light",
     title="Light sensors",
@@ -123,7 +117,7 @@ DEVICE = Device(
     summary="A ring of light sensors on the turret (or the body): crs_get_light() of crs.h.",
     model=LightSensors,
     state=lambda models: Readings.never(len(models), _MAX),
-    install=install,
+    install=lambda row, world, seed, _log: _Rings(row, world, seed).installed(),
     requests=(
         device_request(
             "GET_LIGHT", 227, "int crs_get_light(int *readings, int most)",

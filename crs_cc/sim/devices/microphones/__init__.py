@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.installed import Installed
     from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.model.world import WorldModel
-    from crs_cc.sim.state.events import EventLog
 
 
 AROUND: Final = 0.25
@@ -108,11 +107,6 @@ class _Ears:
         return has
 
 
-def install(row: Device, world: WorldModel, seed: int, _log: EventLog) -> Installed:
-    """Return the microphones of a world's robots."""
-    return _Ears(row, world, seed).installed()
-
-
 DEVICE = Device(
     name="sound",
     title="Microphones",
@@ -121,7 +115,7 @@ DEVICE = Device(
     " of crs.h.",
     model=Microphones,
     state=lambda models: Readings.never(len(models), 2 * TONES),
-    install=install,
+    install=lambda row, world, seed, _log: _Ears(row, world, seed).installed(),
     requests=(
         device_request(
             "GET_SOUND", 228, "int crs_get_sound(int *levels, int most, int *direction)",
