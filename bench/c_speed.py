@@ -84,7 +84,7 @@ class InSandbox:
             seconds += time.process_time() - start
             if slot["status"] == FAILED:
                 sys.exit(f"{self.executable.name}: {fleet.failure(0)}")
-            host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+            host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
         return seconds, b"".join(printed)
 
 

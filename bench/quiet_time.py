@@ -75,7 +75,7 @@ def alone_s(executable: Executable) -> float:
         start = time.process_time()
         fleet.run_round()
         seconds += time.process_time() - start
-        host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+        host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
     return seconds
 
 

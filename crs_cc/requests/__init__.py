@@ -29,6 +29,8 @@ from crs_cc.requests.door import (
     RETURNED,
     SLOT,
     SUSPENDED,
+    SYSTEM_CALL,
+    TIMING,
     slot_offset,
 )
 from crs_cc.requests.host import HOST_REQUESTS
@@ -49,6 +51,8 @@ __all__ = [
     "RETURNED",
     "SLOT",
     "SUSPENDED",
+    "SYSTEM_CALL",
+    "TIMING",
     "Field",
     "Request",
     "device_request",

@@ -1,5 +1,8 @@
 """The message and the slot: the binary interface between program and runtime.
 
+A slot is followed by its program's `TIMING`, which is the runtime's own: it is no part of what
+passes between them.
+
 >>> slot_offset("run"), slot_offset("message"), SLOT.itemsize
 (0, 64, 384)
 """
@@ -51,6 +54,23 @@ SLOT: Final = np.dtype(
     ]
 )
 """One robot's slot: 384 bytes."""
+
+
+TIMING: Final = np.dtype(
+    {
+        "names": ["clock_s", "due_s", "speed_hz", "fuel", "pending", "alive", "asks"],
+        "formats": ["<f8", "<f8", "<f8", "<i8", "<i8", "?", "<i4"],
+        "offsets": [0, 8, 16, 24, 32, 40, 44],
+        "itemsize": 64,  # a cache line
+    }
+)
+"""What is known of a program's time, see `session.session_state`. `asks` is 1 if the program has
+stopped for something that is not answered where rounds are run: its request, its end or its
+failure."""
+
+SYSTEM_CALL: Final = 1000
+"""Processor time of a request to the host [instructions]; chosen by us: 20 microseconds
+on a host of 50 MHz."""
 
 
 def slot_offset(field: str) -> int:

@@ -26,11 +26,12 @@ import wasmtime
 
 from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
-from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
+from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE
 from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
-from crs_cc.runtime.shard import Mailbox, Sandbox, Shard, Trapped, memory_demanded
+from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_demanded
+from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
 from crs_cc.runtime.workers import available_cores, run_all
 
@@ -72,10 +73,12 @@ class Fleet:
 
     Attributes:
         slots: the slots, an array of dtype `SLOT`, one for each robot.
+        timing: the programs' clocks, an array of dtype `TIMING`; of no use to `run_round`.
         marks: for each robot with a debug build, a byte for each statement: 1 to stop
             before it. A round ends at the first robot that stops.
         watched: for each robot, its watched ranges, one element of dtype `WATCHED`;
             only watching builds use them.
+        has_marks: whether any program may stop before a marked statement.
     """
 
     def __init__(
@@ -108,6 +111,7 @@ class Fleet:
         self._builds: list[list[Sandbox]] = []  # of each program, all builds used
         self._fresh: list[Snapshot | None] = []  # of added programs
         self._round_s = 0.0
+        self.has_marks = False
         for executable in executables:
             self._instantiate(executable)
         self._resize_slots(0, len(executables))
@@ -119,7 +123,9 @@ class Fleet:
         return len(self.slots)
 
     def add(self, executable: Executable) -> int:
-        """Create a sandbox for one more program, and return its number; replaces `slots`.
+        """Create a sandbox for one more program, and return its number.
+
+        Replaces `slots` and `timing`.
 
         Raises:
             OSError: as for a new fleet.
@@ -147,8 +153,9 @@ class Fleet:
         """Set `slots` for `count` programs, initialised from number `first` on."""
         self._mailbox.resize(_size(count))
         mailbox = self._mailbox.view()
-        self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
-        self.slots[first:] = np.zeros((), SLOT)
+        records = mailbox[SLOTS : SLOTS + count * RECORD.itemsize].view(RECORD)
+        records[first:] = np.zeros((), RECORD)
+        self.slots, self.timing = records["slot"], records["timing"]
 
     def _instantiate(self, executable: Executable) -> None:
         """Append a new program."""
@@ -165,6 +172,7 @@ class Fleet:
         self._shard(robot).assign(robot, sandbox)
         self._sandboxes[robot] = sandbox
         if len(sandbox.marks):
+            self.has_marks = True
             self.marks[robot] = sandbox.marks[WATCHED.itemsize :]
             self.watched[robot] = sandbox.marks[: WATCHED.itemsize].view(WATCHED)
 
@@ -223,10 +231,40 @@ class Fleet:
         """
         if len(self._shards) == 1:
             return self._run_in_order(range(len(self)))
-        if any(map(len, self.marks)):
+        if self.has_marks:
             return self._run_by_robot()
-        self._run_shards()
+        self._run_shards(None)
         return None
+
+    def run_rounds(self, end_s: float) -> int:
+        """Run rounds of all robots whose clocks have not reached a time; see `turns`.
+
+        Return the number of rounds: the last is that after which nobody has to run, or one in which
+        a program has asked for anything. No program may have marks.
+        """
+        if len(self._shards) > 1:
+            return self._run_shards(end_s)
+        ran = self._shards[0].run(range(len(self)), end_s, _UNLIMITED)
+        self._record_traps(ran.trapped, ends_turn=True)
+        return ran.rounds
+
+    def begin_round(self, end_s: float) -> bool:
+        """Make all robots whose clocks have not reached a time run; return whether there are any.
+
+        `run_round` and `end_round` are to follow.
+        """
+        return self._shards[0].begin(range(len(self)), end_s)
+
+    def end_round(self) -> None:
+        """Advance the clocks of the robots that have run, and answer requests about time."""
+        self._shards[0].end(range(len(self)))
+
+    def take_asking(self) -> IndexArray:
+        """Return the robots that have asked for anything since the last call."""
+        asks = self.timing["asks"]
+        asking = asks.nonzero()[0]
+        asks[asking] = 0
+        return asking
 
     def _run_by_robot(self) -> int | None:
         """Run programs that may stop: in their order, since those after the first must not run."""
@@ -237,36 +275,40 @@ class Fleet:
 
     def _run_in_order(self, robots: range) -> int | None:
         """Run robots of one shard; return the first that stops before a marked statement."""
-        shard = self._shard(robots.start)
-        self._record_traps(shard.run(robots))
-        robot = shard.current
-        return robot if robot in robots and bool(self.slots["stopped"][robot]) else None
+        ran = self._shard(robots.start).run(robots)
+        self._record_traps(ran.trapped)
+        return ran.stopped
 
-    def _run_shards(self) -> None:
-        """Run the programs of all shards, in several threads if they take long enough."""
+    def _run_shards(self, end_s: float | None) -> int:
+        """Run a round of all shards, in several threads if it takes long enough.
+
+        Return 0 if nobody had to run, else 1.
+        """
         count = len(self._shards)
-        trapped: list[Trapped] = []
+        every: list[Ran] = []
         times_s: list[float] = []
 
         def run(number: int) -> None:
             start = time.thread_time()
             robots = range(number, len(self), count)
-            trapped.extend(self._shards[number].run(robots))
+            every.append(self._shards[number].run(robots, end_s))
             times_s.append(time.thread_time() - start)
 
-        wanted = self.slots["run"]
-        parts = [part for part in range(count) if wanted[part::count].any()]
-        if len(parts) > 1 and self._round_s > PARALLEL_S:
-            run_all([functools.partial(run, part) for part in parts])
+        if self._round_s > PARALLEL_S:
+            run_all([functools.partial(run, part) for part in range(count)])
         else:
-            for part in parts:
+            for part in range(count):
                 run(part)
         self._round_s += (sum(times_s) - self._round_s) / 8
-        self._record_traps(trapped)
+        for ran in every:
+            self._record_traps(ran.trapped, ends_turn=end_s is not None)
+        return max(ran.rounds for ran in every)
 
-    def _record_traps(self, trapped: Sequence[Trapped]) -> None:
+    def _record_traps(self, trapped: Sequence[Trapped], *, ends_turn: bool = False) -> None:
         for robot, trap in trapped:
             self._trapped(robot, trap)
+            if ends_turn:
+                self._shards[0].end(range(robot, robot + 1))
 
     def _trapped(self, robot: int, trap: Exception) -> None:
         """Record a trap as the robot's failure, so that the others continue."""
@@ -377,7 +419,7 @@ class Fleet:
 
 def _size(programs: int) -> int:
     """Return the size of the mailbox for a number of programs [bytes]."""
-    return SLOTS + programs * SLOT.itemsize
+    return SLOTS + programs * RECORD.itemsize
 
 
 def _default_threads(executables: Sequence[Executable]) -> int:
@@ -393,5 +435,6 @@ def _default_threads(executables: Sequence[Executable]) -> int:
 _BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by one
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
+_UNLIMITED: Final = 2**31
 _WISHES: Final = ("stop_before_all", "stop_from")
 """Fields that control where a program stops, which are not part of its state."""

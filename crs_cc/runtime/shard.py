@@ -9,9 +9,10 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import errno
+import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, TypeAlias
 
 import numpy as np
 import wasmtime
@@ -29,8 +30,25 @@ if TYPE_CHECKING:
 Trapped: TypeAlias = tuple[int, Exception]
 """A robot whose program trapped, and the trap."""
 
+_HEADER: Final = struct.Struct("<10Id")  # faster than numpy
+_CURRENT, _ROUNDS, _RAN = map(HEADER.names.index, ("current", "rounds", "ran"))  # type: ignore[union-attr]
+_FUNCTIONS: Final = "round", "begin", "end"
 _MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
 _NONE: Final = np.zeros(0, np.uint8)
+
+
+class Ran(NamedTuple):
+    """What happened when robots of a shard were run.
+
+    Attributes:
+        rounds: number of rounds that ended.
+        trapped: the robots that trapped: they have not ended their turn as others do.
+        stopped: the robot that stopped before a mark, if any.
+    """
+
+    rounds: int
+    trapped: list[Trapped]
+    stopped: int | None
 
 
 class Mailbox(wasmtime.SharedMemory):
@@ -120,16 +138,16 @@ class Shard:
         self.mailbox = mailbox
         self.instances = 0
         self._header = mailbox.headers()[number : number + 1]
+        self._raw = memoryview(self._header.view(np.uint8))  # type: ignore[arg-type]
         self.raise_instance_limit()
         exports = wasmtime.Instance(self.store, driver, [mailbox]).exports(self.store)
-        round_, header = exports["round"], exports["header"]
+        header = exports["header"]
         robots, prefetches = exports["robots"], exports["prefetches"]
-        assert isinstance(round_, wasmtime.Func)
         assert isinstance(header, wasmtime.Global)
         assert isinstance(robots, wasmtime.Table)
         assert isinstance(prefetches, wasmtime.Table)
         header.set_value(self.store, wasmtime.Val.i32(number * HEADER.itemsize))
-        self.round = round_
+        self.round, self._begin, self._end = map(_function, map(exports.__getitem__, _FUNCTIONS))
         self._tables = robots, prefetches
 
     def raise_instance_limit(self) -> None:
@@ -170,27 +188,50 @@ class Shard:
                 table.grow(self.store, max(robot + 1 - size, size), None)
             table.set(self.store, robot, function)
 
-    def run(self, robots: range) -> list[Trapped]:
-        """Resume those robots that are to run, up to the first that stops before a mark.
+    def run(self, robots: range, end_s: float | None = None, most: int = 1) -> Ran:
+        """Run rounds of some robots, up to the first that stops before a mark.
 
-        Return those that trapped: they have not ended their turn as others do.
+        Args:
+            robots: the robots.
+            end_s: resume those whose clocks have not reached it, and advance their clocks, see
+                `turns` [s]; if None, resume those whose slots have `run` set.
+            most: the maximum number of rounds; after one in which a program asks for anything or
+                traps, none begins.
         """
-        header = self._header
-        header["current"], header["end"], header["stride"] = robots.start, robots.stop, robots.step
-        trapped: list[Trapped] = []
-        while (trap := self._call()) is not None:
-            trapped.append((self.current, trap))
-            header["current"] = self.current + robots.step
-            if self.current >= robots.stop:
-                break
-        return trapped
+        header, robot = self._header, robots.start
+        self._tell(robots, end_s, most)
+        rounds, trapped = 0, list[Trapped]()
+        while (trap := self._call(self.round)) is not None:
+            robot, rounds = header["current"].item(), header["rounds"].item()
+            trapped.append((robot, trap))
+            header["current"], header["most"] = robot + robots.step, rounds + 1
+            if robot + robots.step >= robots.stop:
+                return Ran(rounds + 1, trapped, None)
+        found = _HEADER.unpack_from(self._raw)
+        current = found[_CURRENT]
+        stopped = current if current < robots.stop else None
+        return Ran(found[_ROUNDS], trapped, stopped)
 
-    @property
-    def current(self) -> int:
-        """The robot that stopped, or a number beyond if none did."""
-        return int(self._header["current"][0])
+    def begin(self, robots: range, end_s: float) -> bool:
+        """Select those robots whose clocks have not reached a time, see `turns`.
 
-    def _call(self) -> Exception | None:
+        Return whether there are any.
+        """
+        self._tell(robots, end_s, 0)
+        self._call(self._begin)
+        return bool(_HEADER.unpack_from(self._raw)[_RAN])
+
+    def end(self, robots: range) -> None:
+        """Advance the clocks of those robots that were selected, see `turns`."""
+        self._tell(robots, 0.0, 0)
+        self._call(self._end)
+
+    def _tell(self, robots: range, end_s: float | None, most: int) -> None:
+        first, timed = robots.start, end_s is not None
+        told = first, first, robots.stop, robots.step, timed, most, 0, 0, 0, 0, end_s or 0.0
+        _HEADER.pack_into(self._raw, 0, *told)
+
+    def _call(self, function: wasmtime.Func) -> Exception | None:
         """Call the driver, without the conversions that cost wasmtime's `Func` ten times as much.
 
         Return the trap, if any.
@@ -198,7 +239,7 @@ class Shard:
         trap = ctypes.POINTER(_ffi.wasm_trap_t)()
         error = _ffi.wasmtime_func_call_unchecked(
             self.store._context(),
-            ctypes.byref(self.round._func),
+            ctypes.byref(function._func),
             None,
             0,
             ctypes.byref(trap),

@@ -1,6 +1,6 @@
-"""The requests answered by a program's host computer: streams, files, time, arguments, exit.
+"""The requests answered by a program's host computer: streams, files, arguments, exit.
 
-A request costs processor time like a system call; except for `SLEEP` it is answered at once.
+Those about time are answered where programs are run, see `runtime.turns`.
 """
 
 from __future__ import annotations
@@ -12,13 +12,8 @@ from typing import Any, Final, Literal
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
 from crs_cc.session.files import Disk
-
-SYSTEM_CALL: Final = 1000
-"""Processor time of a request to the host [instructions]; chosen by us: 20 microseconds
-on a host of 50 MHz."""
 
 Client = Literal["nclient", "ndirect"]
 """The vendor's client libraries: for the simulator, and for a robot on a serial line."""
@@ -51,14 +46,10 @@ class HostRequest:
     Attributes:
         robot: the robot's number.
         message: a view of its message, one element of dtype `MESSAGE`.
-        clock_s: the program's clock [s].
-        used_s: processor time that the program has used [s].
     """
 
     robot: int
     message: Any
-    clock_s: float
-    used_s: float
 
 
 class Host:
@@ -95,7 +86,7 @@ class Host:
             self.add(row)
         self._output = output
         self._read = read
-        self._serve: dict[int, Callable[[HostRequest], float]] = {
+        self._serve: dict[int, Callable[[HostRequest], None]] = {
             CODES["EXIT"]: self._exit,
             CODES["WRITE"]: self._write,
             CODES["READ"]: self._read_stream,
@@ -103,8 +94,6 @@ class Host:
             CODES["CLIENT"]: self._which_client,
             CODES["UNCONNECTED"]: self._unconnected,
         }
-        for code, serve_time in TIME_SERVERS.items():
-            self._serve[code] = functools.partial(_serve_time, serve_time)
         for name, serve in _FILES.items():
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
 
@@ -118,19 +107,18 @@ class Host:
         """Remove all hosts but the first `count`."""
         del self.exit_status[count:], self.disks[count:], self._arguments[count:]
 
-    def serve(self, code: int, request: HostRequest) -> float:
-        """Answer a request (-1 for an unknown code), and return when the program resumes [s]."""
+    def serve(self, code: int, request: HostRequest) -> None:
+        """Answer a request: -1 for an unknown code."""
         handler = self._serve.get(code)
-        if handler is not None:
-            return handler(request)
-        request.message["result"] = -1
-        return request.clock_s
+        if handler is None:
+            request.message["result"] = -1
+        else:
+            handler(request)
 
-    def _exit(self, request: HostRequest) -> float:
+    def _exit(self, request: HostRequest) -> None:
         self.exit_status[request.robot] = int(request.message["i"][0]) & 0xFF
-        return request.clock_s
 
-    def _write(self, request: HostRequest) -> float:
+    def _write(self, request: HostRequest) -> None:
         message = request.message
         stream, size = int(message["i"][0]), int(message["size"])
         if stream not in (1, 2) or not 0 <= size <= DATA_SIZE:
@@ -138,9 +126,8 @@ class Host:
         else:
             self._output(request.robot, stream, message["data"][:size].tobytes())
             message["result"] = size
-        return request.clock_s
 
-    def _read_stream(self, request: HostRequest) -> float:
+    def _read_stream(self, request: HostRequest) -> None:
         message = request.message
         stream, wanted = int(message["i"][0]), int(message["i"][1])
         if stream != 0 or wanted < 0:
@@ -148,9 +135,8 @@ class Host:
         else:
             _reply_bytes(message, self._read(request.robot, min(wanted, DATA_SIZE)))
             message["result"] = message["size"]
-        return request.clock_s
 
-    def _argument(self, request: HostRequest) -> float:
+    def _argument(self, request: HostRequest) -> None:
         message, arguments = request.message, self._arguments[request.robot]
         number, first = int(message["i"][0]), int(message["i"][1])
         if not 0 <= number < len(arguments) or first < 0:
@@ -158,17 +144,14 @@ class Host:
         else:
             _reply_bytes(message, arguments[number][first : first + DATA_SIZE])
             message["result"] = len(arguments[number])
-        return request.clock_s
 
-    def _unconnected(self, request: HostRequest) -> float:
+    def _unconnected(self, request: HostRequest) -> None:
         request.message["result"] = 0  # the session notes the call site
-        return request.clock_s
 
-    def _which_client(self, request: HostRequest) -> float:
+    def _which_client(self, request: HostRequest) -> None:
         request.message["result"] = self._client
-        return request.clock_s
 
-    def _file(self, serve: FileServer, request: HostRequest) -> float:
+    def _file(self, serve: FileServer, request: HostRequest) -> None:
         """Answer a file request with the result of the disk operation."""
         message = request.message
         size = min(max(int(message["size"]), 0), DATA_SIZE)
@@ -179,33 +162,7 @@ class Host:
             _reply_bytes(message, found)
             found = len(found)
         message["result"] = found
-        return request.clock_s
 
-
-TimeServer = Callable[[Any, FloatArray, FloatArray], FloatArray]
-"""Answers requests in place; returns when programs resume, from clocks and processor times.
-
-All have the same shape: that of one request, or of many.
-"""
-
-
-def _clock(messages: Any, clock_s: FloatArray, used_s: FloatArray) -> FloatArray:
-    messages["f"][..., 0], messages["f"][..., 1] = clock_s, used_s
-    return clock_s
-
-
-def _sleep(messages: Any, clock_s: FloatArray, _used_s: FloatArray) -> FloatArray:
-    pause_s = messages["f"][..., 0]
-    messages["result"] = 0
-    return np.where((pause_s > 0.0) & np.isfinite(pause_s), clock_s + pause_s, clock_s)
-
-
-def _serve_time(serve: TimeServer, request: HostRequest) -> float:
-    return float(serve(request.message, np.array(request.clock_s), np.array(request.used_s)))
-
-
-TIME_SERVERS: Final[dict[int, TimeServer]] = {CODES["CLOCK"]: _clock, CODES["SLEEP"]: _sleep}
-"""Handlers of the requests about time, which serve many programs at once."""
 
 FileServer = Callable[[Disk, int, int, int, bytes], int | bytes]
 

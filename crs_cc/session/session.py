@@ -24,28 +24,24 @@ False
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int32Array, Int64Array
-from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED
+from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED, SYSTEM_CALL
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.hints import Hint, Hints
 from crs_cc.session.host import (
     HOST_CODES,
-    SYSTEM_CALL,
-    TIME_SERVERS,
     Client,
     Host,
     HostRequest,
     Input,
     Output,
-    TimeServer,
     discard,
     no_input,
 )
-from crs_cc.session.lone_program import run_alone
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session_state import NEVER_S, SessionState
 from crs_cc.sim.engine.step import Step
@@ -58,6 +54,7 @@ _ON_LINK = np.isin(
     np.arange(DEVICE_CODES.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *DEVICE_CODES]
 )
 """By code, whether a request is sent over the link; the last stands for all codes beyond."""
+_NOBODY: Final = np.zeros(0, np.intp)
 
 
 class Listener(Protocol):
@@ -209,7 +206,7 @@ class Session:
         Return before one in which several programs run or a request arrives, and in one in which
         the only program that runs has stopped.
         """
-        if not self._is_quiet or self.state.pending.any() or not self._can_continue:
+        if not self._is_quiet or self.fleet.has_marks or not self._can_continue:
             return
         state, environment = self.state, self.environment
         until = min(environment.quiet_until(), environment.cycle + end - self.timesteps)
@@ -222,45 +219,63 @@ class Session:
             alone_until = self._cycle_of(float(runs_s.min()), until)
             if is_request or environment.cycle >= alone_until:
                 return
-            cycles, stopped = run_alone(state, first, alone_until)
-            rounds = state.rounds
-            self._skip(cycles)
-            state.rounds = rounds
-            if stopped:
-                if self.state.halted is None:
-                    self.end_round()
+            if not self._run_alone(first, alone_until):
                 return
+
+    def _run_alone(self, robot: int, until: int) -> bool:
+        """Run a program in quiet cycles in which no other runs; return False if it asks for more.
+
+        Args:
+            robot: its robot.
+            until: the first cycle in which it is not alone.
+        """
+        state, environment = self.state, self.environment
+        timestep_s, begin = environment.timestep_s, environment.cycle
+        clock_s = state.clock_s[robot : robot + 1]
+        asking, cycle, rounds = _NOBODY, begin, state.rounds
+        while cycle < until and not asking.size:
+            end_s = (cycle + 1) * timestep_s
+            if clock_s[0] < end_s:
+                rounds += self.fleet.run_rounds(end_s)
+                asking = self.fleet.take_asking()
+            if not asking.size:
+                cycle, rounds = cycle + 1, 0
+        self._skip(cycle - begin)
+        state.rounds = rounds
+        self._answer(asking)
+        return not asking.size
 
     def run_round(self) -> bool:
         """Run programs for one round; return False when all have used up the cycle.
 
-        A debug build that stops at a breakpoint ends the call in the middle of the round; `halted`
-        is its robot. The next call continues from there.
+        Further rounds follow as long as no program asks for anything but the time. A debug build
+        that stops at a breakpoint ends the call in the middle of the round; `halted` is its robot.
+        The next call continues from there.
         """
-        if not self.begin_round():
-            return False
-        self.run_programs()
-        if self.state.halted is None:
-            self.end_round()
-        return True
+        if self.fleet.has_marks:
+            if not self.begin_round():
+                return False
+            self.run_programs()
+            if self.state.halted is None:
+                self.end_round()
+            return True
+        end_s = self.environment.end_s
+        self._answer_robots(end_s)
+        rounds = self.fleet.run_rounds(end_s)
+        self.state.rounds += rounds
+        self._answer(self.fleet.take_asking())
+        return rounds > 0
 
     def begin_round(self) -> bool:
         """Select the programs to run and their fuel; return False when there is none.
 
         In the middle of a round, they are selected already.
         """
-        state = self.state
-        if state.pending.any():
+        if self.state.pending.any():
             return True
         end_s = self.environment.end_s
         self._answer_robots(end_s)
-        ready = np.flatnonzero(state.alive & (state.clock_s < end_s) & (state.due_s == NEVER_S))
-        if not ready.size:
-            return False
-        state.pending[ready] = budgets = self._budgets(ready, end_s)
-        self.fleet.slots["run"][ready] = 1
-        self.fleet.slots["fuel"][ready] = budgets
-        return True
+        return self.fleet.begin_round(end_s)
 
     def run_programs(self) -> None:
         """Resume the programs of this round, all or up to the first that halts."""
@@ -271,22 +286,25 @@ class Session:
 
     def end_round(self) -> None:
         """Advance the clocks of the programs that ran, and handle their requests."""
-        state = self.state
-        slots, ready = self.fleet.slots, np.flatnonzero(state.pending)
-        burnt = state.pending[ready] - slots["fuel"][ready]
-        state.pending[ready] = 0
-        state.rounds += 1
-        state.fuel[ready] += burnt
-        state.clock_s[ready] += burnt / state.speed_hz[ready]
-        state.end(ready[slots["status"][ready] != SUSPENDED])
-        codes = slots["code"][ready]
-        posted = (slots["status"][ready] == SUSPENDED) & (codes != 0)
-        asked, codes = ready[posted], codes[posted]
+        self.fleet.end_round()
+        self.state.rounds += 1
+        self._answer(self.fleet.take_asking())
+
+    def _answer(self, asking: IndexArray) -> None:
+        """Answer programs that have asked for anything, by a request or as they have ended."""
+        if not asking.size:
+            return
+        slots = self.fleet.slots
+        posted = slots["status"][asking] == SUSPENDED
+        if not posted.all():
+            self.state.end(asking[~posted])
+            asking = asking[posted]
+        codes = slots["code"][asking]
         on_link = _ON_LINK.take(codes, mode="clip")
         if on_link.any():
-            self._send(asked[on_link], codes[on_link])
+            self._send(asking[on_link], codes[on_link])
         if not on_link.all():
-            self._answer_hosts(asked[~on_link], codes[~on_link])
+            self._answer_hosts(asking[~on_link], codes[~on_link])
 
     def end_cycle(self) -> bool:
         """Execute the cycle in the environment when all programs have used it up.
@@ -344,12 +362,6 @@ class Session:
             burnt = int(state.pending[robot] - self.fleet.slots["fuel"][robot])
         return float(state.clock_s[robot] + burnt / state.speed_hz[robot])
 
-    def _budgets(self, ready: IndexArray, end_s: float) -> Int64Array:
-        """Return the fuel that programs need to reach the end of the cycle."""
-        state = self.state
-        fuel = np.ceil((end_s - state.clock_s[ready]) * state.speed_hz[ready])
-        return np.asarray(fuel.astype(np.int64))
-
     def _send(self, robots: IndexArray, codes: Int32Array) -> None:
         """Send requests over the link."""
         state = self.state
@@ -368,34 +380,17 @@ class Session:
     def _answer_hosts(self, robots: IndexArray, codes: Int32Array) -> None:
         """Answer requests to the host computers, immediately."""
         self._charge_system_call(robots)
-        served = np.zeros(len(robots), dtype=np.bool_)
-        for code, serve in TIME_SERVERS.items():
-            same = codes == code
-            if same.any():
-                self._answer_time(serve, robots[same])
-                served |= same
-        left = zip(robots[~served].tolist(), codes[~served].tolist(), strict=True)
-        for robot, code in left:
+        for robot, code in zip(robots.tolist(), codes.tolist(), strict=True):
             self._answer_host(robot, code)
-
-    def _answer_time(self, serve: TimeServer, robots: IndexArray) -> None:
-        state = self.state
-        messages = self.fleet.messages(robots)
-        used_s = state.fuel[robots] / state.speed_hz[robots]
-        state.clock_s[robots] = serve(messages, state.clock_s[robots], used_s)
-        self.fleet.reply(robots, messages)
 
     def _answer_host(self, robot: int, code: int) -> None:
         state = self.state
         if code == CODES["UNCONNECTED"]:
             state.unconnected_calls[robot] = self.fleet.library_call(robot)
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        clock_s = float(state.clock_s[robot])
-        used_s = float(state.fuel[robot] / state.speed_hz[robot])
-        request = HostRequest(robot, message, clock_s, used_s)
-        state.clock_s[robot] = self._host.serve(code, request)
+        self._host.serve(code, HostRequest(robot, message))
         if self._host.exit_status[robot] is not None:
-            self._hints.note_exit(robot, clock_s)
+            self._hints.note_exit(robot, float(state.clock_s[robot]))
             state.end(np.array([robot]))
 
     def _answer_robots(self, end_s: float) -> None:

@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from crs_cc.core.arrays import IndexArray
 from crs_cc.core.suggest import unknown
-from crs_cc.requests import FAILED
+from crs_cc.requests import FAILED, TIMING
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_driver
@@ -49,6 +49,9 @@ _INITIAL: Final[dict[str, float]] = {
     "pending": 0,
 }
 """The arrays over robots, and their values for a robot whose program has not started."""
+
+_TIMING: Final = frozenset(_INITIAL) & frozenset(TIMING.names or ())
+"""Those that are views of the fleet's: the driver uses them."""
 
 
 class SessionState:
@@ -96,17 +99,12 @@ class SessionState:
         self.host = host
         count = len(executables)
         self._added: list[Added] = []
-        self._update_speeds()
         self.timesteps = 0
         self.unconnected_calls: list[ActiveCall | None] = [None] * count
-        self.clock_s = np.zeros(count)
-        self.fuel = np.zeros(count, np.int64)
-        self.alive = np.zeros(count, bool)
-        self.due_s = np.full(count, NEVER_S)
-        self.ended_s = np.zeros(count)
-        self.called_s = np.full(count, -math.inf)
+        self.ended_s = np.zeros(0)
+        self.called_s = np.zeros(0)
+        self._add_rows(0)
         self.rounds = 0
-        self.pending = np.zeros(count, np.int64)
         self.halted: int | None = None
         self._present = np.zeros(count, bool)
         self.update_presence()
@@ -133,13 +131,18 @@ class SessionState:
             ValueError: the robot is invalid there, or its place is occupied.
             OSError: there is no memory for its program.
         """
+        arguments = arguments or [executable.command, *robot.arguments]
         number = self.fleet.add(executable)
         try:
             self.environment.add_robot(robot)
         except ValueError:
             self.fleet.truncate(number)
             raise
-        self._add_row(executable, arguments or [executable.command, *robot.arguments])
+        self._added.append(Added(executable, tuple(arguments)))
+        self.host.add(arguments)
+        self.unconnected_calls.append(None)
+        self._present = np.append(self._present, False)
+        self._add_rows(number)
         self.update_presence()
         return number
 
@@ -222,8 +225,12 @@ class SessionState:
         self._set_added(snapshot.added)
         for robot, program in enumerate(snapshot.programs):
             self.fleet.restore(robot, program)
+        self._bind_timing()
         for name, saved in zip(_INITIAL, snapshot.arrays, strict=True):
-            setattr(self, name, saved.copy())
+            if name in _TIMING:
+                getattr(self, name)[:] = saved
+            else:
+                setattr(self, name, saved.copy())
         self.host.exit_status[:] = snapshot.exit_status
         for disk, files in zip(self.host.disks, snapshot.disks, strict=True):
             disk.restore(files)
@@ -261,20 +268,24 @@ class SessionState:
         called_s = float(self.called_s[robot])
         return called_s if math.isfinite(called_s) else None
 
-    def _update_speeds(self) -> None:
+    def _bind_timing(self) -> None:
+        """Take the arrays of the fleet's programs, which are new if there are more or fewer."""
+        timing = self.fleet.timing
+        self.clock_s, self.due_s = timing["clock_s"], timing["due_s"]
+        self.fuel, self.pending, self.alive = timing["fuel"], timing["pending"], timing["alive"]
+        self.speed_hz = timing["speed_hz"]
         robots = self.environment.world.robots
-        self.speed_hz = np.array([robot.model.host_speed_hz for robot in robots])
+        self.speed_hz[:] = [robot.model.host_speed_hz for robot in robots]
 
-    def _add_row(self, executable: Executable, arguments: Sequence[str]) -> None:
-        """Add a host and array elements for a robot that is new in world and fleet."""
-        self._added.append(Added(executable, tuple(arguments)))
-        self.host.add(arguments)
-        self.unconnected_calls.append(None)
-        self._update_speeds()
-        self._present = np.append(self._present, False)
+    def _add_rows(self, first: int) -> None:
+        """Add array elements for the robots from number `first` on, which are new in the fleet."""
+        self._bind_timing()
         for name, initial in _INITIAL.items():
             array = getattr(self, name)
-            setattr(self, name, np.append(array, array.dtype.type(initial)))
+            if name not in _TIMING:
+                array = np.append(array, np.zeros(len(self.fleet) - first))
+                setattr(self, name, array)
+            array[first:] = initial
 
     def update_presence(self) -> None:
         """Start the programs of robots that have joined, end those of robots that have left."""
@@ -307,7 +318,6 @@ class SessionState:
             self.fleet.add(each.executable)
             self.host.add(each.arguments)
             self.unconnected_calls.append(None)
-        self._update_speeds()
 
     def _arrays(self) -> tuple[npt.NDArray[Any], ...]:
         """Return the arrays over robots."""

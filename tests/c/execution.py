@@ -92,7 +92,7 @@ class Run:
                 outcome.failure = fleet.failure(0)
                 break
             if slot["code"]:
-                host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+                host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
             outcome.status = host.exit_status[0]
             if self.stepping.restore_every and outcome.rounds % self.stepping.restore_every == 0:
                 fleet = _moved(fleet, self.executable)

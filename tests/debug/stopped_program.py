@@ -50,7 +50,7 @@ class Stopping:
             assert slot["status"] == SUSPENDED, self.fleet.report(0)
             if slot["stopped"]:
                 return self
-            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
             self.status = self.host.exit_status[0]
         raise EndError
 

@@ -134,7 +134,7 @@ class Watching:
             if slot["status"] == SUSPENDED and slot["stopped"]:
                 return True
             if slot["code"]:
-                self.host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+                self.host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
             self.ended = self.host.exit_status[0] is not None or slot["status"] != SUSPENDED
         return False
 

@@ -9,7 +9,7 @@ from typing import Any
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.verify import verify
-from crs_cc.requests import FAILED, RETURNED
+from crs_cc.requests import CODES, FAILED, RETURNED
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import link
@@ -69,8 +69,13 @@ def run(
             outcome.error = fleet.failure(0).kind
         elif slot["status"] == RETURNED:
             outcome.error = "returned"
+        elif code == CODES["CLOCK"]:
+            slot["message"]["f"][:2] = clock_s, clock_s / 2
+        elif code == CODES["SLEEP"]:
+            clock_s += float(slot["message"]["f"][0])
+            slot["message"]["result"] = 0
         elif code in HOST_CODES:
-            clock_s = host.serve(code, HostRequest(0, slot["message"], clock_s, clock_s / 2))
+            host.serve(code, HostRequest(0, slot["message"]))
         elif robot is not None:
             robot(code, slot["message"])
     outcome.out, outcome.err = bytes(streams[1]), bytes(streams[2])

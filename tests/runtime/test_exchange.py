@@ -65,7 +65,7 @@ class Moving:
         slot["stop_from"] = slot["statements"] + statements
         self.fleet.run_round()
         if slot["code"]:
-            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
         self.ended = self.host.exit_status[0] is not None or slot["status"] != 1
 
 

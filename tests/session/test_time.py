@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.requests import SYSTEM_CALL
 from crs_cc.runtime.executable import Executable
-from crs_cc.session.host import SYSTEM_CALL
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files.world_xml import empty_world

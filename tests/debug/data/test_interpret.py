@@ -61,7 +61,7 @@ class Talking(Interpreter):
     def _request(self, code: int, message: int) -> int:
         """Answer as a host does; robots there are none."""
         row = np.frombuffer(bytearray(self._read(message, MESSAGE.itemsize)), MESSAGE)
-        self.host.serve(code, HostRequest(0, row[0], 0.0, 0.0))
+        self.host.serve(code, HostRequest(0, row[0]))
         if self.host.exit_status[0] is not None:
             raise EndError
         self._write(message, row.tobytes())

@@ -60,7 +60,7 @@ class Stepped:
             if slot["stopped"]:
                 places = self.executable.detail().compiled.statements
                 return places[int(slot["stopped"]) - 1].location.line
-            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"]))
             self.status = self.host.exit_status[0]
         return None
 
