@@ -20,6 +20,7 @@ SMALLEST = {
     "planted.py": ["first/const_local"],
     "ranges.py": ["1"],
     "quiet_time.py": ["--steps", "20", "--repeat", "1", "bits"],
+    "requests.py": ["--steps", "3", "gs"],
     "start.py": ["--repeat", "1"],
 }
 """Of each script, the arguments with which it measures least."""
@@ -34,6 +35,7 @@ MEASURED = {
     "planted.py": ["first/const_local: 1 programs", "  crs  ", "gcc, ASan and UBSan "],
     "ranges.py": ["camera, pixels ", "camera, blobs ", "laser, ranges ", "laser, points "],
     "quiet_time.py": ["\nas crs run ", "\nnothing skipped ", "\nbits ", "\nmean "],
+    "requests.py": ["\ngs ", "aim: "],
     "start.py": ["python -c pass ", "crs --help ", "crs run, warm ", "crs run, empty cache "],
 }
 """Of each script, words of what it prints."""
