@@ -13,7 +13,7 @@ from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from tests.c.execution import cases, name
+from tests.c.execution import cases, name, sources
 
 PROGRAM = """\
 #include <stdio.h>
@@ -70,7 +70,7 @@ class Moving:
 
 
 def both(path: Path) -> list[Executable]:
-    plain = build_executable([path], Diagnostics(), debug=True)
+    plain = build_executable(sources(path), Diagnostics(), debug=True)
     watching = make_executable(plain.program, plain.name, debug=True, watching=True)
     return [plain, watching]
 
