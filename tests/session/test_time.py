@@ -66,7 +66,7 @@ def test_reading_the_state_takes_transmission_time_for_its_bytes(tmp_path: Path)
 
 
 def test_an_ideal_link_takes_no_time(tmp_path: Path) -> None:
-    assert printed(empty_world().with_ideal_link(), tmp_path, ASK) / 100 < 50
+    assert printed(empty_world().with_ideal_link(), tmp_path, ASK) / 100 < 60  # computing alone
 
 
 LOOP = """#include <crs_request.h>
