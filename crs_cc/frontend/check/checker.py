@@ -100,6 +100,14 @@ class FunctionState:
         automatics: the variables in scope that have variably modified types.
         effects: the side effects of the types in the current declaration or expression.
         alloca_mark: the mark, as in `Automatic`, for memory from `alloca`.
+        outer: the function that it is nested in; for this and the following see `nested`.
+        has_nested: whether there are functions inside it.
+        chain: the hidden parameter of a nested function.
+        record: the array of the addresses of `shared`.
+        shared: the variables that functions inside it use.
+        visible: the variables of functions around it that it can use.
+        captured: those that it uses, each with the local variable for its address.
+        thunks: the static objects for pointers to each function inside it.
     """
 
     symbol: FunctionSymbol
@@ -117,6 +125,14 @@ class FunctionState:
     automatics: list[Automatic] = field(default_factory=list)
     effects: list[tree.Expression] = field(default_factory=list)
     alloca_mark: ObjectSymbol | None = None
+    outer: FunctionState | None = None
+    has_nested: bool = False
+    chain: ObjectSymbol | None = None
+    record: ObjectSymbol | None = None
+    shared: list[ObjectSymbol] = field(default_factory=list)
+    visible: set[ObjectSymbol] = field(default_factory=set)
+    captured: dict[ObjectSymbol, ObjectSymbol] = field(default_factory=dict)
+    thunks: dict[FunctionSymbol, tuple[ObjectSymbol, ObjectSymbol]] = field(default_factory=dict)
 
 
 @dataclass(slots=True, eq=False)

@@ -35,6 +35,7 @@ from crs_cc.frontend.check.function_attributes import apply_attributes
 from crs_cc.frontend.check.initializer import initialise, known_value
 from crs_cc.frontend.check.local_object import declare_local
 from crs_cc.frontend.check.mode import with_mode
+from crs_cc.frontend.check.nested import declare_nested
 from crs_cc.frontend.check.scope import (
     BrokenName,
     FunctionSymbol,
@@ -179,6 +180,9 @@ def _declare_function(unit: Unit, node: Node, ctype: FunctionType, location: Loc
     if node.init is not None:
         raise CheckError(location, f"function '{node.name}' is initialized like a variable")
     storage = node.storage or []
+    if unit.function is not None and "auto" in storage:  # a nested function, before its definition
+        declare_nested(unit, node.name, ctype, location)
+        return
     if unit.function is not None and "static" in storage:
         raise CheckError(location, "function declared in block scope cannot be 'static'")
     symbol = declare_function(unit, node.name, ctype, location, "static" in storage)

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Final, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import closest
@@ -98,6 +98,7 @@ class FunctionSymbol:
         is_noreturn: whether it never returns.
         is_weak: whether a definition in another file overrides it.
         is_replaceable: whether its definition is GNU's `extern inline`, which another may follow.
+        owner: the state of the check of the function that it is nested in; None if it is in none.
         alias: the name of the function whose other name it is, from the attribute `alias`.
         starts: the priority with which it runs before `main`; None if it does not.
         ends: the priority with which it runs after the program; None if it does not.
@@ -115,6 +116,7 @@ class FunctionSymbol:
     is_noreturn: bool = False
     is_weak: bool = False
     is_replaceable: bool = False
+    owner: Any = None
     alias: str = ""
     starts: int | None = None
     ends: int | None = None

@@ -296,7 +296,10 @@ def check_labels(unit: Unit) -> None:
             unit.error(location, f"use of undeclared label '{name}'")
     for each, automatics in state.gotos:
         if each.name not in state.labels:
-            unit.error(each.location, f"use of undeclared label '{each.name}'")
+            hint = ""
+            if state.outer is not None:
+                hint = "a nested function cannot jump out of itself: return a value, or use setjmp"
+            unit.error(each.location, f"use of undeclared label '{each.name}'", hint)
             continue
         there = state.labels[each.name][1]
         each.release = vla.jump(unit, "'goto'", each.location, automatics, there)

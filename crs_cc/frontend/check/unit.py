@@ -7,10 +7,11 @@ from typing import Any, Final
 
 from pycparser import c_ast
 
+from crs_cc.core.source import Location
 from crs_cc.frontend.check import calls, tree, vla
 from crs_cc.frontend.check.alignment import has_attribute
 from crs_cc.frontend.check.builtins import VA_LIST
-from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit
+from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, checks_statement
 from crs_cc.frontend.check.conversion import is_scalar
 from crs_cc.frontend.check.declaration import (
     declare,
@@ -22,6 +23,7 @@ from crs_cc.frontend.check.declaration import (
 )
 from crs_cc.frontend.check.declarator import declared_type, parameter_type
 from crs_cc.frontend.check.function_attributes import apply_attributes
+from crs_cc.frontend.check.nested import declare_nested, enclose, enter
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.statements import check_labels, statement
 from crs_cc.frontend.check.tag import static_assert
@@ -65,10 +67,18 @@ def _nothing(_unit: Unit, _node: Node) -> None:
 
 def function_definition(unit: Unit, node: Node) -> None:
     """Check a function with its body."""
+    outer = unit.function
     try:
         _function_definition(unit, node)
     finally:
-        unit.function = None
+        unit.function = outer
+
+
+@checks_statement(c_ast.FuncDef)
+def _nested_definition(unit: Unit, node: Node, _out: list[tree.Statement]) -> None:
+    assert unit.function is not None
+    unit.function.has_nested = True
+    unit.attempt(function_definition, node)
 
 
 def _function_definition(unit: Unit, node: Node) -> None:
@@ -83,18 +93,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
         raise CheckError(
             location, f"incomplete result type '{ctype.result}' in function definition"
         )
-    storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
-    is_static = "static" in storage
-    symbol = declare_function(unit, declaration.name, ctype, location, is_static)
-    apply_attributes(unit, symbol, declaration)
-    if symbol.is_replaceable:
-        _forget_definition(unit, symbol)
-    # An inline definition may be in a header that several files include (C17 6.7.4p7).
-    is_inline = not INLINE.isdisjoint(storage)
-    symbol.is_weak = symbol.is_weak or (is_inline and not is_static)
-    symbol.is_used = symbol.is_used or is_inline
-    is_gnu = is_c90(unit.standard) or has_attribute(declaration, "gnu_inline")
-    symbol.is_replaceable = is_inline and is_gnu and "extern" in storage
+    symbol = _declared(unit, declaration, ctype, location)
     if symbol.is_defined:
         text = f"redefinition of '{declaration.name}'"
         raise CheckError(location, text, f"first at {symbol.location}")
@@ -102,6 +101,8 @@ def _function_definition(unit: Unit, node: Node) -> None:
     specifier = _specifier(declaration.type)
     implicit = ctype.result == INT and unit.at(specifier) == location
     state = FunctionState(symbol, ctype.result, implicit, symbol.type.variadic)
+    if unit.function is not None:
+        enter(unit, state, location)
     unit.function = state
     with unit.new_scope():
         body: list[tree.Statement] = []
@@ -117,7 +118,30 @@ def _function_definition(unit: Unit, node: Node) -> None:
     made = tree.FunctionDefinition(
         location, symbol, unit.at(node.body), parameters, passed, body, implicit
     )
+    enclose(unit, made, state)
     unit.functions.append(made)
+
+
+def _declared(
+    unit: Unit, declaration: Node, ctype: FunctionType, location: Location
+) -> FunctionSymbol:
+    """Declare a function that is being defined, with its specifiers and attributes."""
+    storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
+    is_static = "static" in storage
+    if unit.function is not None:
+        symbol = declare_nested(unit, declaration.name, ctype, location)
+    else:
+        symbol = declare_function(unit, declaration.name, ctype, location, is_static)
+    apply_attributes(unit, symbol, declaration)
+    if symbol.is_replaceable:
+        _forget_definition(unit, symbol)
+    # An inline definition may be in a header that several files include (C17 6.7.4p7).
+    is_inline = not INLINE.isdisjoint(storage)
+    symbol.is_weak = symbol.is_weak or (is_inline and symbol.is_external and not is_static)
+    symbol.is_used = symbol.is_used or is_inline
+    is_gnu = is_c90(unit.standard) or has_attribute(declaration, "gnu_inline")
+    symbol.is_replaceable = is_inline and is_gnu and "extern" in storage
+    return symbol
 
 
 def _forget_definition(unit: Unit, symbol: FunctionSymbol) -> None:
