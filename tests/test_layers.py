@@ -58,7 +58,11 @@ CONFINED = {
     "pycparser": ("frontend/",),
     "wasmtime": ("runtime/",),
     "pymunk": ("sim/physics/",),
-    "zstandard": ("recording/mcap_reader.py", "recording/mcap_writer.py"),
+    "zstandard": (
+        "recording/mcap_reader.py",
+        "recording/mcap_writer.py",
+        "session/snapshot_file.py",
+    ),
     "PIL": ("sim/files/image.py",),
     "lxml": ("sim/files/xml_document.py", "sim/files/device_schema.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),

@@ -23,11 +23,14 @@ False
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Final, Protocol
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 
 import numpy as np
 
+from crs_cc import __version__
 from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED, SYSTEM_CALL
 from crs_cc.runtime.executable import Executable
@@ -116,6 +119,7 @@ class Session:
             for executable, robot in zip(executables, world.robots, strict=True)
         ]
         seed = world.seed or 0 if seed is None else seed
+        self._world, self._seed = world, seed
         self._host = Host(rows, output, read, files, client)
         self.state = SessionState(world, executables, seed, self._host, threads)
         self.environment = self.state.environment
@@ -168,6 +172,59 @@ class Session:
     def restore(self, snapshot: SessionSnapshot) -> None:
         """Restore a snapshot of a session of the same programs, world and seed."""
         self.state.restore(snapshot)
+
+    def save(self, path: Path) -> None:
+        """Write the whole state to a file, between two timesteps; `Session.load` reads it.
+
+        Raises:
+            ValueError: robots have been added to the session, or have been dismissed.
+            OSError: it cannot be written.
+        """
+        from crs_cc.session.snapshot_file import write_snapshot
+
+        snapshot = self.snapshot()
+        if snapshot.added or snapshot.environment.world is not self._world:
+            raise ValueError("a session whose set of robots has been changed cannot be saved")
+        write_snapshot(path, snapshot, self._identity())
+
+    @classmethod
+    def load(
+        cls, path: Path, world: WorldModel, executables: Sequence[Executable], **options: Any
+    ) -> Self:
+        """Return a session that goes on from a file that `save` has written.
+
+        Args:
+            path: the file.
+            world: the same world.
+            executables: the same programs.
+            options: the same options as of the session that was saved.
+
+        Raises:
+            RecordingError: the file is no snapshot, is damaged, or of another session or version.
+            OSError: it cannot be read.
+        """
+        from crs_cc.session.snapshot_file import read_snapshot, unusable
+
+        session = cls(world, executables, **options)
+        fresh = session.snapshot()
+        snapshot = read_snapshot(path, session._identity(), world, fresh)
+        try:
+            session.restore(snapshot)
+        except (ValueError, IndexError, TypeError, KeyError, AttributeError):
+            raise unusable(path) from None
+        return session
+
+    def _identity(self) -> dict[str, str]:
+        """Return what another session must be like to go on from a snapshot of this one."""
+        programs = hashlib.sha256()
+        for robot in range(len(self.fleet)):
+            programs.update(hashlib.sha256(self.fleet.executable(robot).machine_code).digest())
+        return {
+            "version": __version__,
+            "seed": str(self._seed),
+            "world": hashlib.sha256(repr(self._world).encode()).hexdigest(),
+            "programs": programs.hexdigest(),
+        }
 
     def state_hash(self) -> str:
         """Return the SHA-256 of all state, see `RunResult`."""
