@@ -47,6 +47,13 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     "Default: the world file's duration.",
 )
 @click.option(
+    "--input",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Type the lines of FILE at simulated times: '2.5s: forward\\n' types forward and the "
+    "return key after 2.5 s. Every robot gets them as its standard input.",
+)
+@click.option(
     "--plot",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE.svg",
@@ -98,6 +105,8 @@ def run(**options: Any) -> int:
     --max-time counts as 0.
     """
     run_options = RunOptions(**options)
+    if run_options.input is not None and run_options.record is not None:
+        raise click.UsageError("--input and --record cannot be used together.")
     if run_options.plot is not None:
         check_plot_path(run_options.plot)
     if run_options.record is not None:

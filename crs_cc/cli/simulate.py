@@ -14,13 +14,15 @@ from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
-from crs_cc.cli.program_output import ProgramOutput, ProgressLine, read_line
+from crs_cc.cli.program_output import ProgramOutput, ProgressLine
 from crs_cc.cli.report import show_reports
 from crs_cc.cli.run_hints import RunHints
 from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
+from crs_cc.cli.typed_input import OwnInput, read_script
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
+from crs_cc.session.host import never_waits
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
@@ -91,6 +93,7 @@ class Runner:
             self._progress,
         )
         self._interrupt = Interrupt()
+        self._input = read_script(options.input) if options.input else OwnInput()
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
@@ -104,6 +107,8 @@ class Runner:
             read=self._read,
             files=loaded.files,
             client=options.client,
+            # A recording has what was read, not when it could be.
+            waiting=never_waits if options.record else self._input.waiting,
             trace=self if self._trace is not None or self._plot is not None else None,
             observer=self._recorder,
             threads=options.threads,
@@ -209,7 +214,7 @@ class Runner:
         self._progress.clear()
         self._output.flush()
         with self._interrupt.waiting():
-            content = read_line(size)
+            content = self._input.read(robot, size)
         if self._recorder is not None:
             self._recorder.read(robot, content)
         return content

@@ -126,5 +126,14 @@ HOST_REQUESTS: Final = (
         "reports, once, that the program calls its robot without a connection",
         (), fields(("zero", "result", "1", "0")),
     ),
+    Request(
+        "INPUT", 16, "host", "int select(int count, fd_set *readable, ...)",
+        "returns how much of the standard input can be read, and when there will be more",
+        (),
+        fields(
+            ("count", "result", "byte", "bytes, 0 also at the end"),
+            ("wait", "f[0]", "s", "time until a read returns, 0 for at once, inf if not known"),
+        ),
+    ),
 )  # fmt: skip
 """All requests that the host serves."""

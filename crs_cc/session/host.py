@@ -27,6 +27,11 @@ Input = Callable[[int, int], bytes]
 """Returns a program's standard input: robot number, maximum number of bytes."""
 
 
+Waiting = Callable[[int, float], tuple[int, float]]
+"""Returns how much of the standard input can be read, and how long a read waits: robot number and
+clock [s] to bytes and [s]."""
+
+
 def discard(_robot: int, _stream: int, _content: bytes) -> None:
     """Discard a program's output."""
 
@@ -34,6 +39,11 @@ def discard(_robot: int, _stream: int, _content: bytes) -> None:
 def no_input(_robot: int, _wanted: int) -> bytes:
     """Return the end of file."""
     return b""
+
+
+def never_waits(_robot: int, _clock_s: float) -> tuple[int, float]:
+    """Return that a read returns at once."""
+    return 0, 0.0
 
 
 HOST_CODES: Final = frozenset(code for code, row in REQUESTS.items() if row.server == "host")
@@ -46,10 +56,12 @@ class HostRequest:
     Attributes:
         robot: the robot's number.
         message: a view of its message, one element of dtype `MESSAGE`.
+        clock_s: the program's clock [s].
     """
 
     robot: int
     message: Any
+    clock_s: float = 0.0
 
 
 class Host:
@@ -67,6 +79,8 @@ class Host:
         read: Input,
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
+        *,
+        waiting: Waiting = never_waits,
     ) -> None:
         """Create a host for each robot.
 
@@ -76,7 +90,9 @@ class Host:
             read: returns their standard input.
             files: the initial contents of every program's disk, by file name.
             client: which of the vendor's client libraries to emulate.
+            waiting: returns what can be read of the standard input.
         """
+        self._waiting = waiting
         self._client = CLIENTS.index(client)
         self.exit_status: list[int | None] = []
         self.disks: list[Disk] = []
@@ -93,6 +109,7 @@ class Host:
             CODES["ARGUMENT"]: self._argument,
             CODES["CLIENT"]: self._which_client,
             CODES["UNCONNECTED"]: self._unconnected,
+            CODES["INPUT"]: self._input,
         }
         for name, serve in _FILES.items():
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
@@ -135,6 +152,10 @@ class Host:
         else:
             _reply_bytes(message, self._read(request.robot, min(wanted, DATA_SIZE)))
             message["result"] = message["size"]
+
+    def _input(self, request: HostRequest) -> None:
+        message = request.message
+        message["result"], message["f"][0] = self._waiting(request.robot, request.clock_s)
 
     def _argument(self, request: HostRequest) -> None:
         message, arguments = request.message, self._arguments[request.robot]

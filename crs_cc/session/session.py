@@ -42,7 +42,9 @@ from crs_cc.session.host import (
     HostRequest,
     Input,
     Output,
+    Waiting,
     discard,
+    never_waits,
     no_input,
 )
 from crs_cc.session.result import RunResult, SessionSnapshot
@@ -87,6 +89,7 @@ class Session:
         read: Input = no_input,
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
+        waiting: Waiting = never_waits,
         trace: Listener | None = None,
         threads: int | None = None,
         observer: Listener | None = None,
@@ -103,6 +106,7 @@ class Session:
             read: returns their input.
             files: the initial contents of every program's disk, by file name.
             client: which of the vendor's client libraries to emulate.
+            waiting: returns what can be read of their input.
             trace: is notified of every timestep.
             threads: how many threads may run programs, see `Fleet`; results do not depend on it.
             observer: is notified of those in which something can happen.
@@ -120,7 +124,7 @@ class Session:
         ]
         seed = world.seed or 0 if seed is None else seed
         self._world, self._seed = world, seed
-        self._host = Host(rows, output, read, files, client)
+        self._host = Host(rows, output, read, files, client, waiting=waiting)
         self.state = SessionState(world, executables, seed, self._host, threads)
         self.environment = self.state.environment
         self.fleet = self.state.fleet
@@ -445,7 +449,7 @@ class Session:
         if code == CODES["UNCONNECTED"]:
             state.unconnected_calls[robot] = self.fleet.library_call(robot)
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        self._host.serve(code, HostRequest(robot, message))
+        self._host.serve(code, HostRequest(robot, message, float(state.clock_s[robot])))
         if self._host.exit_status[robot] is not None:
             self._hints.note_exit(robot, float(state.clock_s[robot]))
             state.end(np.array([robot]))

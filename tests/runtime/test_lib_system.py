@@ -112,7 +112,7 @@ def test_an_alarm_interrupts_a_robot_call(tmp_path: Path) -> None:
     assert 0.9 < recorded.session.result().robots[0].time_s < 1.2
 
 
-def test_waiting_for_input_is_a_sleep_and_output_is_ready() -> None:
+def test_input_at_its_end_and_output_are_ready() -> None:
     source = r"""
     #include <poll.h>
     int main(void)
@@ -141,12 +141,12 @@ def test_waiting_for_input_is_a_sleep_and_output_is_ready() -> None:
     }
     """
     assert lines(source) == [
-        "0 1 946684801",  # the set is looked at before the call changes it
-        "1 0 1",
+        "1 1 946684800",
+        "2 1 1",
         "1",
         "-1 1",
-        "1 0 4",
-        "0 946684801",
+        "2 1 4",
+        "1 946684800",
     ]
 
 

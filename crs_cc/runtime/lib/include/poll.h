@@ -1,4 +1,4 @@
-/* POSIX poll.h: waiting for input, which here only waits for the timeout. */
+/* POSIX poll.h: waiting for input. */
 #ifndef _POLL_H
 #define _POLL_H
 

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <crs/clock.h>
 #include <crs/descriptor.h>
 #include <crs/write.h>
 
@@ -148,6 +149,24 @@ long __crs_seek(int descriptor, long offset, int whence)
     return file->offset = place;
 }
 
+int __crs_input(double *wait_s)
+{
+    struct __crs_message message;
+    int ready = __crs_request(CRS_INPUT, &message);
+
+    *wait_s = message.f[0];
+    return ready;
+}
+
+/* Lets the time pass until somebody has typed something; signals do not end the wait. */
+static void wait_for_input(void)
+{
+    double wait_s;
+
+    while (__crs_input(&wait_s), wait_s > 0 && wait_s < __builtin_inf())
+        __crs_pass(wait_s);
+}
+
 int __crs_read(int descriptor, void *bytes, int size)
 {
     struct __crs_open_file *file = __crs_find(descriptor);
@@ -161,6 +180,7 @@ int __crs_read(int descriptor, void *bytes, int size)
         size = CRS_DATA_SIZE;
     message.size = 0;
     if (file->number < 0) {
+        wait_for_input();
         message.i[0] = file->offset;
         message.i[1] = size;
         message.i[2] = 0;

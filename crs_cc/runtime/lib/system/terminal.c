@@ -1,5 +1,6 @@
 /* Terminals and devices (POSIX termios.h, ioctl): no descriptor is one. */
 #include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -43,12 +44,15 @@ int tcsendbreak(int descriptor, int duration)
     return no_terminal(descriptor);
 }
 
-/* Returns the number of bytes that can be read: the rest of a file, none of the input, as nobody
-   types at a simulated robot meanwhile. */
+/* Returns the number of bytes that can be read: the rest of a file, or of a line of the input. */
 static int waiting_bytes(struct __crs_open_file *file, int descriptor)
 {
-    long left = file->number < 0 ? 0 : __crs_resize(descriptor, -1) - file->offset;
+    double wait_s;
+    long left;
 
+    if (file->number < 0)
+        return (file->flags & O_ACCMODE) == O_RDONLY ? __crs_input(&wait_s) : 0;
+    left = __crs_resize(descriptor, -1) - file->offset;
     return left > 0 ? left : 0;
 }
 

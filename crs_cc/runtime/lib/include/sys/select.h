@@ -1,4 +1,4 @@
-/* POSIX sys/select.h: waiting for input, which here only waits for the timeout. */
+/* POSIX sys/select.h: waiting for input. */
 #ifndef _SYS_SELECT_H
 #define _SYS_SELECT_H
 
@@ -23,7 +23,11 @@ typedef struct {
 #define FD_CLR(fd, set) ((set)->fds_bits[(fd) / 32] &= ~(1UL << (fd) % 32))
 #define FD_ISSET(fd, set) (((set)->fds_bits[(fd) / 32] >> (fd) % 32 & 1) != 0)
 
+struct timespec;
+
 int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
            struct timeval *timeout);
+int pselect(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
+            const struct timespec *timeout, const unsigned long *mask);
 
 #endif
