@@ -162,7 +162,7 @@ class Kernels:
         found = arena[out : out + (1 + wanted) * count * beams].reshape(-1, count, beams)
         if objects is not None:
             objects[:] = found[1]
-        return found[0].copy()
+        return np.array(found[0])
 
     def columns(self, kernel: int, count: int, arrays: Sequence[_Column]) -> FloatArray:
         """Run a kernel of `drive.c` on arrays with a row for each robot.
