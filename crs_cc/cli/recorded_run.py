@@ -20,11 +20,7 @@ class RecordedRunCheck:
     """Gives a run its recorded input, and says once if it takes another course."""
 
     def __init__(self, recording: Recording) -> None:
-        """Read input and hashes.
-
-        Raises:
-            RecordingError: they are damaged.
-        """
+        """Read input and hashes; raise RecordingError if they are damaged."""
         self._path = recording.path
         self._input = RecordedInput(recording)
         self._expected: dict[int, object] = {}

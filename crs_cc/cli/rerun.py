@@ -90,11 +90,7 @@ class RecordedInput:
     """The standard input of a recorded run, given again."""
 
     def __init__(self, recording: Recording) -> None:
-        """Read it.
-
-        Raises:
-            RecordingError: it is damaged.
-        """
+        """Read it; raise RecordingError if it is damaged."""
         self._pieces: dict[int, deque[bytes]] = {}
         for _, data in recording.data(topics.INPUT.topic):
             if data.get("kind") == "stdin":

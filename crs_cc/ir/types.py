@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
+from typing import ClassVar, Final, Literal, TypeAlias
 
 from crs_cc.ir.record_layout import lay_out
 from crs_cc.ir.value_type import MemoryType
@@ -374,9 +374,6 @@ def bit_field(ctype: IntegerType | EnumType, width: int) -> IntegerType:
     """Return the type of the value of a bit-field of 33 to 63 bits, as in gcc."""
     name = f"{'long long' if ctype.signed else 'unsigned long long'}:{width}"
     return IntegerType(name, 8, ctype.signed, width, "i64", width=width)
-
-
-AnyType = TypeVar("AnyType", bound=CType)
 
 
 def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
