@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.ir.instruction import Block, Branch, Jump, Switch
+from crs_cc.ir.loops import postorder
 from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.wasm import Instr
@@ -64,7 +65,7 @@ def early_charges(function: Function, headers: Container[Block]) -> FuelCharges:
         if block in headers or not isinstance(block.terminator, Jump | Branch | Switch):
             paid.update((into[target], 0) for target in block.successors())
     prepaid: dict[Block, int] = {}
-    for block in _postorder(function):
+    for block in postorder(function.blocks[0]):
         targets = block.successors()
         if not targets:
             prepaid[block] = 0
@@ -94,24 +95,6 @@ def _groups(function: Function) -> dict[Block, Block]:
         for target in targets[1:]:
             parent[find(target)] = find(targets[0])
     return {block: find(block) for block in function.blocks}
-
-
-def _postorder(function: Function) -> list[Block]:
-    """Return the reachable blocks, each after its successors except for back edges."""
-    entry = function.blocks[0]
-    seen, order = {entry}, []
-    work = [(entry, iter(entry.successors()))]
-    while work:
-        block, rest = work[-1]
-        for target in rest:
-            if target not in seen:
-                seen.add(target)
-                work.append((target, iter(target.successors())))
-                break
-        else:
-            order.append(block)
-            work.pop()
-    return order
 
 
 def charge(fuel: int) -> list[Instr]:
