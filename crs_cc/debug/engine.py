@@ -26,7 +26,6 @@ from crs_cc.debug.step_conditions import (
     ProgramPoint,
     ReverseStepCondition,
     StepCondition,
-    StepToCaller,
     StepToLine,
     StepToStatement,
 )
@@ -170,7 +169,7 @@ class Debugger:
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False)
             return self._arrive(self.navigator.backward_to(aim))
-        stop = self._go(StepToCaller(robot, callers))
+        stop = self._go(StepToStatement(robot, callers))
         if stop.reason != "step":
             return stop
         value = self._returned(frame)
@@ -211,7 +210,7 @@ class Debugger:
             frame = self.view.current_frame()
             if frame is None:
                 return self._go(None)
-            return self._go(StepToCaller(robot, self.navigator.calls(robot, frame.active)))
+            return self._go(StepToStatement(robot, self.navigator.calls(robot, frame.active)))
         finally:
             if added in list(self.stop_points.breakpoints):
                 self.stop_points.breakpoints.remove(added.number)
