@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import time
 from pathlib import Path
 
 import numpy as np
@@ -147,3 +148,23 @@ def test_recording_changes_nothing(
         patch.setattr("sys.stdin", given)
         main(["run", *files, "--json", "--quiet", "--max-time", "8"])
     assert json.loads(capfd.readouterr().out)["state_hash"] == state
+
+
+def test_a_run_writes_tables_and_what_was_printed_and_keeps_its_pace(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    program = tmp_path / "hello.c"
+    program.write_text(
+        "#include <stdio.h>\n#include <unistd.h>\n"
+        'int main(void) { puts("hello"); fputs("there", stderr); sleep(1); return 0; }'
+    )
+    begin_s = time.monotonic()
+    options = ["--csv", str(tmp_path / "tables"), "--speed", "2", "--json", "--quiet"]
+    assert main(["run", str(program), *options]) == 0
+    assert time.monotonic() - begin_s > 0.5
+    (robot,) = json.loads(capfd.readouterr().out)["robots"]
+    assert (robot["stdout"], robot["stderr"]) == ("hello\n", "there")
+    assert not robot["output_truncated"]
+    names = sorted(path.name for path in (tmp_path / "tables").iterdir())
+    assert names == ["events.csv", "messages.csv", "poses.csv", "sensors.csv"]
+    assert main(["run", str(program), "--speed", "fast"]) == 2
