@@ -48,12 +48,7 @@ def exact_charges(function: Function) -> FuelCharges:
 
 
 def early_charges(function: Function, headers: Container[Block]) -> FuelCharges:
-    """Return charges with as much prepayment as is possible.
-
-    Args:
-        function: the function.
-        headers: its loop headers.
-    """
+    """Return charges with as much prepayment as is possible."""
     blocks = function.blocks
     into = _groups(function)
     fuel = {block: block.fuel for block in blocks}
