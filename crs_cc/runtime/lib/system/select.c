@@ -1,6 +1,6 @@
-/* Waiting for input (POSIX select, pselect and poll). Files and output are always ready, and so is the
-   standard input if it is a file or a pipe. The host knows when somebody types; without a timeout
-   the programs wait in their next read if he does not know either. */
+/* Waiting for input (POSIX select, pselect and poll). Files and output are always ready, and so is
+   the standard input if it is a file or a pipe. The host knows when somebody types; without a
+   timeout the programs wait in their next read if he does not know either. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -41,7 +41,8 @@ static int keep_ready(int count, fd_set *set, double *input_s, int may_block)
     return ready;
 }
 
-/* Sleeps until the input comes or the time is over; returns what is left, negative after a signal. */
+/* Sleeps until the input comes or the time is over; returns what is left, negative after a
+   signal. */
 static double sleep_for(double wait_s, double input_s)
 {
     double nap_s = input_s >= 0 && input_s < wait_s ? input_s : wait_s;
@@ -67,7 +68,8 @@ int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
         FD_ZERO(exceptional);
     if (readers + writers > 0)
         return readers + writers;
-    left_s = sleep_for(timeout == 0 ? FOREVER_S : timeout->tv_sec + timeout->tv_usec * 1e-6, input_s);
+    left_s = sleep_for(timeout == 0 ? FOREVER_S : timeout->tv_sec + timeout->tv_usec * 1e-6,
+                       input_s);
     if (timeout != 0) {
         timeout->tv_sec = (time_t)__builtin_fabs(left_s);
         timeout->tv_usec = (suseconds_t)((__builtin_fabs(left_s) - timeout->tv_sec) * 1e6);

@@ -31,8 +31,8 @@ int __crs_put(int descriptor, const void *bytes, int size);
 /* Posts a request about a name; returns the reply's result, -1 with errno on error. */
 int __crs_by_name(int code, const char *name, int argument);
 
-/* Returns how many bytes of the standard input can be read; sets how long a read waits [s], infinite
-   if that is not known. */
+/* Returns how many bytes of the standard input can be read; sets how long a read waits [s],
+   infinite if that is not known. */
 int __crs_input(double *wait_s);
 
 #endif
