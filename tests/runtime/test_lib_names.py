@@ -43,8 +43,7 @@ optarg optind opterr optopt
 
 FAMILIES = (
     "math/complex", "math/float.c", "math/float_exact.c", "math/long_double.c", "stdio/print",
-    "stdio/scan",
-    "wide/numbers.c",
+    "stdio/scan", "system/select.c", "wide/numbers.c",
 )  # fmt: skip
 """The functions are based on those of the same family, such as `expm1f` on `expm1`."""
 
