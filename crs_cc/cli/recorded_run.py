@@ -38,6 +38,10 @@ class RecordedRunCheck:
         """Return a piece of a program's recorded input."""
         return self._input.read(robot, wanted)
 
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return what a program was told of its input at a time."""
+        return self._input.waiting(robot, clock_s)
+
     def step(self, _step: Step) -> None:
         """Compare the state after a timestep with its recorded hash, if there is one."""
         session = self._session

@@ -128,8 +128,6 @@ def run(**options: Any) -> int:
     --max-time counts as 0.
     """
     run_options = RunOptions(**options)
-    if run_options.input is not None and run_options.record is not None:
-        raise click.UsageError("--input and --record cannot be used together.")
     if run_options.plot is not None:
         check_plot_path(run_options.plot)
     if run_options.tables is not None:

@@ -26,7 +26,6 @@ from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.typed_input import OwnInput, read_script
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
-from crs_cc.session.host import never_waits
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
@@ -123,7 +122,7 @@ class Runner:
             files=loaded.files,
             client=options.client,
             # A recording has what was read, not when it could be.
-            waiting=never_waits if options.record else self._input.waiting,
+            waiting=self._waiting,
             trace=self if self._trace is not None or self._plot is not None else None,
             observer=self._recorder,
             threads=options.threads,
@@ -236,6 +235,12 @@ class Runner:
         if self._recorder is not None:
             self._recorder.read(robot, content)
         return content
+
+    def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        answer = self._input.waiting(robot, clock_s)
+        if self._recorder is not None:
+            self._recorder.waiting(robot, clock_s, answer)
+        return answer
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         self._output.write(robot, stream, content)

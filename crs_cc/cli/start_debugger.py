@@ -24,7 +24,7 @@ from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.preprocess.options import Dialect, Options
-from crs_cc.session.host import Input, Output, no_input
+from crs_cc.session.host import Input, Output, never_waits, no_input
 from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
@@ -122,6 +122,7 @@ def make_debugger(
         files=loaded.files,
         client=options.client,
         observer=recorded,
+        waiting=never_waits if recorded is None else recorded.waiting,
     )
     if recorded is not None:
         recorded.begin(debugger.session)

@@ -38,7 +38,7 @@ from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import WorldEvent
-from crs_cc.session.host import Client, Input, Output, discard, no_input
+from crs_cc.session.host import Client, Input, Output, Waiting, discard, never_waits, no_input
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.model.world import WorldModel
 
@@ -74,6 +74,7 @@ class Debugger:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
         observer: Listener | None = None,
+        waiting: Waiting = never_waits,
     ) -> None:
         """Load the programs into the robots; for the arguments see `Session`."""
         self.run = RecordedRun(
@@ -86,6 +87,7 @@ class Debugger:
             files=files,
             client=client,
             observer=observer,
+            waiting=waiting,
         )
         self.view = View(self.run)
         self.stop_points = StopPoints(self.view)

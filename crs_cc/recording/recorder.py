@@ -150,6 +150,12 @@ class Recorder:
         data = {"kind": "stdin", "robot": robot, **as_fields(content)}
         self._add_json(topics.INPUT, self._now_ns(robot), data)
 
+    def waiting(self, robot: int, clock_s: float, answer: tuple[int, float]) -> None:
+        """Record what a program was told of input that it could read."""
+        ready, wait_s = answer
+        data = {"kind": "waiting", "robot": robot, "clock_s": clock_s, "ready": ready}
+        self._add_json(topics.INPUT, _ns(clock_s), {**data, "wait_s": wait_s})
+
     def seconds_left(self) -> float:
         """Return how much time may be simulated before the next call of `sample` [s]."""
         left = self._next_hash - self._session.timesteps
