@@ -7,7 +7,7 @@ of whole members. A copy out of a slot becomes stores of its members.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Final
 
@@ -52,6 +52,14 @@ class Writable(Instruction):
     size: int
 
 
+@dataclass(slots=True, eq=False)
+class Readable(Instruction):
+    """A check that a struct of `size` bytes at `target` can be passed by value."""
+
+    target: Register
+    size: int
+
+
 @dataclass(frozen=True, slots=True)
 class Member:
     """A member of a struct that is passed by value, and the register that takes its place."""
@@ -80,10 +88,15 @@ class NotReplaceableError(Exception):
     """A slot is used in a way that needs memory."""
 
 
-def replace_slots(function: Function) -> Replaced | None:
-    """Return a function without its slots; None if there is one that must be in memory."""
+def replace_slots(function: Function, fuel: Mapping[Block, int]) -> Replaced | None:
+    """Return a function without its slots; None if there is one that must be in memory.
+
+    Args:
+        function: the function.
+        fuel: the fuel of each block.
+    """
     try:
-        return _Replacement(function).run()
+        return _Replacement(function, fuel).run()
     except NotReplaceableError:
         return None
 
@@ -149,11 +162,43 @@ class _Uses:
         return [(at, memory) for at, memory in rows if start <= at < start + size]
 
 
+def _held_everywhere(function: Function) -> dict[Register, _Place]:
+    """Return the registers that hold the address of a slot wherever they are used.
+
+    These are the parameters of expanded calls: they are assigned once, the address in the same
+    block, or another of these registers.
+    """
+    count: dict[Register, int] = {}
+    moves: list[tuple[Register, Register | _Place]] = []
+    for block in function.blocks:
+        holding: dict[Register, _Place] = {}
+        for it in all_instructions(block):
+            target = writes(it)
+            if target is None:
+                continue
+            count[target] = count.get(target, 0) + 1
+            is_variable = target.variable is not None  # it may be read without a value
+            if isinstance(it, Move) and isinstance(it.source, Register) and not is_variable:
+                moves.append((target, holding.get(it.source, it.source)))
+            holding.pop(target, None)
+            if isinstance(it, Address) and isinstance(it.base, Slot):
+                holding[target] = it.base, it.offset
+    passed = {each.place for each in function.parameters}
+    held: dict[Register, _Place] = {}
+    for target, source in moves:  # callers before their callees
+        place = held.get(source) if isinstance(source, Register) else source
+        if place is not None and count[target] == 1 and target not in passed:
+            held[target] = place
+    return held
+
+
 class _Replacement:
     """Replaces the slots of one function."""
 
-    def __init__(self, function: Function) -> None:
+    def __init__(self, function: Function, fuel: Mapping[Block, int]) -> None:
         self.function = function
+        self.fuel = fuel
+        self.held = _held_everywhere(function)
         self.uses = _Uses()
         self.places: dict[Instruction, dict[Register, _Place]] = {}
         self.registers: dict[tuple[Slot, int], Register] = {}
@@ -183,7 +228,7 @@ class _Replacement:
             function, slots=[], registers=registers, parameters=parameters,
             blocks=list(copied.values()),
         )  # fmt: skip
-        fuel = {copy: block.fuel for block, copy in copied.items()}
+        fuel = {copy: self.fuel[block] for block, copy in copied.items()}
         return Replaced(changed, fuel, members)
 
     def _parameters(self) -> tuple[dict[Parameter, list[Member]], list[Parameter]]:
@@ -204,18 +249,20 @@ class _Replacement:
 
     def _look(self, block: Block, alive: int) -> None:
         """Collect the uses of slots in a block, and which registers hold their addresses."""
-        holding: dict[Register, _Place] = {}
+        holding = dict(self.held)
         for it in all_instructions(block):
             self._use(it, holding)
             target = writes(it)
-            if target is not None:
+            if target is not None and target not in self.held:
                 holding.pop(target, None)
                 if isinstance(it, Address) and isinstance(it.base, Slot):
                     holding[target] = it.base, it.offset
-        if any(alive >> register.index & 1 for register in holding):
+        if any(alive >> each.index & 1 for each in holding if each not in self.held):
             raise NotReplaceableError
 
     def _use(self, it: Instruction, holding: dict[Register, _Place]) -> None:
+        if self._use_held(it, holding):
+            return
         match it:
             case Load(base=Slot() as slot) | Store(base=Slot() as slot):
                 if isinstance(it, Load) and it.unjudged:
@@ -232,6 +279,21 @@ class _Replacement:
                     return
         if any(register in holding for register in reads(it)):
             raise NotReplaceableError
+
+    def _use_held(self, it: Instruction, holding: dict[Register, _Place]) -> bool:
+        """Note a use that only expanded calls make of an address, and return whether it is one."""
+        match it:
+            case Load(base=Register() as base) | Store(base=Register() as base) if base in holding:
+                slot, start = holding[base]
+                self.uses.access(slot, start + it.offset, it.memory)
+                self.places[it] = {base: holding[base]}
+                return isinstance(it, Load) or it.source not in holding
+            case Readable(target=base) | Writable(target=base) if base in holding:
+                self.places[it] = {base: holding[base]}
+                return True
+            case Move(result=target, source=Register()):
+                return target in self.held
+        return False
 
     def _use_copy(self, it: Copy, size: int, holding: dict[Register, _Place]) -> None:
         target, source = self._held(it.target, holding), self._held(it.source, holding)
@@ -255,6 +317,14 @@ class _Replacement:
         match it:
             case Lifetime() | Address(base=Slot()):
                 return []
+            case Move(result=result) if result in self.held:
+                return []
+            case Readable() | Writable() if it in self.places:
+                return []
+            case Load(base=Register() as base) if it in self.places:
+                return [Move(it.location, it.result, self._field(it, base))]
+            case Store(base=Register() as base) if it in self.places:
+                return [Move(it.location, self._field(it, base), it.source)]
             case Load(base=Slot() as slot):
                 return [Move(it.location, it.result, self.registers[slot, it.offset])]
             case Store(base=Slot() as slot):
@@ -264,6 +334,10 @@ class _Replacement:
             case Fill(target=Register() as target, size=Constant(value=size)) if it in self.places:
                 return self._clear(it.location, self.places[it][target], int(size))
         return [it]
+
+    def _field(self, it: Load | Store, base: Register) -> Register:
+        slot, start = self.places[it][base]
+        return self.registers[slot, start + it.offset]
 
     def _copy(self, it: Copy) -> Iterator[Instruction]:
         places = self.places[it]

@@ -12,7 +12,7 @@ which nothing can fail after a change of memory.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.ir.definite_assignment import Assignments
@@ -42,8 +42,9 @@ from crs_cc.ir.loops import loop_headers
 from crs_cc.ir.program import Function, Parameter
 from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
+from crs_cc.runtime.codegen.expansion import Expanded, expand
 from crs_cc.runtime.codegen.registers import Registers
-from crs_cc.runtime.codegen.scalar_replacement import Member, Writable, replace_slots
+from crs_cc.runtime.codegen.scalar_replacement import Member, Readable, Writable, replace_slots
 from crs_cc.runtime.codegen.signatures import ends_without_value
 from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
 
@@ -104,7 +105,7 @@ class Body:
     """A function that can be inlined, analysed.
 
     Attributes:
-        function: the function, without slots.
+        function: the function, without slots and calls.
         fuel: the fuel of each block.
         members: for each parameter that is a struct, its members that are used.
         registers: its registers by lifetime.
@@ -112,7 +113,6 @@ class Body:
         deferred: its loads whose checks are deferred.
         can_fail: whether it has a check that can fail.
         has_effects: whether it changes memory.
-        calls: the bodies of the functions that it calls.
     """
 
     function: Function
@@ -123,19 +123,11 @@ class Body:
     deferred: DeferredChecks
     can_fail: bool = False
     has_effects: bool = False
-    calls: dict[str, Body] = field(default_factory=dict)
 
     @property
     def charge(self) -> int:
         """The charge of the frame for its locals, see `registers` [bytes]."""
         return self.registers.charge + self.deferred.charge
-
-    def all_bodies(self) -> dict[str, Body]:
-        """Return this body and those of all functions called, by name."""
-        found = {self.function.name: self}
-        for body in self.calls.values():
-            found.update(body.all_bodies())
-        return found
 
 
 class Bodies:
@@ -166,8 +158,9 @@ class Bodies:
     def _analyse(self, original: Function) -> Body | None:
         if original.result is not None and ends_without_value(original):
             return None
-        replaced = replace_slots(original)
-        if replaced is None:
+        expanded = expand(original, self)
+        replaced = expanded and replace_slots(expanded.function, expanded.fuel)
+        if expanded is None or replaced is None:
             return None
         function = replaced.function
         if not all(isinstance(it, _INLINED) for block in function.blocks
@@ -177,9 +170,9 @@ class Bodies:
         if assigned.flags:
             return None
         deferred = DeferredChecks(function, liveness, keep=False)
-        if self.checked and not _same_checks(original, deferred):
+        if self.checked and not _same_checks(original, expanded, deferred):
             return None
-        registers = Registers(function, liveness, [], inlined=set(calls_of(function)), debug=False)
+        registers = Registers(function, liveness, [], inlined=(), debug=False)
         body = Body(function, replaced.fuel, replaced.members, registers, assigned, deferred)
         return body if self._leaves_no_trace(body) else None
 
@@ -192,12 +185,6 @@ class Bodies:
             has_changed = changed[block]
             for it in all_instructions(block):
                 fails, changes = self._fails(it, places, proved), isinstance(it, Store)
-                if isinstance(it, Call):
-                    callee = self.of(it)
-                    if callee is None:
-                        return False
-                    body.calls[callee.function.name] = callee
-                    fails, changes = callee.can_fail, callee.has_effects
                 if fails and has_changed:
                     return False
                 body.can_fail |= fails
@@ -211,7 +198,7 @@ class Bodies:
     def _fails(self, it: Instruction, places: ValueNumbers, proved: KnownBytes) -> bool:
         """Return whether an instruction can fail, given what was accessed before in its block."""
         match it:
-            case Writable(target=target, size=size):
+            case Writable(target=target, size=size) | Readable(target=target, size=size):
                 proved.add(places.of(target, 0), size, valued=False)
                 return self.checked
             case Load(base=Register() as base) | Store(base=Register() as base):
@@ -236,8 +223,11 @@ class Bodies:
         return not fits if op in _SHIFTS else self.traps_overflow
 
 
-def _same_checks(original: Function, deferred: DeferredChecks) -> bool:
-    """Return whether the loads whose checks are deferred are those of the original function."""
+def _same_checks(original: Function, expanded: Expanded, deferred: DeferredChecks) -> bool:
+    """Return whether the loads whose checks are deferred are those of the original functions."""
+    kept = expanded.deferred.items()
+    if any(deferred.is_deferred(load) is not before for load, before in kept):
+        return False
     before = DeferredChecks(original, Liveness(original), keep=False)
     loads = [it for block in original.blocks for it in block.instructions if isinstance(it, Load)]
     return all(
