@@ -5,6 +5,7 @@ So a struct that is passed between them is seen by scalar replacement as a whole
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Final
 
@@ -51,26 +52,45 @@ class Expanded:
     deferred: dict[Load, bool] = field(default_factory=dict)
 
 
-class NotExpandableError(Exception):
-    """A call cannot be expanded."""
-
-
 def expand(function: Function, bodies: Bodies) -> Expanded | None:
     """Return a small function without calls; None if one cannot be expanded."""
-    if not any(isinstance(block.terminator, Call) for block in function.blocks):
-        return Expanded(function, {block: block.fuel for block in function.blocks})
-    try:
-        return _Expansion(function, bodies).run()
-    except NotExpandableError:
+    calls = [end for block in function.blocks if isinstance(end := block.terminator, Call)]
+    found = {call: body for call in calls if (body := bodies.of(call)) is not None}
+    if not all(call in found and _is_expandable(call, found[call]) for call in calls):
         return None
+    return _Expansion(function, found).run() if calls else _unchanged(function)
+
+
+def expand_some(function: Function, calls: Mapping[Call, Body]) -> Expanded:
+    """Return a function without those of these calls in which nothing can fail."""
+    chosen = {
+        call: body
+        for call, body in calls.items()
+        if not body.can_fail and _is_expandable(call, body)
+    }
+    return _Expansion(function, chosen).run() if chosen else _unchanged(function)
+
+
+def _unchanged(function: Function) -> Expanded:
+    return Expanded(function, {block: block.fuel for block in function.blocks})
+
+
+def _is_expandable(call: Call, body: Body) -> bool:
+    """Return whether all structs that are passed have members that are used."""
+    pairs = zip(call.arguments, body.function.parameters, strict=False)
+    return all(
+        isinstance(argument.value, Register) and body.members[parameter]
+        for argument, parameter in pairs
+        if parameter.memory is None
+    )
 
 
 class _Expansion:
     """Expands the calls of one function."""
 
-    def __init__(self, function: Function, bodies: Bodies) -> None:
+    def __init__(self, function: Function, calls: Mapping[Call, Body]) -> None:
         self.function = function
-        self.bodies = bodies
+        self.calls = calls
         self.registers = list(function.registers)
         self.blocks: list[Block] = []
         self.made = Expanded(function)
@@ -83,7 +103,7 @@ class _Expansion:
             self.made.fuel[copy] = block.fuel
             copy.instructions = list(block.instructions)
             end = block.terminator
-            if isinstance(end, Call):
+            if isinstance(end, Call) and end in self.calls:
                 self._call(copy, end, copied[end.then])
             else:
                 copy.terminator = renumber(end, copied.__getitem__)
@@ -92,9 +112,7 @@ class _Expansion:
 
     def _call(self, block: Block, call: Call, then: Block) -> None:
         """Write the callee's blocks, and let `block` jump to them instead of calling."""
-        body = self.bodies.of(call)
-        if body is None:
-            raise NotExpandableError
+        body = self.calls[call]
         names: dict[Register, Register] = {}
         for register in body.function.registers:
             names[register] = Register(len(self.registers), register.type)
@@ -155,16 +173,13 @@ def _passed(
     """Return the instructions that pass an argument."""
     value, place = argument.value, parameter.place
     if parameter.memory is None:
-        members = body.members[parameter]
-        if not isinstance(value, Register) or not members:
-            raise NotExpandableError
+        assert isinstance(value, Register)
         loads = [
             Load(location, names[each.register], value, each.offset, each.memory, True)
-            for each in members
+            for each in body.members[parameter]
         ]
         return [Readable(location, value, argument.size), *loads]
-    if not isinstance(place, Register):
-        raise NotExpandableError
+    assert isinstance(place, Register)
     target = names[place]
     if argument.memory == parameter.memory:
         return [Move(location, target, value)]

@@ -12,7 +12,7 @@ of a loop nothing is prepaid, so that the blocks before it pay for all of it.
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -47,11 +47,12 @@ def exact_charges(function: Function) -> FuelCharges:
     return FuelCharges({block: block.fuel for block in function.blocks}, nothing, nothing)
 
 
-def early_charges(function: Function, headers: Container[Block]) -> FuelCharges:
-    """Return charges with as much prepayment as is possible."""
+def early_charges(
+    function: Function, headers: Container[Block], fuel: Mapping[Block, int]
+) -> FuelCharges:
+    """Return charges with as much prepayment as is possible; `fuel` is what each block costs."""
     blocks = function.blocks
     into = _groups(function)
-    fuel = {block: block.fuel for block in blocks}
     members: dict[Block, list[Block]] = {}
     for block, group in into.items():
         members.setdefault(group, []).append(block)

@@ -29,12 +29,11 @@ from crs_cc.runtime.codegen.convention import NARROW
 from crs_cc.runtime.codegen.flow_graph import Node
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
 from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.small_functions import Bodies, Body
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.writer import Writer
-from crs_cc.runtime.sites import Access, Site
+from crs_cc.runtime.sites import Site
 
 MOST_INLINED: Final = 300
 """The limit on the fuel of all functions inlined in one function."""
@@ -194,9 +193,7 @@ class InlinedCalls:
         writer.code += [("local.get", FUEL), fuel, ("i64.sub",), ("local.set", FUEL)]
         last = body.registers.last_uses(block)
         for number, it in enumerate(block.instructions):
-            if isinstance(it, Writable | Readable):
-                self._check(it, self._memories[body.function.name])
-            elif not isinstance(it, Statement):
+            if not isinstance(it, Statement):
                 selector.before(it)
                 selector.select(it)
             for register in last[number]:
@@ -206,14 +203,6 @@ class InlinedCalls:
         self._end(block, expansion)
         for register in last[-1]:
             writer.release(register)
-
-    def _check(self, it: Writable | Readable, memory: PlainMemory) -> None:
-        """Check that a struct can be written, or passed."""
-        size = Constant("i32", it.size)
-        access: Access = "write" if isinstance(it, Writable) else "read"
-        memory.check_range(it.target, size, it.location, access)
-        if isinstance(it, Readable):
-            self.writer.charge(size)
 
     def _end(self, block: Block, expansion: _Expansion) -> None:
         """Write the end of a block of an inlined function."""
