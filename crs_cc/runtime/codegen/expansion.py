@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.ir.instruction import (
     Argument,
     Binary,
     Block,
+    Bounds,
     Call,
     Constant,
     Instruction,
@@ -159,7 +160,11 @@ def _operand(value: Operand, names: dict[Register, Register]) -> Operand:
 
 def _renamed(it: Instruction, names: dict[Register, Register]) -> Instruction:
     values = ((each.name, getattr(it, each.name)) for each in fields(it))
-    changed = {name: names[value] for name, value in values if isinstance(value, Register)}
+    changed: dict[str, Any] = {
+        name: names[value] for name, value in values if isinstance(value, Register)
+    }
+    if isinstance(it, Bounds) and it.element is not None:
+        changed["element"] = names[it.element[0]], it.element[1]
     return replace(it, **changed)
 
 

@@ -16,6 +16,7 @@ from crs_cc.ir.instruction import (
     VARARGS,
     Address,
     Block,
+    Bounds,
     Constant,
     Copy,
     Fill,
@@ -330,7 +331,7 @@ class _Replacement:
                 raise NotReplaceableError(slot)
 
     def _use(self, it: Instruction, holding: dict[Register, _Place]) -> None:
-        if self._use_held(it, holding):
+        if self._use_held(it, holding) or (isinstance(it, Bounds) and self.loads):
             return
         match it:
             case Load(base=Slot() as slot) | Store(base=Slot() as slot):
@@ -392,6 +393,8 @@ class _Replacement:
         """Return what an instruction becomes."""
         if self._stays(it):
             return [it]
+        if isinstance(it, Bounds) and self.loads:  # it has no effect in unchecked builds
+            return []
         if it in self.places and not isinstance(it, Copy | Fill):
             return self._rewrite_held(it)
         match it:

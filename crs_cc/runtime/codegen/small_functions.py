@@ -52,7 +52,9 @@ MOST_WORK: Final = 60
 """The fuel of the largest small function, with that of the functions that it calls."""
 
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
-_INLINED: Final = (Statement, Move, Unary, Binary, Load, Store, Address, Bounds, Writable)
+_INLINED: Final = (
+    Statement, Move, Unary, Binary, Load, Store, Address, Bounds, Writable, Readable,
+)  # fmt: skip
 _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 _DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
 
@@ -159,8 +161,10 @@ class Bodies:
         if original.result is not None and ends_without_value(original):
             return None
         expanded = expand(original, self)
-        replaced = expanded and replace_slots(expanded.function, expanded.fuel)
-        if expanded is None or replaced is None:
+        if expanded is None:
+            return None
+        replaced = replace_slots(expanded.function, expanded.fuel)
+        if replaced is None:
             return None
         function = replaced.function
         if not all(isinstance(it, _INLINED) for block in function.blocks
