@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
+from crs_cc.core.source import Location
 from crs_cc.ir.instruction import (
     Argument,
     Binary,
@@ -28,11 +29,8 @@ from crs_cc.ir.instruction import (
 )
 from crs_cc.ir.program import Function, Parameter, renumber
 from crs_cc.ir.value_type import MemoryType
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.scalar_replacement import Readable
-
-if TYPE_CHECKING:
-    from crs_cc.core.source import Location
-    from crs_cc.runtime.codegen.small_functions import Bodies, Body
 
 _EXTENSIONS: Final[dict[MemoryType, str]] = {"i8": "i32.extend8_s", "i16": "i32.extend16_s"}
 _MASKS: Final[dict[MemoryType, int]] = {"u8": 255, "u16": 65535}
@@ -53,10 +51,9 @@ class Expanded:
     deferred: dict[Load, bool] = field(default_factory=dict)
 
 
-def expand(function: Function, bodies: Bodies) -> Expanded | None:
-    """Return a small function without calls; None if one cannot be expanded."""
-    calls = [end for block in function.blocks if isinstance(end := block.terminator, Call)]
-    found = {call: body for call in calls if (body := bodies.of(call)) is not None}
+def expand(function: Function, calls: Mapping[Call, Body | None]) -> Expanded | None:
+    """Return a small function without its calls; None if one cannot be expanded."""
+    found = {call: body for call, body in calls.items() if body is not None}
     if not all(call in found and _is_expandable(call, found[call]) for call in calls):
         return None
     return _Expansion(function, found).run() if calls else _unchanged(function)

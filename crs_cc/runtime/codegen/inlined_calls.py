@@ -23,6 +23,7 @@ from crs_cc.ir.instruction import (
     Stop,
     Switch,
 )
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
 from crs_cc.runtime.codegen.convention import NARROW
@@ -30,7 +31,7 @@ from crs_cc.runtime.codegen.flow_graph import Node
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.small_functions import Bodies, Body
+from crs_cc.runtime.codegen.small_functions import Bodies
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site

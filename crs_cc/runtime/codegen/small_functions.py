@@ -12,7 +12,6 @@ which nothing can fail after a change of memory.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.ir.definite_assignment import Assignments
@@ -39,12 +38,13 @@ from crs_cc.ir.instruction import (
 )
 from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.loops import loop_headers
-from crs_cc.ir.program import Function, Parameter
+from crs_cc.ir.program import Function
 from crs_cc.ir.value_type import MEMORY_SIZE
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.expansion import Expanded, expand
 from crs_cc.runtime.codegen.registers import Registers
-from crs_cc.runtime.codegen.scalar_replacement import Member, Readable, Writable, replace_slots
+from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable, replace_slots
 from crs_cc.runtime.codegen.signatures import ends_without_value
 from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
 
@@ -102,36 +102,6 @@ def calls_of(function: Function) -> Iterable[Call]:
     return (end for block in function.blocks if isinstance(end := block.terminator, Call))
 
 
-@dataclass(slots=True)
-class Body:
-    """A function that can be inlined, analysed.
-
-    Attributes:
-        function: the function, without slots and calls.
-        fuel: the fuel of each block.
-        members: for each parameter that is a struct, its members that are used.
-        registers: its registers by lifetime.
-        assigned: which of its registers may be uninitialised: none.
-        deferred: its loads whose checks are deferred.
-        can_fail: whether it has a check that can fail.
-        has_effects: whether it changes memory.
-    """
-
-    function: Function
-    fuel: dict[Block, int]
-    members: dict[Parameter, list[Member]]
-    registers: Registers
-    assigned: Assignments
-    deferred: DeferredChecks
-    can_fail: bool = False
-    has_effects: bool = False
-
-    @property
-    def charge(self) -> int:
-        """The charge of the frame for its locals, see `registers` [bytes]."""
-        return self.registers.charge + self.deferred.charge
-
-
 class Bodies:
     """The bodies of a program's functions, analysed when they are first asked for."""
 
@@ -160,7 +130,8 @@ class Bodies:
     def _analyse(self, original: Function) -> Body | None:
         if original.result is not None and ends_without_value(original):
             return None
-        expanded = expand(original, self)
+        calls = list(calls_of(original))
+        expanded = expand(original, {call: self.of(call) for call in calls})
         if expanded is None:
             return None
         replaced = replace_slots(expanded.function, expanded.fuel)
