@@ -169,3 +169,23 @@ def test_a_run_writes_tables_and_what_was_printed_and_keeps_its_pace(
     names = sorted(path.name for path in (tmp_path / "tables").iterdir())
     assert names == ["events.csv", "messages.csv", "poses.csv", "sensors.csv"]
     assert main(["run", str(program), "--speed", "fast"]) == 2
+
+
+@pytest.mark.parametrize(("sensors", "least", "most"), [("none", 0, 0), ("all", 20, 45)])
+def test_what_is_recorded_of_sensors_is_selected(
+    tmp_path: Path, sensors: str, least: int, most: int
+) -> None:
+    program, path = tmp_path / "turn.c", tmp_path / "run.mcap"
+    program.write_text(
+        "#include <Nclient.h>\nint main(void) { connect_robot(1); vm(50, -50, 0); for (;;) ; }"
+    )
+    options = ["--record", str(path), "--record-sensors", sensors, "--record-every", "100ms"]
+    assert main(["run", str(program), *options, "--max-time", "2", "--quiet"]) == 0
+    recording = Recording(path)
+    found = list(recording.readings())
+    assert least <= sum(len(each.robots) for each in found) <= most
+    if sensors == "all":
+        unasked = np.concatenate([each.states[each.codes == 0] for each in found])
+        assert len(np.unique(unasked[:, 36])) > 10  # it turns, and nobody asks
+    assert 20 <= len(list(recording.frames())) <= 23
+    recording.close()
