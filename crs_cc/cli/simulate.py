@@ -275,7 +275,7 @@ def _recorder(loaded: Loaded, options: RunOptions, seed: int) -> Recorder | None
         return None
     from crs_cc.cli.start_recording import start_recording
 
-    return start_recording(loaded, options, seed)
+    return start_recording(loaded, options, seed, options.max_time_s or 0.0)
 
 
 def _trace(what: str, world: WorldModel) -> Listener:

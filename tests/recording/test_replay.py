@@ -209,3 +209,23 @@ def test_tables_are_written_as_parquet_and_arrow(recorded: Path, tmp_path: Path)
     assert [str(row["x [m]"]) for row in found] == [row["x [m]"] for row in rows]
     assert found[0]["turret [deg]"] is None
     assert len(list((tmp_path / "a").iterdir())) == 4
+
+
+def test_a_debugged_run_is_recorded_as_it_stands(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "debugged.mcap"
+    there = ["-ex", "goto 4", "-ex", "reverse-step", "-ex", "goto 2"]
+    assert main(["debug", "--batch", str(recorded), *there, "--record", str(path)]) == 0
+    mine, theirs = Recording(path), Recording(recorded)
+    assert mine.end_ns == 2_000_000_000
+    assert main(["replay", str(path), "--verify"]) == 0  # by other builds of the programs
+    pairs = zip(mine.frames(), theirs.frames(), strict=False)
+    assert all((own.values == other.values).all() for own, other in pairs)
+    mine.close()
+    theirs.close()
+    path.unlink()
+    edit = ["-ex", "goto 1", "-ex", "move robot0 to 1 2"]
+    assert main(["debug", "--batch", str(recorded), *edit, "--record", str(path)]) == 0
+    assert "not recorded: it was changed by hand" in capfd.readouterr().err
+    assert not path.exists()
