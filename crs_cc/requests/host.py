@@ -127,6 +127,19 @@ HOST_REQUESTS: Final = (
         (), fields(("zero", "result", "1", "0")),
     ),
     Request(
+        "FILE_LIST", 17, "host", "struct dirent *readdir(DIR *folder)",
+        "returns the name of an entry of a folder, with a slash if it is a folder",
+        fields(
+            ("index", "i[0]", "1", "number of the entry, by name, from 0"),
+            ("size", "size", "byte", "length of the folder's name"),
+            ("name", "data", "1", "the folder's name"),
+        ),
+        fields(
+            ("count", "result", "byte", "length of the entry's name, 0 at the end, or -errno"),
+            ("length", "size", "byte", "the same"), ("entry", "data", "1", "the entry's name"),
+        ),
+    ),
+    Request(
         "INPUT", 16, "host", "int select(int count, fd_set *readable, ...)",
         "returns how much of the standard input can be read, and when there will be more",
         (),

@@ -190,6 +190,21 @@ class Disk:
             self._files[number].changed = True
         return failed
 
+    def entry(self, name: bytes, index: int) -> bytes | int:
+        """Return the name of a folder's entry, with a slash if it is a folder, empty at the end.
+
+        Folders exist as long as there are files in them, and the topmost one always does.
+        """
+        path = normal(name)
+        if path in self._names:
+            return -ENOTDIR
+        start = path + b"/" if path else b""
+        inside = [each[len(start) :] for each in self._names if each.startswith(start)]
+        if not inside and path:
+            return -ENOENT
+        entries = sorted({b"".join(each.partition(b"/")[:2]) for each in inside})
+        return entries[index] if 0 <= index < len(entries) else b""
+
     def outputs(self) -> dict[bytes, bytes]:
         """Return the files that the program created or changed, sorted by name."""
         return {

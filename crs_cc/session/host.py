@@ -196,11 +196,16 @@ _FILES: Final[dict[str, FileServer]] = {
     "WRITE": lambda disk, number, offset, _, data: disk.write(number, offset, data),
     "RESIZE": lambda disk, number, size, _, _data: disk.resize(number, size),
     "REMOVE": lambda disk, _0, _1, _2, name: disk.remove(name),
+    "LIST": lambda disk, index, _1, _2, name: _fitting(disk.entry(name, index)),
     "RENAME": lambda disk, size, _1, _2, names: disk.rename(
         names[: max(size, 0)], names[max(size, 0) :]
     ),
 }
 """The disk operation of each file request, given `i[0]`, `i[1]`, `i[2]` and the data."""
+
+
+def _fitting(found: bytes | int) -> bytes | int:
+    return found if isinstance(found, int) else found[:DATA_SIZE]
 
 
 def _reply_bytes(message: Any, content: bytes) -> None:

@@ -13,7 +13,6 @@ ZeroDivisionError: division by zero
 from __future__ import annotations
 
 import math
-import operator
 import struct
 from collections.abc import Callable
 from typing import Any, Final
@@ -163,24 +162,36 @@ _COUNTS: Final[dict[str, Callable[[int, int], int]]] = {
     "popcnt": lambda value, _bits: value.bit_count(),
     "eqz": lambda value, _bits: int(value == 0),
 }
-_EITHER: Final[dict[str, Callable[..., Any]]] = {
-    name: getattr(operator, name)
-    for name in ("add", "sub", "mul", "eq", "ne", "lt", "gt", "le", "ge")
-}
-_INTEGER: Final[dict[str, Callable[..., Any]]] = {
-    **_EITHER,
+_INTEGER: Final[dict[str, Callable[[int, int], int]]] = {
+    "add": lambda left, right: left + right,
+    "sub": lambda left, right: left - right,
+    "mul": lambda left, right: left * right,
     "div": _quotient,
     "rem": _remainder,
-    "and": operator.and_,
-    "or": operator.or_,
-    "xor": operator.xor,
+    "and": lambda left, right: left & right,
+    "or": lambda left, right: left | right,
+    "xor": lambda left, right: left ^ right,
+    "eq": lambda left, right: left == right,
+    "ne": lambda left, right: left != right,
+    "lt": lambda left, right: left < right,
+    "gt": lambda left, right: left > right,
+    "le": lambda left, right: left <= right,
+    "ge": lambda left, right: left >= right,
 }
 _FLOAT: Final[dict[str, Callable[..., Any]]] = {
-    **_EITHER,
+    "add": lambda left, right: left + right,
+    "sub": lambda left, right: left - right,
+    "mul": lambda left, right: left * right,
     "div": _divide,
     "min": _least,
     "max": _most,
     "copysign": math.copysign,
+    "eq": lambda left, right: left == right,
+    "ne": lambda left, right: left != right,
+    "lt": lambda left, right: left < right,
+    "gt": lambda left, right: left > right,
+    "le": lambda left, right: left <= right,
+    "ge": lambda left, right: left >= right,
     "abs": abs,
     "neg": lambda value: -value,
     "ceil": _whole(math.ceil),

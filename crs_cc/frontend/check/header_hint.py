@@ -16,7 +16,12 @@ _USUAL: Final = (
 
 
 def header_hint(name: str, folders: Sequence[Path]) -> str:
-    """Return a hint at the header that declares a name; "" if there is none."""
+    """Return a hint at the header that declares a name; "" if there is none.
+
+    Args:
+        name: a function, macro or type.
+        folders: the directories of the headers that come with crs.
+    """
     pattern = re.compile(
         rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:[([]|;$)", re.MULTILINE
     )

@@ -21,7 +21,6 @@ from crs_cc.frontend.check.checker import (
     checks_statement,
     expression,
 )
-from crs_cc.frontend.check.complex_numbers import truth
 from crs_cc.frontend.check.conversion import (
     assigned,
     convert,
@@ -143,7 +142,7 @@ def _condition(unit: Unit, node: Node) -> Expression:
 
 
 def _scalar(unit: Unit, node: Node) -> Expression:
-    value = truth(rvalue(unit, node))
+    value = rvalue(unit, node)
     if not is_scalar(value.type):
         text = f"statement requires an expression of scalar type ('{value.type}' invalid)"
         raise CheckError(value.location, text)

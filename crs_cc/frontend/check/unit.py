@@ -8,7 +8,7 @@ from typing import Any, Final
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import calls, conditional, tree, vla
+from crs_cc.frontend.check import calls, tree, vla
 from crs_cc.frontend.check.alignment import has_attribute
 from crs_cc.frontend.check.builtins import VA_LIST
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, checks_statement
@@ -44,7 +44,10 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-_ = calls, conditional  # registers their checkers
+_ = calls  # registers the checker of calls
+
+VARARGS: Final = "__va_alist"
+"""The parameter of variadic functions before C89, in <varargs.h>."""
 
 
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
@@ -166,6 +169,9 @@ def _parameters(
     arguments = [] if declarator.args is None else declarator.args.params
     arguments = [each for each in arguments if not isinstance(each, c_ast.EllipsisParam)]
     if ctype.parameters is None and arguments:
+        if arguments[-1].name == VARARGS:
+            _make_variadic(unit, node)
+            arguments.pop()
         return _old_style(unit, node, arguments, before)
     symbols = []
     for each, parameter in zip(arguments, ctype.parameters or (), strict=False):
@@ -173,6 +179,15 @@ def _parameters(
             parameter = parameter_type(unit, each)  # noqa: PLW2901 - now the others are known
         symbols.append(_declare_parameter(unit, each, each.name, parameter))
     return symbols, list(ctype.parameters or ())
+
+
+def _make_variadic(unit: Unit, node: Node) -> None:
+    """Turn the parameter of <varargs.h>, `f(va_alist) va_dcl {...}`, into any number of them."""
+    assert unit.function is not None
+    symbol = unit.function.symbol
+    symbol.type = FunctionType(symbol.type.result, None, variadic=True)
+    unit.function.is_variadic = True
+    node.param_decls = [each for each in node.param_decls or [] if each.name != VARARGS]
 
 
 def _has_length(node: Node) -> bool:

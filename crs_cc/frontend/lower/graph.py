@@ -27,7 +27,12 @@ def simplify(function: Function) -> set[Block]:
 
 
 def _destination(block: Block, ends: dict[Block, Block]) -> Block:
-    """Return the block that a chain of empty blocks leads to; a cycle of them is left as it is."""
+    """Return the block that a chain of empty blocks leads to; a cycle of them is left as it is.
+
+    Args:
+        block: where to start.
+        ends: the known destinations of empty blocks.
+    """
     passed: dict[Block, None] = {}
     while not block.instructions and isinstance(jump := block.terminator, Jump):
         if block in ends:

@@ -29,14 +29,19 @@ def _all(names: str, hint: str) -> dict[str, str]:
 _HINTS: Final = {
     **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
     **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h", _PROCESSES),
-    **_all("sys/ptrace.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
-    **_all("curses.h ncurses.h term.h termio.h sgtty.h", _TERMINAL),
+    **_all("sys/ptrace.h semaphore.h threads.h spawn.h dlfcn.h", _PROCESSES),
+    "complex.h": f"complex numbers are not supported: {_GUARD}",
+    **_all("curses.h ncurses.h term.h", _TERMINAL),
     **_all("readline/readline.h", _TERMINAL),
     **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
     **_all("asm/io.h sys/io.h linux/serial.h linux/joystick.h linux/videodev.h", _DEVICES),
     **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
     **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", CPLUSPLUS),
-    "varargs.h": "include <stdarg.h> instead, and add a named parameter to the function",
+    **_all(
+        "ucontext.h sys/ucontext.h",
+        "getcontext, makecontext and swapcontext are not supported: setjmp and longjmp are,"
+        " within one stack",
+    ),
 }
 
 _MAX_LISTED: Final = 1000

@@ -30,6 +30,7 @@ struct __crs_message {
 #define CRS_CLIENT 14
 #define CRS_UNCONNECTED 15
 #define CRS_INPUT 16
+#define CRS_FILE_LIST 17
 #define CRS_CONNECT 100
 #define CRS_DISCONNECT 101
 #define CRS_AC 102

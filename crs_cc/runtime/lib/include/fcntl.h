@@ -15,6 +15,8 @@
 #define O_APPEND 02000
 #define O_NONBLOCK 04000
 #define O_NDELAY O_NONBLOCK
+#define FASYNC 020000
+#define O_ASYNC FASYNC
 #define O_SYNC 04010000
 #define O_BINARY 0
 #define O_TEXT 0
@@ -26,6 +28,8 @@
 #define F_SETFD 2
 #define F_GETFL 3
 #define F_SETFL 4
+#define F_SETOWN 8
+#define F_GETOWN 9
 #define FD_CLOEXEC 1
 
 int open(const char *name, int flags, ...);

@@ -1,5 +1,6 @@
-/* C17 7.6: the floating-point environment. Rounding is to nearest, always; the sandbox's processor
-   raises no flags, so that they are what a program itself raises and clears. */
+/* C17 7.6: the floating-point environment. Rounding is to nearest, always: fesetround fails
+   for other directions. Arithmetic raises no flags; they are what a program itself raises and
+   clears. */
 #ifndef _FENV_H
 #define _FENV_H
 
@@ -10,6 +11,9 @@
 #define FE_INEXACT 32
 #define FE_ALL_EXCEPT 61
 #define FE_TONEAREST 0
+#define FE_DOWNWARD 0x400
+#define FE_UPWARD 0x800
+#define FE_TOWARDZERO 0xc00
 
 typedef unsigned int fexcept_t;
 typedef struct { fexcept_t flags; } fenv_t;

@@ -124,6 +124,12 @@ extern int signgam;
 /* Names of BSD and System V. */
 double drem(double x, double y);
 double exp10(double x);
+double j0(double x);
+double j1(double x);
+double jn(int n, double x);
+double y0(double x);
+double y1(double x);
+double yn(int n, double x);
 int finite(double x);
 int finitef(float x);
 int finitel(long double x);

@@ -65,6 +65,21 @@ void srand48(long seed);
 unsigned short *seed48(unsigned short seed[3]);
 void lcong48(unsigned short parameters[7]);
 
+struct drand48_data {
+    unsigned short __x[3], __old_x[3], __c, __init;
+    unsigned long long __a;
+};
+
+int drand48_r(struct drand48_data *data, double *result);
+int erand48_r(unsigned short state[3], struct drand48_data *data, double *result);
+int lrand48_r(struct drand48_data *data, long *result);
+int nrand48_r(unsigned short state[3], struct drand48_data *data, long *result);
+int mrand48_r(struct drand48_data *data, long *result);
+int jrand48_r(unsigned short state[3], struct drand48_data *data, long *result);
+int srand48_r(long seed, struct drand48_data *data);
+int seed48_r(unsigned short seed[3], struct drand48_data *data);
+int lcong48_r(unsigned short parameters[7], struct drand48_data *data);
+
 void qsort(void *items, size_t count, size_t size,
            int (*compare)(const void *left, const void *right));
 void *bsearch(const void *key, const void *items, size_t count, size_t size,

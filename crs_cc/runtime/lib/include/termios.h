@@ -28,7 +28,13 @@ struct termios {
 #define VSTART 8
 #define VSTOP 9
 #define VSUSP 10
+#define VSWTC 7
 #define VEOL 11
+#define VREPRINT 12
+#define VDISCARD 13
+#define VWERASE 14
+#define VLNEXT 15
+#define VEOL2 16
 
 #define IGNBRK 0000001
 #define BRKINT 0000002
@@ -39,11 +45,20 @@ struct termios {
 #define INLCR 0000100
 #define IGNCR 0000200
 #define ICRNL 0000400
+#define IUCLC 0001000
 #define IXON 0002000
 #define IXANY 0004000
 #define IXOFF 0010000
+#define IMAXBEL 0020000
 #define OPOST 0000001
+#define OLCUC 0000002
 #define ONLCR 0000004
+#define OCRNL 0000010
+#define ONOCR 0000020
+#define ONLRET 0000040
+#define OFILL 0000100
+#define OFDEL 0000200
+#define CBAUD 0010017
 #define CSIZE 0000060
 #define CS5 0000000
 #define CS6 0000020
@@ -58,6 +73,7 @@ struct termios {
 #define CRTSCTS 020000000000
 #define ISIG 0000001
 #define ICANON 0000002
+#define XCASE 0000004
 #define ECHO 0000010
 #define ECHOE 0000020
 #define ECHOK 0000040
@@ -67,19 +83,33 @@ struct termios {
 #define IEXTEN 0100000
 
 #define B0 0
+#define B50 1
+#define B75 2
+#define B110 3
+#define B134 4
+#define B150 5
+#define B200 6
 #define B300 7
+#define B600 8
 #define B1200 9
+#define B1800 10
 #define B2400 11
 #define B4800 12
 #define B9600 13
 #define B19200 14
 #define B38400 15
+#define EXTA B19200
+#define EXTB B38400
 #define B57600 010001
 #define B115200 010002
 
 #define TCSANOW 0
 #define TCSADRAIN 1
 #define TCSAFLUSH 2
+#define TCOOFF 0
+#define TCOON 1
+#define TCIOFF 2
+#define TCION 3
 #define TCIFLUSH 0
 #define TCOFLUSH 1
 #define TCIOFLUSH 2
@@ -88,6 +118,7 @@ int tcgetattr(int descriptor, struct termios *settings);
 int tcsetattr(int descriptor, int when, const struct termios *settings);
 int tcflush(int descriptor, int which);
 int tcdrain(int descriptor);
+int tcflow(int descriptor, int action);
 int tcsendbreak(int descriptor, int duration);
 int cfsetispeed(struct termios *settings, speed_t speed);
 int cfsetospeed(struct termios *settings, speed_t speed);

@@ -61,6 +61,7 @@ char *asctime_r(const struct tm *date, char *text);
 char *ctime(const time_t *time);
 char *ctime_r(const time_t *time, char *text);
 size_t strftime(char *text, size_t size, const char *format, const struct tm *date);
+char *strptime(const char *text, const char *format, struct tm *date);
 int nanosleep(const struct timespec *wanted, struct timespec *left);
 int clock_gettime(clockid_t clock, struct timespec *now);
 int clock_getres(clockid_t clock, struct timespec *resolution);

@@ -26,11 +26,14 @@ int fputs(const char *text, FILE *stream)
     return __crs_append(stream, text, strlen(text)) < 0 || __crs_settle(stream) < 0 ? EOF : 1;
 }
 
+/* Returns the number of characters, as glibc does. */
 int puts(const char *text)
 {
-    if (__crs_append(stdout, text, strlen(text)) < 0 || __crs_append(stdout, "\n", 1) < 0)
+    int size = strlen(text);
+
+    if (__crs_append(stdout, text, size) < 0 || __crs_append(stdout, "\n", 1) < 0)
         return EOF;
-    return __crs_settle(stdout) < 0 ? EOF : 1;
+    return __crs_settle(stdout) < 0 ? EOF : size + 1;
 }
 
 size_t fwrite(const void *items, size_t size, size_t count, FILE *stream)

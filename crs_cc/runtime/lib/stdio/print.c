@@ -227,9 +227,6 @@ void __crs_print_word(struct __crs_sink *sink, struct __crs_conversion *conversi
     case 's':
         print_string(sink, conversion, (const char *)value);
         break;
-    case 'n':
-        sink->failed = EINVAL;
-        break;
     default:
         __crs_print_unsigned(sink, conversion, (unsigned int)value);
     }

@@ -1,7 +1,6 @@
 /* Formatted output (C17 7.21.6.1): the format; print.c and print_double.c do the conversions.
 
-   %n is refused: it writes nothing, and the call returns -1 with errno EINVAL. Extensions are
-   POSIX's numbered arguments, %2$d, and Linux's %m, the text of errno. */
+   Extensions are POSIX's numbered arguments, %2$d, and Linux's %m, the text of errno. */
 #include <errno.h>
 #include <limits.h>
 #include <string.h>
@@ -141,6 +140,19 @@ static const char *read_specification(const char *at, struct __crs_conversion *c
     return read_length(at, conversion);
 }
 
+/* Stores the number of characters printed so far. */
+static void store_count(const struct __crs_sink *sink, int length, void *to)
+{
+    if (length == 'H')
+        *(signed char *)to = sink->count;
+    else if (length == 'h')
+        *(short *)to = sink->count;
+    else if (length == 'q')
+        *(long long *)to = sink->count;
+    else
+        *(int *)to = sink->count;
+}
+
 static void take_width_and_precision(struct __crs_conversion *conversion,
                                      struct arguments *arguments)
 {
@@ -177,7 +189,10 @@ static const char *print_conversion(struct __crs_sink *sink, const char *format,
     } else if (*at == 'm') {
         conversion.letter = 's';
         __crs_print_word(sink, &conversion, (int)strerror(arguments->error));
-    } else if (strchr("diouxXbBcCsSpnaAeEfFgG", *at) != NULL) {
+    } else if (*at == 'n') {
+        store_count(sink, conversion.length,
+                    va_arg(*find_argument(arguments, conversion.position, &numbered), void *));
+    } else if (strchr("diouxXbBcCsSpaAeEfFgG", *at) != NULL) {
         print_argument(sink, &conversion,
                        find_argument(arguments, conversion.position, &numbered));
     } else {

@@ -12,6 +12,7 @@ struct __crs_source {
 };
 
 struct __crs_input {
+    int position;        /* number of the argument, 0 for the next */
     int suppressed;      /* 1 when the value is not stored */
     int width;           /* 0 when absent */
     int allocates;       /* 1 if the text is stored in a new block (POSIX's %ms) */

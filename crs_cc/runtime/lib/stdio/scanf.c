@@ -63,22 +63,25 @@ static void scan_characters(struct __crs_source *source, int most, const char *m
     }
 }
 
-/* Parses a scan set; returns a pointer after its bracket. */
+/* Parses a scan set; returns a pointer after its bracket. A range may start with the end of the one
+   before it, as in glibc: [a-b-z] has a to z, and [z-a] three characters. */
 static const char *read_set(const char *at, char *member)
 {
-    int inside = *at != '^', from, to;
+    int inside = *at != '^', from;
+    const char *first;
 
     at += !inside;
     __builtin_memset(member, !inside, 256);
+    first = at;
     do {
         if (*at == 0)
             return at;
-        from = to = (unsigned char)*at++;
-        if (*at == '-' && at[1] != ']' && at[1] != 0) {
-            to = (unsigned char)at[1];
-            at += 2;
-        }
-        for (; from <= to; from++)
+        from = (unsigned char)*at++;
+        if (from == '-' && at - first > 1 && *at != ']' && *at != 0 &&
+            (unsigned char)at[-2] <= (unsigned char)*at)
+            for (from = (unsigned char)at[-2]; from < (unsigned char)*at; from++)
+                member[from] = inside;
+        else
             member[from] = inside;
     } while (*at != ']');
     return at + 1;
@@ -142,9 +145,17 @@ static int scan_string(struct __crs_source *source, const struct __crs_input *co
     return gathers ? hand_over(conversion, &text, is_wide, ends, to) : 1;
 }
 
-/* Reads star, width and length of a conversion; returns the place of its letter. */
+/* Reads number, star, width and length of a conversion; returns the place of its letter. */
 static const char *read_conversion(const char *at, struct __crs_input *conversion)
 {
+    const char *behind = at;
+
+    for (conversion->position = 0; isdigit(*behind) && conversion->position < 100; behind++)
+        conversion->position = conversion->position * 10 + *behind - '0';
+    if (*behind == '$')
+        at = behind + 1;
+    else
+        conversion->position = 0;
     conversion->suppressed = *at == '*';
     at += conversion->suppressed;
     conversion->width = conversion->length = 0;
@@ -209,6 +220,21 @@ static int match(struct __crs_source *source, int expected)
     return c == EOF ? EOF : 0;
 }
 
+/* Returns the next argument, or the one of a number; all are pointers. */
+static void *take_argument(va_list all, va_list *rest, int position)
+{
+    va_list numbered;
+    void *found = NULL;
+
+    if (position == 0)
+        return va_arg(*rest, void *);
+    va_copy(numbered, all);
+    for (; position > 0; position--)
+        found = va_arg(numbered, void *);
+    va_end(numbered);
+    return found;
+}
+
 static int scan(struct __crs_source *source, const char *format, va_list arguments)
 {
     struct __crs_input conversion;
@@ -228,7 +254,7 @@ static int scan(struct __crs_source *source, const char *format, va_list argumen
             }
             format += letter != 0;
             if (!conversion.suppressed && letter != 0)
-                to = va_arg(rest, void *);
+                to = take_argument(arguments, &rest, conversion.position);
             result = scan_one(source, &conversion, letter, &format, to);
             assigned += result > 0 && to != NULL && letter != 'n';
         } else {

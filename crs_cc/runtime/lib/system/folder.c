@@ -1,35 +1,14 @@
-/* Folders and links (POSIX unistd.h, dirent.h). The disk of a run has names with slashes in them,
-   no folders that could be listed or entered. */
-#include <dirent.h>
+/* Folders and links (POSIX unistd.h). The disk of a run has names with slashes in them, no folders
+   that could be entered. */
 #include <errno.h>
 #include <string.h>
 #include <unistd.h>
 
 #include <crs/refuse.h>
 
-UNAVAILABLE(DIR *, opendir, (const char *name), NULL, EACCES)
 UNAVAILABLE(int, chdir, (const char *name), -1, EACCES)
 UNAVAILABLE(int, link, (const char *from, const char *to), -1, EPERM)
 UNAVAILABLE(int, symlink, (const char *from, const char *to), -1, EPERM)
-
-struct dirent *readdir(DIR *folder)
-{
-    (void)folder;
-    errno = EBADF;
-    return NULL;
-}
-
-void rewinddir(DIR *folder)
-{
-    (void)folder;
-}
-
-int closedir(DIR *folder)
-{
-    (void)folder;
-    errno = EBADF;
-    return -1;
-}
 
 /* No name is a link. */
 ssize_t readlink(const char *name, char *text, size_t size)

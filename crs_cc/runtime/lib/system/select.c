@@ -1,6 +1,6 @@
-/* Waiting for input (POSIX select, pselect and poll). Files and output are always ready, and so is
-   the standard input if it is a file or a pipe. The host knows when somebody types; without a
-   timeout the programs wait in their next read if he does not know either. */
+/* Waiting for input (POSIX select, pselect and poll). Files and output are always ready, and
+   so is the standard input if it is a file or a pipe. The host knows when somebody types;
+   without a timeout the programs wait in their next read if he does not know either. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -10,6 +10,7 @@
 
 #include <crs/clock.h>
 #include <crs/descriptor.h>
+#include <crs/signals.h>
 
 #define FOREVER_S 1e9
 
@@ -20,8 +21,9 @@ static int is_input(int descriptor)
     return file != 0 && file->number < 0 && (file->flags & O_ACCMODE) == O_RDONLY;
 }
 
-/* Removes descriptors that are not ready from a set; returns the rest, -1 if one is not open. When
-   the input is ready, in seconds, is asked for once and kept in *input_s, negative before that. */
+/* Removes descriptors that are not ready from a set; returns the rest, -1 if one is not open.
+   When the input is ready, in seconds, is asked for once and kept in *input_s, negative
+   before that. */
 static int keep_ready(int count, fd_set *set, double *input_s, int may_block)
 {
     int descriptor, ready = 0;
@@ -51,8 +53,8 @@ static double sleep_for(double wait_s, double input_s)
     return left_s > 0 ? -(left_s + wait_s - nap_s) : wait_s - nap_s;
 }
 
-int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
-           struct timeval *timeout)
+static int wait_for(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
+                    struct timeval *timeout)
 {
     fd_set wanted;
     double input_s = -1, left_s;
@@ -68,8 +70,8 @@ int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
         FD_ZERO(exceptional);
     if (readers + writers > 0)
         return readers + writers;
-    left_s = sleep_for(timeout == 0 ? FOREVER_S : timeout->tv_sec + timeout->tv_usec * 1e-6,
-                       input_s);
+    left_s = timeout == 0 ? FOREVER_S : timeout->tv_sec + timeout->tv_usec * 1e-6;
+    left_s = sleep_for(left_s, input_s);
     if (timeout != 0) {
         timeout->tv_sec = (time_t)__builtin_fabs(left_s);
         timeout->tv_usec = (suseconds_t)((__builtin_fabs(left_s) - timeout->tv_sec) * 1e6);
@@ -85,11 +87,17 @@ int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
     return keep_ready(count, readable, &input_s, 0);
 }
 
+int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
+           struct timeval *timeout)
+{
+    return wait_for(count, readable, writable, exceptional, timeout);
+}
+
 int pselect(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
             const struct timespec *timeout, const sigset_t *mask)
 {
     struct timeval wait;
-    sigset_t before;
+    sigset_t before = 0;
     int ready;
 
     if (timeout != 0) {
@@ -97,10 +105,10 @@ int pselect(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
         wait.tv_usec = timeout->tv_nsec / 1000;
     }
     if (mask != 0)
-        sigprocmask(SIG_SETMASK, mask, &before);
-    ready = select(count, readable, writable, exceptional, timeout == 0 ? 0 : &wait);
+        before = __crs_swap_mask(*mask);
+    ready = wait_for(count, readable, writable, exceptional, timeout == 0 ? 0 : &wait);
     if (mask != 0)
-        sigprocmask(SIG_SETMASK, &before, 0);
+        __crs_swap_mask(before);
     return ready;
 }
 

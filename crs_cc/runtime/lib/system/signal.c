@@ -183,6 +183,15 @@ int sigprocmask(int how, const sigset_t *set, sigset_t *before)
     return 0;
 }
 
+unsigned long __crs_swap_mask(unsigned long mask)
+{
+    unsigned long before = blocked;
+
+    blocked = mask;
+    set_mask(blocked);
+    return before;
+}
+
 /* The signal mask saved by sigsetjmp: never 0, as SIGKILL cannot be blocked. */
 unsigned long __crs_unblocked(void)
 {

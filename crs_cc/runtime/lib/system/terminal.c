@@ -5,6 +5,8 @@
 #include <sys/ioctl.h>
 #include <termios.h>
 
+#include <sgtty.h>
+
 #include <crs/descriptor.h>
 
 static int no_terminal(int descriptor)
@@ -35,6 +37,24 @@ int tcflush(int descriptor, int which)
 
 int tcdrain(int descriptor)
 {
+    return no_terminal(descriptor);
+}
+
+int tcflow(int descriptor, int action)
+{
+    (void)action;
+    return no_terminal(descriptor);
+}
+
+int gtty(int descriptor, struct sgttyb *settings)
+{
+    (void)settings;
+    return no_terminal(descriptor);
+}
+
+int stty(int descriptor, const struct sgttyb *settings)
+{
+    (void)settings;
     return no_terminal(descriptor);
 }
 

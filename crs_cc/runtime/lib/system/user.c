@@ -1,4 +1,6 @@
-/* The one user of a robot's computer, and the computer's name (POSIX pwd.h, sys/utsname.h). */
+/* The one user of a robot's computer, and the computer's name (POSIX pwd.h, grp.h,
+   sys/utsname.h). */
+#include <grp.h>
 #include <pwd.h>
 #include <string.h>
 #include <sys/utsname.h>
@@ -23,4 +25,17 @@ int uname(struct utsname *name)
     strcpy(name->version, "1");
     strcpy(name->machine, "i386");
     return 0;
+}
+
+static char *members[] = {"robot", 0};
+static struct group group = {"robot", "x", 0, members};
+
+struct group *getgrgid(gid_t number)
+{
+    return number == 0 ? &group : 0;
+}
+
+struct group *getgrnam(const char *name)
+{
+    return strcmp(name, group.gr_name) == 0 ? &group : 0;
 }
