@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
@@ -45,6 +45,7 @@ _FOOT_PX: Final = 44.0
 _LEGEND_PX: Final = 190.0
 _ROW_PX: Final = 20.0
 _TOLERANCE_PX: Final = 0.3
+_DIFFERS_PX: Final = 3.0
 _LARGEST_MARK_PX: Final = 5.0
 _FONT: Final = "Helvetica, Arial, sans-serif"
 _INK: Final = "#2b303a"
@@ -66,12 +67,16 @@ class Trip:
             never joined.
         heading_rad: its heading at the end.
         left: whether it has left the world.
+        believed: the path by its odometry [m], in the world frame, shape (samples, 2).
+        marks: positions on the path [m], with the time at which it was there, as text.
     """
 
     robot: Robot
     path: FloatArray
     heading_rad: float
     left: bool = False
+    believed: FloatArray = field(default_factory=lambda: np.zeros((0, 2)))
+    marks: Sequence[tuple[float, float, str]] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +135,8 @@ class _Drawing:
             self._strokes()
             self._starts()
             self._paths()
+            self._believed()
+            self._times()
             self._ends()
             self._contacts()
             self._scale_bar()
@@ -161,6 +168,8 @@ class _Drawing:
             for y_m in _multiples(self.low[1], self.high[1], step):
                 y_px = self.view.point(0.0, y_m)[1] + 3.5
                 self.page.text((left - 6, y_px), f"{y_m:g}", text_anchor="end")
+            self.page.text((left + width / 2, top + height + 30), "x [m]")
+            self.page.text((left - 6, top - 8), "y [m]", text_anchor="end")
 
     def _scale_bar(self) -> None:
         length_m = round_length(float(self.high[0] - self.low[0]) / 6)
@@ -235,6 +244,34 @@ class _Drawing:
                 points = [self.view.point(*place) for place in path.tolist()]
                 self.page.polyline(points, stroke=colour(number))
 
+    def _believed(self) -> None:
+        """Draw where odometry believed the robots to be, if that differs from where they were."""
+        style: dict[str, str | float] = {"stroke_width": 1.2, "stroke_dasharray": "4 3"}
+        with self.page.group(fill="none", stroke_opacity=0.9, **style):
+            for number, trip in self._misled():
+                path = simplified(trip.believed, _TOLERANCE_PX / self.view.scale)
+                points = [self.view.point(*place) for place in path.tolist()]
+                self.page.polyline(points, stroke=colour(number))
+
+    def _misled(self) -> list[tuple[int, Trip]]:
+        """Return the robots that believed to be elsewhere, with their numbers."""
+        least_m = _DIFFERS_PX / self.view.scale
+        return [
+            (number, trip)
+            for number, trip in self._there()
+            if len(trip.believed) == len(trip.path)
+            and float(np.abs(trip.believed - trip.path).max()) > least_m
+        ]
+
+    def _times(self) -> None:
+        """Mark where the robots were at round times."""
+        with self.page.group(font_size=9.0, fill=_FAINT_INK):
+            for _, trip in self._there():
+                for x_m, y_m, text in trip.marks:
+                    x_px, y_px = self.view.point(x_m, y_m)
+                    self.page.circle((x_px, y_px), 2.0, fill=_INK)
+                    self.page.text((x_px + 4, y_px - 4), text)
+
     def _starts(self) -> None:
         for number, trip in self._there():
             place = self.view.point(*trip.path[0].tolist())
@@ -305,9 +342,15 @@ class _Drawing:
         self.page.text((left + 16, y_px + 4), "start", fill=_FAINT_INK)
         self._robot((left, y_px + _ROW_PX), 7.0, 0.0, _FAINT_INK)
         self.page.text((left + 16, y_px + _ROW_PX + 4), "end", fill=_FAINT_INK)
+        y_px += 2 * _ROW_PX
         if self.picture.contacts:
-            self._cross((left, y_px + 2 * _ROW_PX))
-            self.page.text((left + 16, y_px + 2 * _ROW_PX + 4), "contact", fill=_FAINT_INK)
+            self._cross((left, y_px))
+            self.page.text((left + 16, y_px + 4), "contact", fill=_FAINT_INK)
+            y_px += _ROW_PX
+        if self._misled():
+            dashes: dict[str, str | float] = {"stroke": _FAINT_INK, "stroke_dasharray": "4 3"}
+            self.page.line((left - 7, y_px), (left + 7, y_px), **dashes)
+            self.page.text((left + 16, y_px + 4), "by odometry", fill=_FAINT_INK)
 
 
 def _paint(solid: Solid, plain: str) -> str:

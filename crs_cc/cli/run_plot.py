@@ -13,6 +13,7 @@ import numpy as np
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.tracks import Tracks
 from crs_cc.core.arrays import FloatArray
+from crs_cc.core.quantity import round_length
 from crs_cc.sim.engine.drawings import drawings_in
 from crs_cc.sim.engine.sensor_overlay import sights
 from crs_cc.sim.geometry.scene import Scene
@@ -24,6 +25,10 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Step
 
 _MOVED_M: Final = 0.005
+_MARKED: Final = 3
+"""Robots whose times are marked."""
+
+_MARKS: Final = 10
 
 
 class RunPlot:
@@ -31,6 +36,7 @@ class RunPlot:
 
     def __init__(self) -> None:
         self._tracks = Tracks()
+        self._believed = Tracks()
 
     def add_contacts(self, step: Step, robots: int) -> None:
         """Add the contacts that began in a timestep of a world with a number of robots."""
@@ -44,6 +50,7 @@ class RunPlot:
     def sample(self, session: Session) -> None:
         """Add the current positions."""
         self._tracks.add(*_positions_m(session))
+        self._believed.add(*_believed_m(session))
 
     def picture(
         self, session: Session, run: Run, programs: Sequence[str], *, sensors: bool
@@ -51,9 +58,17 @@ class RunPlot:
         """Return the plot of the finished run as SVG."""
         state, world = session.environment.state, session.environment.world_now
         self._tracks.end(*_positions_m(session))
+        self._believed.end(*_believed_m(session))
         gone = np.isfinite(state.presence.left_s)
         trips = [
-            Trip(robot, self._tracks.path(n), float(state.heading_rad[n]), left=bool(gone[n]))
+            Trip(
+                robot,
+                self._tracks.path(n),
+                float(state.heading_rad[n]),
+                left=bool(gone[n]),
+                believed=self._believed.path(n),
+                marks=time_marks(self._tracks, n, session.timesteps, world.timestep_s),
+            )
             for n, robot in enumerate(world.robots)
         ]
         where = Path(run.world).name if run.world else "an empty world"
@@ -71,6 +86,30 @@ class RunPlot:
             drawings_in(state.drawings),
             sights(state, world, session.time_s) if sensors else [],
         ).render()
+
+
+def time_marks(
+    tracks: Tracks, robot: int, timesteps: int, timestep_s: float
+) -> list[tuple[float, float, str]]:
+    """Return where one of the first robots was at round times, about ten of them."""
+    if robot >= _MARKED or timesteps < _MARKS:
+        return []
+    every = max(1, round(round_length(timesteps * timestep_s / _MARKS) / timestep_s))
+    places = tracks.places_at(robot, every)
+    return [(x_m, y_m, f"{at * timestep_s:g} s") for at, x_m, y_m in places]
+
+
+def _believed_m(session: Session) -> tuple[FloatArray, FloatArray]:
+    """Return x and y by odometry [m] in the world frame, NaN as for `_positions_m`."""
+    state, robots = session.environment.state, session.environment.world.robots
+    turn_rad = np.array([robot.start.heading_rad for robot in robots])
+    x_m = np.array([robot.start.x_m for robot in robots])
+    y_m = np.array([robot.start.y_m for robot in robots])
+    own, present = state.odometry, state.presence.present
+    cos, sin = np.cos(turn_rad), np.sin(turn_rad)
+    x_m += own.x_m * cos - own.y_m * sin
+    y_m += own.x_m * sin + own.y_m * cos
+    return np.where(present, x_m, np.nan), np.where(present, y_m, np.nan)
 
 
 def _positions_m(session: Session) -> tuple[FloatArray, FloatArray]:

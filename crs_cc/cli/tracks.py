@@ -64,6 +64,21 @@ class Tracks:
         """Add all robots' final positions, regardless of the thinning; NaN as for `add`."""
         self._samples.append(np.column_stack([x_m, y_m]))
 
+    def places_at(self, robot: int, every: int) -> list[tuple[int, float, float]]:
+        """Return timestep, x and y [m] of a robot at multiples of a number of timesteps.
+
+        They are those of the next sample, if there is none at the multiple itself.
+        """
+        found: list[tuple[int, float, float]] = []
+        wanted = every
+        for number, sample in enumerate(self._samples[:-1]):
+            if number * self._stride >= wanted:
+                x_m, y_m = sample[robot].tolist()
+                if np.isfinite(x_m):
+                    found.append((wanted, x_m, y_m))
+                wanted += every
+        return found
+
     def path(self, robot: int) -> FloatArray:
         """Return a robot's positions [m] while it was in the world, shape (samples, 2)."""
         path = np.array([sample[robot] for sample in self._samples]).reshape(-1, 2)

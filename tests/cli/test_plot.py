@@ -242,3 +242,28 @@ def test_lights_sounds_and_fingers_are_drawn(tmp_path):
     shapes = [[each.render().count(tag) for tag in tags] for each in (plain, full)]
     assert [more - less for less, more in zip(*shapes, strict=True)] == [8, 4]
     assert full.render().count(b'stroke-width="2.5"') == 2
+
+
+def test_axes_have_units_and_odometrys_path_is_shown_where_it_differs() -> None:
+    true = trip((1.0, 1.0), (2.0, 1.0))
+    same = replace(true, believed=true.path)
+    root = draw(Picture("t", "s", ROOM, [same]))
+    assert {"x [m]", "y [m]"} <= set(texts(root))
+    assert "by odometry" not in texts(root)
+    other = replace(true, believed=true.path + np.array([[0.0, 0.0], [0.0, 0.5]]))
+    root = draw(Picture("t", "s", ROOM, [other]))
+    assert "by odometry" in texts(root)
+    dashed = [each for each in root.iter(f"{SVG}g") if each.get("stroke-dasharray")]
+    assert len(dashed[0].findall(f"{SVG}polyline")) == 1
+
+
+def test_round_times_are_marked_on_the_path() -> None:
+    tracks = Tracks(max_samples=50)
+    for step in range(100):
+        tracks.add(np.array([0.01 * step]), np.array([np.nan if step < 25 else 1.0]))
+    tracks.end(np.array([1.0]), np.array([1.0]))
+    marks = tracks.places_at(0, 20)
+    assert [at for at, _, _ in marks] == [20, 40, 60, 80]
+    assert [x_m for _, x_m, _ in marks] == pytest.approx([0.2, 0.4, 0.6, 0.8], abs=0.02)
+    marked = replace(trip((0.0, 1.0), (1.0, 1.0)), marks=((0.4, 1.0, "2 s"),))
+    assert "2 s" in texts(draw(Picture("t", "s", ROOM, [marked])))
