@@ -65,6 +65,7 @@ CONFINED = {
     ),
     "PIL": ("sim/files/image.py",),
     "lxml": ("sim/files/xml_document.py", "sim/files/device_schema.py", "cli/svg.py"),
+    "pyarrow": ("cli/columnar.py",),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
     "textual": ("debug/tui/",),

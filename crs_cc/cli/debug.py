@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any, Final
 
 import click
 
+from crs_cc.cli.inputs import check_recording_path
 from crs_cc.cli.instants import parse_time
 from crs_cc.cli.program_options import WithProgramArguments, program_options
+from crs_cc.cli.record_options import record_options
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
@@ -75,7 +77,7 @@ _OPTIONS: Final = (
 
 def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add all arguments and options of `crs debug` to a command."""
-    command = program_options(command, needs_files=False)
+    command = record_options(program_options(command, needs_files=False))
     for option in reversed(_OPTIONS):
         command = option(command)
     return command
@@ -99,6 +101,8 @@ def debug(**options: Any) -> int:
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
 
     wanted = DebugOptions(**options)
+    if wanted.record is not None:
+        check_recording_path(wanted.record)
     if wanted.dap is not None:
         from crs_cc.cli.serve_editor import serve_editor
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from crs_cc.cli.program_options import ProgramOptions
+from crs_cc.cli.record_options import Sensors
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +19,9 @@ class DebugOptions(ProgramOptions):
         batch: exit after these.
         input: the programs' standard input; None for the terminal.
         tui: show the full-screen interface; None to decide by whether there is a terminal.
+        record: the file to which the run is recorded when the debugger ends.
+        record_every_s: simulated time between two recorded frames [s].
+        record_sensors: which readings are recorded.
         at_s: the time to go to first, in a recording [s].
         dap: serve an editor instead: `stdio` or a port number.
     """
@@ -29,3 +33,6 @@ class DebugOptions(ProgramOptions):
     tui: bool | None = None
     dap: str | None = None
     at_s: float | None = None
+    record: Path | None = None
+    record_every_s: float = 0.05
+    record_sensors: Sensors = "read"

@@ -35,6 +35,9 @@ def debug_recording(options: DebugOptions) -> int:
                 batch=options.batch,
                 tui=options.tui,
                 outputs=options.outputs,
+                record=options.record,
+                record_every_s=options.record_every_s,
+                record_sensors=options.record_sensors,
             )
             return debug_programs(wanted, check)
     finally:

@@ -1,17 +1,4 @@
-"""The command `crs`: dispatch to the subcommands, and map errors to exit statuses.
-
-0 to 255  with one robot: the control program's own, 0 if it still runs at --max-time
-0 or 1    several robots: 0 if all programs exited with 0, otherwise 1
-1         a system error, such as a full disk
-2         invalid command line, or a device package that cannot be loaded
-70        internal error in crs
-120       a recording that is not ours, or is damaged
-121 122   invalid C source, invalid world file
-123       the only robot's program was stopped by a runtime error
-125       a recorded run takes another course when it is run again
-130       interrupted by Ctrl-C
-141       broken pipe: the reader closed the output
-"""
+"""The command `crs`: dispatch to the subcommands, and map errors to exit statuses."""
 
 from __future__ import annotations
 
@@ -60,7 +47,7 @@ Exit status:
   121 122   invalid C source, invalid world file
   123       the only robot's program was stopped by a runtime error
   125       a recorded run takes another course when it is run again
-130       interrupted by Ctrl-C
+  130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output
 """
 

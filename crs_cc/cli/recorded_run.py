@@ -20,11 +20,7 @@ class RecordedRunCheck:
     """Gives a run its recorded input, and says once if it takes another course."""
 
     def __init__(self, recording: Recording) -> None:
-        """Read input and hashes.
-
-        Raises:
-            RecordingError: they are damaged.
-        """
+        """Read input and hashes; raise RecordingError if they are damaged."""
         self._path = recording.path
         self._input = RecordedInput(recording)
         self._expected: dict[int, object] = {}
@@ -41,6 +37,10 @@ class RecordedRunCheck:
     def read(self, robot: int, wanted: int) -> bytes:
         """Return a piece of a program's recorded input."""
         return self._input.read(robot, wanted)
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return what a program was told of its input at a time."""
+        return self._input.waiting(robot, clock_s)
 
     def step(self, _step: Step) -> None:
         """Compare the state after a timestep with its recorded hash, if there is one."""

@@ -22,11 +22,7 @@ if TYPE_CHECKING:
 
 
 def world_of(recording: Recording) -> WorldModel:
-    """Return the world of a recorded run.
-
-    Raises:
-        CrsError: it is not valid.
-    """
+    """Return the world of a recorded run; raise CrsError if it is not valid."""
     with unpacked(recording, RunOptions) as options:
         return load_world_of(options)
 

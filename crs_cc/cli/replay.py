@@ -44,6 +44,18 @@ Examples:
     help="Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.",
 )
 @click.option(
+    "--arrow",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Write the same tables as Arrow files; needs pyarrow.",
+)
+@click.option(
+    "--parquet",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Write the same tables as Parquet files; needs pyarrow.",
+)
+@click.option(
     "--html",
     "page",
     type=click.Path(dir_okay=False, path_type=Path),
@@ -69,8 +81,9 @@ def replay(path: Path, **options: Any) -> int:
     """
     if options["plot"] is not None:
         check_plot_path(options["plot"])
-    if options["tables"] is not None:
-        make_folder(options["tables"])
+    for name in ("tables", "parquet", "arrow"):
+        if options[name] is not None:
+            make_folder(options[name])
     from crs_cc.cli.show_recording import show_recording
 
     return show_recording(path, **options)

@@ -90,17 +90,21 @@ class RecordedInput:
     """The standard input of a recorded run, given again."""
 
     def __init__(self, recording: Recording) -> None:
-        """Read it.
-
-        Raises:
-            RecordingError: it is damaged.
-        """
+        """Read it; raise RecordingError if it is damaged."""
         self._pieces: dict[int, deque[bytes]] = {}
+        self._waiting: dict[tuple[int, float], tuple[int, float]] = {}
         for _, data in recording.data(topics.INPUT.topic):
-            if data.get("kind") == "stdin":
-                with recording.errors():
-                    content = content_of(data)
-                    self._pieces.setdefault(int(data["robot"]), deque()).append(content)
+            with recording.errors():
+                robot = int(data["robot"])
+                if data.get("kind") == "stdin":
+                    self._pieces.setdefault(robot, deque()).append(content_of(data))
+                elif data.get("kind") == "waiting":
+                    answer = int(data["ready"]), float(data["wait_s"])
+                    self._waiting[robot, float(data["clock_s"])] = answer
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return what a program was told of its input at a time; its end if nothing is known."""
+        return self._waiting.get((robot, clock_s), (0, 0.0))
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Return a piece of a program's input; nothing at its end."""

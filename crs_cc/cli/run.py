@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import click
 
-from crs_cc.cli.inputs import check_plot_path, check_recording_path
+from crs_cc.cli.inputs import check_plot_path, check_recording_path, make_folder
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.run_options import RunOptions
@@ -29,6 +29,14 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     if time_s is not None and math.isnan(time_s):
         raise click.BadParameter("nan is not a valid time.")
     return time_s
+
+
+def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
+    is_number = text.replace(".", "", 1).isdecimal() and len(text) < 10
+    speed = math.inf if text == "max" else float(text) if is_number else 0.0
+    if not speed >= 0.001:
+        raise click.BadParameter(f"'{text}' is neither max nor a number of at least 0.001.")
+    return speed
 
 
 @click.command(
@@ -88,6 +96,21 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     default=None,
     help="Show the closing summary on stderr. Default: only on a terminal.",
 )
+@click.option(
+    "--csv",
+    "tables",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.",
+)
+@click.option(
+    "--speed",
+    default="max",
+    show_default=True,
+    metavar="N|max",
+    callback=_speed,
+    help="Run at most N times as fast as real time; 1 is real time.",
+)
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
 @program_options
@@ -105,10 +128,10 @@ def run(**options: Any) -> int:
     --max-time counts as 0.
     """
     run_options = RunOptions(**options)
-    if run_options.input is not None and run_options.record is not None:
-        raise click.UsageError("--input and --record cannot be used together.")
     if run_options.plot is not None:
         check_plot_path(run_options.plot)
+    if run_options.tables is not None:
+        make_folder(run_options.tables)
     if run_options.record is not None:
         check_recording_path(run_options.record)
     from crs_cc.cli.simulate import simulate

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,6 +24,8 @@ class RunOptions(ProgramOptions):
         as_json: write the results to stdout as JSON.
         threads: how many threads may run programs; None for as many as there are processors.
         record: the file of the recording.
+        tables: the folder for tables of the run.
+        speed: the highest multiple of real time; infinite for as fast as possible.
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
         summary: show the summary; None to decide by whether stderr is a terminal.
@@ -38,4 +41,6 @@ class RunOptions(ProgramOptions):
     summary: bool | None = None
     record: Path | None = None
     record_every_s: float = 0.05
+    tables: Path | None = None
+    speed: float = math.inf
     record_sensors: Sensors = "read"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -20,7 +20,10 @@ from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.recording import Recording
 
 if TYPE_CHECKING:
+    from crs_cc.cli.columnar import Form
     from crs_cc.recording.recording import Roster
+
+Export = Callable[[Recording, Path], None]
 
 _SHOWN: Final = 20  # robots, lines or events
 _BEFORE_S: Final = 1.0  # events shown before an instant
@@ -28,16 +31,16 @@ _SONARS: Final = slice(17, 33)  # of State, see the vendor's manual
 
 
 def show_recording(
-    path: Path,
-    *,
-    at_s: float | None,
-    plot: Path | None,
-    tables: Path | None,
-    page: Path | None,
-    verify: bool,
-    mended: Path | None,
+    path: Path, *, at_s: float | None, verify: bool, mended: Path | None, **targets: Path | None
 ) -> int:
     """Do what is asked for with a recording; without anything, summarise it.
+
+    Args:
+        path: the recording.
+        at_s: the time to show the state at [s].
+        verify: whether to run it again.
+        mended: the file for what can be read.
+        targets: files and folders to export to, by the names in `_EXPORTS`.
 
     Raises:
         CrsError: the recording is damaged, or its run takes another course now.
@@ -54,19 +57,12 @@ def show_recording(
             show([Diagnostic("warning", Location(str(path)), text, hint=hint)])
         if at_s is not None:
             _print(state_at(recording, at_s))
-        if plot is not None:
-            from crs_cc.cli.recording_plot import recording_plot
-
-            plot.write_bytes(recording_plot(recording))
-        if page is not None:
-            _write_page(recording, page)
-        if tables is not None:
-            from crs_cc.cli.tables import write_tables
-
-            write_tables(recording, tables)
+        wanted = [(name, target) for name, target in targets.items() if target is not None]
+        for name, target in wanted:
+            _EXPORTS[name](recording, target)
         if verify:
             _verify(recording)
-        if not (verify or plot or tables or page) and at_s is None:
+        if not (verify or wanted) and at_s is None:
             _print(summary(recording))
     finally:
         recording.close()
@@ -86,11 +82,41 @@ def _print(lines: Iterator[str]) -> None:
         click.echo(printable(line))
 
 
+def _write_plot(recording: Recording, path: Path) -> None:
+    from crs_cc.cli.recording_plot import recording_plot
+
+    path.write_bytes(recording_plot(recording))
+
+
+def _write_tables(recording: Recording, folder: Path) -> None:
+    from crs_cc.cli.tables import write_tables
+
+    write_tables(recording, folder)
+
+
+def _write_columnar(form: Form) -> Export:
+    def write(recording: Recording, folder: Path) -> None:
+        from crs_cc.cli.columnar import write_columnar
+
+        write_columnar(recording, folder, form)
+
+    return write
+
+
 def _write_page(recording: Recording, path: Path) -> None:
     from crs_cc.cli.recording_plot import world_of
     from crs_cc.recording.viewer.page import html_page
 
     path.write_text(html_page(recording, world_of(recording)), "utf-8", errors="replace")
+
+
+_EXPORTS: Final[dict[str, Export]] = {
+    "plot": _write_plot,
+    "tables": _write_tables,
+    "parquet": _write_columnar("parquet"),
+    "arrow": _write_columnar("arrow"),
+    "page": _write_page,
+}
 
 
 def _verify(recording: Recording) -> None:

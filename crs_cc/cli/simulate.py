@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sys
+import tempfile
 import time
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -12,8 +14,10 @@ import click
 
 from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.interrupt import Interrupt
+from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
+from crs_cc.cli.pace import Pace, progress_text
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine
 from crs_cc.cli.report import show_reports
 from crs_cc.cli.run_hints import RunHints
@@ -22,7 +26,6 @@ from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.typed_input import OwnInput, read_script
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
-from crs_cc.session.host import never_waits
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
@@ -60,6 +63,13 @@ def simulate(options: RunOptions) -> int:
 
 
 def _simulate(options: RunOptions) -> int:
+    if options.tables is None or options.record is not None:
+        return _run(options)
+    with tempfile.TemporaryDirectory(prefix="crs-run-") as folder:
+        return _run(replace(options, record=Path(folder, "run.mcap")))
+
+
+def _run(options: RunOptions) -> int:
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics)
     if not options.quiet:
@@ -72,6 +82,8 @@ def _simulate(options: RunOptions) -> int:
     is_kept = _save_files(runner.session, run, options)
     runner.report_recording()
     runner.draw(run)
+    if options.tables is not None:
+        _write_tables(options)
     return exit_status(run) if is_kept else SYSTEM
 
 
@@ -94,6 +106,8 @@ class Runner:
         )
         self._interrupt = Interrupt()
         self._input = read_script(options.input) if options.input else OwnInput()
+        self._pace = Pace(options.speed)
+        self._kept = KeptOutput(len(world.robots)) if options.as_json else None
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
@@ -108,7 +122,7 @@ class Runner:
             files=loaded.files,
             client=options.client,
             # A recording has what was read, not when it could be.
-            waiting=never_waits if options.record else self._input.waiting,
+            waiting=self._waiting,
             trace=self if self._trace is not None or self._plot is not None else None,
             observer=self._recorder,
             threads=options.threads,
@@ -137,6 +151,7 @@ class Runner:
             time.monotonic() - self._started_s,
             self._interrupt.requested,
             tuple(self._current_calls()),
+            self._kept,
         )
 
     def _current_calls(self) -> Iterator[ActiveCall | None]:
@@ -151,6 +166,8 @@ class Runner:
         while not self._interrupt.requested and self.session.advance(self._most_timesteps()):
             self._sample()
             self._output.flush()
+            if self._pace.is_limited:
+                self._pace.wait(self.session.time_s, lambda: self._interrupt.requested)
             if end_s is None and not self._options.quiet:
                 self._hint_at_silence()
             if self._progress.is_due():
@@ -167,8 +184,8 @@ class Runner:
 
     def _most_timesteps(self) -> int:
         """Return the number of timesteps to run without a look at output and interrupts."""
-        if self._plot is not None:
-            return 1  # it samples each
+        if self._plot is not None or self._pace.is_limited:
+            return 1  # it samples each, or waits after each
         left_s = _AT_ONCE_S / max(self.session.state.running, 1)
         if self._recorder is not None:
             left_s = min(left_s, self._recorder.seconds_left())
@@ -219,18 +236,23 @@ class Runner:
             self._recorder.read(robot, content)
         return content
 
+    def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        answer = self._input.waiting(robot, clock_s)
+        if self._recorder is not None:
+            self._recorder.waiting(robot, clock_s, answer)
+        return answer
+
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         self._output.write(robot, stream, content)
+        if self._kept is not None:
+            self._kept.add(robot, stream, content)
         if self._recorder is not None:
             self._recorder.write(robot, stream, content)
 
     def _progress_text(self) -> str:
-        simulated_s, wall_s = self.session.time_s, time.monotonic() - self._started_s
-        robots = len(self._loaded.world.robots)
-        return (
-            f"{simulated_s:.1f} s simulated, {simulated_s / max(wall_s, 1e-9):.1f} x real time, "
-            f"{self.session.state.running} of {robots} running"
-        )
+        running = f"{self.session.state.running} of {len(self._loaded.world.robots)} running"
+        real_s = time.monotonic() - self._started_s
+        return progress_text(self.session.time_s, self._end_s, real_s, running)
 
 
 def shows_summary(options: RunOptions) -> bool:
@@ -253,7 +275,7 @@ def _recorder(loaded: Loaded, options: RunOptions, seed: int) -> Recorder | None
         return None
     from crs_cc.cli.start_recording import start_recording
 
-    return start_recording(loaded, options, seed)
+    return start_recording(loaded, options, seed, options.max_time_s or 0.0)
 
 
 def _trace(what: str, world: WorldModel) -> Listener:
@@ -263,6 +285,20 @@ def _trace(what: str, world: WorldModel) -> Listener:
     if what == "requests":
         return Trace(say, names)
     return MessageTrace(say, names, [channel.name for channel in world.communication.channels])
+
+
+def _write_tables(options: RunOptions) -> None:
+    """Write the tables of the run, from its recording."""
+    from crs_cc.cli.tables import write_tables
+    from crs_cc.recording.recording import Recording
+
+    assert options.record is not None
+    assert options.tables is not None
+    recording = Recording(options.record)
+    try:
+        write_tables(recording, options.tables)
+    finally:
+        recording.close()
 
 
 def _write(path: Path, picture: bytes) -> None:

@@ -24,7 +24,7 @@ from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.preprocess.options import Dialect, Options
-from crs_cc.session.host import Input, Output, no_input
+from crs_cc.session.host import Input, Output, never_waits, no_input
 from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
@@ -51,8 +51,9 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
         if recorded is not None:
             given = recorded.read
         make = functools.partial(make_debugger, loaded, options, recorded)
-        is_kept = _save_files(full_screen.show(options, make, given), options)
-        return 0 if is_kept else SYSTEM
+        debugger = full_screen.show(options, make, given)
+        _record(debugger, loaded, options, recorded)
+        return 0 if _save_files(debugger, options) else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)
@@ -60,9 +61,24 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     debugger = make_debugger(loaded, options, recorded, terminal.program, given)
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
+    _record(debugger, loaded, options, recorded)
     if not _save_files(debugger, options):
         return SYSTEM
     return int(bool(failed)) if options.batch else 0
+
+
+def _record(
+    debugger: Debugger,
+    loaded: Loaded,
+    options: DebugOptions,
+    recorded: RecordedRunCheck | None,
+) -> None:
+    """Record the run as it stands when the debugger ends, if requested."""
+    if options.record is not None:
+        from crs_cc.cli.record_debugged import record_debugged
+
+        waiting = never_waits if recorded is None else recorded.waiting
+        record_debugged(debugger, loaded, options, waiting)
 
 
 def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
@@ -122,6 +138,7 @@ def make_debugger(
         files=loaded.files,
         client=options.client,
         observer=recorded,
+        waiting=never_waits if recorded is None else recorded.waiting,
     )
     if recorded is not None:
         recorded.begin(debugger.session)

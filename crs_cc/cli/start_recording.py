@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,12 +12,22 @@ from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.source_tree import INPUTS, SOURCES, SourceTree
 
 if TYPE_CHECKING:
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.cli.load import Loaded
+    from crs_cc.cli.program_options import ProgramOptions
     from crs_cc.cli.run_options import RunOptions
 
 
-def start_recording(loaded: Loaded, options: RunOptions, seed: int) -> Recorder:
+def start_recording(
+    loaded: Loaded, options: RunOptions | DebugOptions, seed: int, max_time_s: float = 0.0
+) -> Recorder:
     """Create the file of a recording, and return its recorder.
+
+    Args:
+        loaded: the world and the programs.
+        options: how to run and to record them.
+        seed: the random seed.
+        max_time_s: when the run was to end [s]; 0 for never.
 
     Raises:
         OSError: it cannot be written.
@@ -30,13 +41,15 @@ def start_recording(loaded: Loaded, options: RunOptions, seed: int) -> Recorder:
     tree = SourceTree.of(files, options.compiler.include_paths)
     attachments = {f"{SOURCES}{name}": content for name, content in tree.contents.items()}
     attachments |= {f"{INPUTS}{name}": content for name, content in loaded.files.items()}
-    description = _description(options, tree, loaded, seed)
+    description = _description(options, tree, loaded, seed, max_time_s)
+    frame_s = max(options.record_every_s, loaded.world.timestep_s)
+    description = replace(description, frame_s=frame_s)
     wanted = RecorderOptions(options.record_every_s, options.record_sensors)
     return Recorder(options.record, wanted, description.metadata(), attachments)
 
 
 def _description(
-    options: RunOptions, tree: SourceTree, loaded: Loaded, seed: int
+    options: ProgramOptions, tree: SourceTree, loaded: Loaded, seed: int, max_time_s: float
 ) -> RunDescription:
     compiler, world = options.compiler, options.inputs.world
     return RunDescription(
@@ -56,7 +69,6 @@ def _description(
         robot=tree.name(Path(options.robot)) if options.robot.endswith(".xml") else options.robot,
         setup=options.setup,
         files=tuple(loaded.files),
-        max_time_s=options.max_time_s or 0.0,
+        max_time_s=max_time_s,
         timestep_s=loaded.world.timestep_s,
-        frame_s=max(options.record_every_s, loaded.world.timestep_s),
     )

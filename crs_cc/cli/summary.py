@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
 from crs_cc.cli.exit_status import INTERRUPTED
+from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.messages import as_data
 from crs_cc.cli.report import call_data, report_data
 from crs_cc.core.errors import ProgramError
@@ -29,6 +30,7 @@ class Run:
         wall_s: elapsed real time [s].
         interrupted: whether it was ended by Ctrl-C.
         calls: by robot, the active call of its program if that has not ended.
+        printed: what the programs have printed, if it is wanted.
     """
 
     result: RunResult
@@ -37,6 +39,7 @@ class Run:
     wall_s: float
     interrupted: bool
     calls: tuple[ActiveCall | None, ...]
+    printed: KeptOutput | None = None
 
     @property
     def real_time_factor(self) -> float:
@@ -72,7 +75,8 @@ def as_json(run: Run, warned: Sequence[Diagnostic]) -> str:
         "exit_status": exit_status(run),
         "diagnostics": [as_data(each) for each in warned],
         "robots": [
-            _robot_data(robot, call) for robot, call in zip(result.robots, run.calls, strict=True)
+            {**_robot_data(robot, call), **(run.printed.fields(number) if run.printed else {})}
+            for number, (robot, call) in enumerate(zip(result.robots, run.calls, strict=True))
         ],
         "timing": {"wall_s": run.wall_s, "real_time_factor": run.real_time_factor},
     }

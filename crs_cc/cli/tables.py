@@ -111,7 +111,7 @@ def _sensors(recording: Recording) -> Iterator[Sequence[Any]]:
         columns = (found.codes, found.robots, found.clock_s, found.states)
         rows = zip(*(column.tolist() for column in columns), strict=True)
         for code, robot, clock_s, state in rows:
-            name = REQUESTS[code].name if code in REQUESTS else str(code)
+            name = REQUESTS[code].name if code in REQUESTS else ""
             at_s = round(clock_s, 6)
             yield (at_s, _robot(recording, robot, round(clock_s * NS)), name, *state[1:44], "")
     empty = [""] * (len(SENSORS) - 4)

@@ -53,13 +53,15 @@ class _Rerun:
     def __init__(self, recording: Recording, loaded: Any, options: RunOptions) -> None:
         self._recording = recording
         self._output_crc = 0
+        given = RecordedInput(recording)
         self._session = Session(
             loaded.world,
             loaded.executables,
             seed=options.seed,
             arguments=loaded.arguments,
             output=self._write,
-            read=RecordedInput(recording).read,
+            read=given.read,
+            waiting=given.waiting,
             files=loaded.files,
             client=options.client,
         )

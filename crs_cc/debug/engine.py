@@ -26,7 +26,6 @@ from crs_cc.debug.step_conditions import (
     ProgramPoint,
     ReverseStepCondition,
     StepCondition,
-    StepToCaller,
     StepToLine,
     StepToStatement,
 )
@@ -39,7 +38,7 @@ from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import WorldEvent
-from crs_cc.session.host import Client, Input, Output, discard, no_input
+from crs_cc.session.host import Client, Input, Output, Waiting, discard, never_waits, no_input
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.model.world import WorldModel
 
@@ -75,6 +74,7 @@ class Debugger:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
         observer: Listener | None = None,
+        waiting: Waiting = never_waits,
     ) -> None:
         """Load the programs into the robots; for the arguments see `Session`."""
         self.run = RecordedRun(
@@ -87,6 +87,7 @@ class Debugger:
             files=files,
             client=client,
             observer=observer,
+            waiting=waiting,
         )
         self.view = View(self.run)
         self.stop_points = StopPoints(self.view)
@@ -170,7 +171,7 @@ class Debugger:
         if backward:
             aim = ReverseStepCondition(robot, callers, whole_line=False)
             return self._arrive(self.navigator.backward_to(aim))
-        stop = self._go(StepToCaller(robot, callers))
+        stop = self._go(StepToStatement(robot, callers))
         if stop.reason != "step":
             return stop
         value = self._returned(frame)
@@ -211,7 +212,7 @@ class Debugger:
             frame = self.view.current_frame()
             if frame is None:
                 return self._go(None)
-            return self._go(StepToCaller(robot, self.navigator.calls(robot, frame.active)))
+            return self._go(StepToStatement(robot, self.navigator.calls(robot, frame.active)))
         finally:
             if added in list(self.stop_points.breakpoints):
                 self.stop_points.breakpoints.remove(added.number)

@@ -62,10 +62,8 @@ class ActiveCalls:
 
     def include(self, program_point: ProgramPoint) -> bool:
         """Return whether a statement belongs to one of them."""
-        return (program_point.fp, program_point.entered) in self.frames or (
-            program_point.fp,
-            -1,
-        ) in self.frames
+        frame = program_point.fp
+        return not self.frames.isdisjoint({(frame, program_point.entered), (frame, -1)})
 
 
 class StepCondition(Protocol):
@@ -84,14 +82,14 @@ class StepCondition(Protocol):
 
 @dataclass(slots=True)
 class StepToStatement:
-    """The next statement, whatever its line."""
+    """The next statement, whatever its line: of any call, or of some."""
 
     robot: int
     calls: ActiveCalls | None = None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Report that it is."""
-        return program_point is not None
+        """Return whether it is in one of the calls."""
+        return self.calls is None or self.calls.include(program_point)
 
 
 @dataclass(slots=True)
@@ -126,18 +124,6 @@ class StepToLine:
             self._seen.add(program_point.site)
             return False
         return True
-
-
-@dataclass(slots=True)
-class StepToCaller:
-    """The next statement of a caller."""
-
-    robot: int
-    calls: ActiveCalls | None
-
-    def reached(self, program_point: ProgramPoint) -> bool:
-        """Return whether the call has ended."""
-        return self.calls is None or self.calls.include(program_point)
 
 
 class ReverseStepCondition:

@@ -1,26 +1,47 @@
-"""Loop headers, at which the iterations of loops are counted."""
+"""Depth-first traversals of graphs of blocks, and the loop headers that they find."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Protocol, Self, TypeVar
 
 from crs_cc.ir.instruction import Block
 from crs_cc.ir.program import Function
 
 
-def loop_headers(function: Function) -> set[Block]:
-    """Return blocks of which at least one is on every cycle.
+class _Node(Protocol):
+    def successors(self) -> Sequence[Self]: ...
 
-    They are the targets of back edges in a depth-first traversal.
-    """
-    headers: set[Block] = set()
+
+AnyNode = TypeVar("AnyNode", bound=_Node)
+
+
+def postorder(entry: AnyNode) -> list[AnyNode]:
+    """Return the reachable nodes, each after its successors except for back edges."""
+    seen, order = {entry}, []
+    work = [(entry, iter(entry.successors()))]
+    while work:
+        node, rest = work[-1]
+        target = next((each for each in rest if each not in seen), None)
+        if target is None:
+            order.append(node)
+            work.pop()
+        else:
+            seen.add(target)
+            work.append((target, iter(target.successors())))
+    return order
+
+
+def edges(function: Function) -> Iterator[tuple[Block, Block, bool]]:
+    """Yield source and target of the reachable edges, depth first, and whether they lead back."""
     entry = function.blocks[0]
     open_blocks, seen = {entry}, {entry}
     work = [(entry, iter(entry.successors()))]
     while work:
         block, rest = work[-1]
         for target in rest:
-            if target in open_blocks:
-                headers.add(target)
-            elif target not in seen:
+            yield block, target, target in open_blocks
+            if target not in seen:
                 seen.add(target)
                 open_blocks.add(target)
                 work.append((target, iter(target.successors())))
@@ -28,4 +49,8 @@ def loop_headers(function: Function) -> set[Block]:
         else:
             open_blocks.discard(block)
             work.pop()
-    return headers
+
+
+def loop_headers(function: Function) -> set[Block]:
+    """Return blocks of which at least one is on every cycle: the targets of back edges."""
+    return {target for _, target, leads_back in edges(function) if leads_back}

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
+from typing import ClassVar, Final, Literal, TypeAlias
 
 from crs_cc.ir.record_layout import lay_out
 from crs_cc.ir.value_type import MemoryType
@@ -272,6 +272,7 @@ class Record:
     Attributes:
         tag: its tag, None when it has none.
         alias: its first typedef name; it is printed if there is no tag, or one of the library.
+        is_complex: whether it is a complex number, a struct of its real and imaginary part.
         is_transparent: whether a parameter of this union takes values of its members' types.
         members: the members in the order of the source; None until they are known.
         named: all members with names, including those of anonymous members, with their offsets
@@ -283,6 +284,7 @@ class Record:
     kind: Literal["struct", "union"]
     tag: str | None = None
     alias: str | None = None
+    is_complex: bool = False
     is_transparent: bool = False
     members: list[Member] | None = None
     named: dict[str, Member] = field(default_factory=dict)
@@ -376,7 +378,19 @@ def bit_field(ctype: IntegerType | EnumType, width: int) -> IntegerType:
     return IntegerType(name, 8, ctype.signed, width, "i64", width=width)
 
 
-AnyType = TypeVar("AnyType", bound=CType)
+def _complex(base: FloatType) -> RecordType:
+    record = Record("struct", None, f"_Complex {base.name}", is_complex=True)
+    record.complete([Member("__real__", base), Member("__imag__", base)])
+    return RecordType(record)
+
+
+COMPLEX: Final = {each.name: _complex(each) for each in (FLOAT, DOUBLE, LDOUBLE)}
+"""The complex types, by the name of their parts' type."""
+
+
+def is_complex(ctype: CType) -> bool:
+    """Return whether a type is a complex type (C17 6.2.5p11)."""
+    return isinstance(ctype, RecordType) and ctype.record.is_complex
 
 
 def qualify(ctype: CType, const: bool, volatile: bool) -> CType:

@@ -133,11 +133,7 @@ class McapReader:
         return content
 
     def messages(self, chunk: Chunk) -> Iterator[Message]:
-        """Yield the messages in a chunk.
-
-        Raises:
-            RecordingError: it is damaged.
-        """
+        """Yield the messages in a chunk; raise RecordingError if it is damaged."""
         try:
             content = self._content(chunk)
             yield from self._messages(content)

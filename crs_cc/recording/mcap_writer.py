@@ -61,11 +61,7 @@ class McapWriter:
     """
 
     def __init__(self, file: Target) -> None:
-        """Write the header.
-
-        Raises:
-            OSError: the file cannot be written, as in all methods.
-        """
+        """Write the header; raise OSError if the file cannot be written, as in all methods."""
         self.pending = 0
         self._file = file
         self._at = 0

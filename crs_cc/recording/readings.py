@@ -41,7 +41,6 @@ class Readings:
 
     Attributes:
         codes: the requests' codes.
-        robots: the robots.
         clock_s: when each program continued.
         states: the vectors (k, 45).
     """
@@ -81,11 +80,7 @@ def encode(rows: Readings, time_ns: int) -> bytes:
 
 
 def decode(data: bytes, time_ns: int) -> Readings:
-    """Return the readings in a message of a time.
-
-    Raises:
-        ValueError: it is no such message.
-    """
+    """Return the readings in a message of a time; raise ValueError if it is no such message."""
     if len(data) < HEAD.size:
         raise ValueError("readings are too short")
     version, _, count, changed = HEAD.unpack_from(data)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray, FloatArray
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
-    from crs_cc.sim.engine.step import Served, Step
+    from crs_cc.sim.engine.step import Step
     from crs_cc.sim.state.env_state import EnvState
 
 Sensors = Literal["none", "read", "all"]
@@ -91,8 +91,8 @@ class Recorder:
         self._writer.metadata(topics.RUN, run)
         for name, content in attachments.items():
             self._writer.attachment(name, "application/octet-stream", content)
-        self._served: list[tuple[int, Served]] = []
-        self._served_rows = 0
+        self._readings: list[tuple[int, Readings]] = []
+        self._reading_rows = 0
         self._times_ns: list[int] = []
         self._frames: list[RawFrame] = []
         self._odometry: list[tuple[int, FloatArray]] = []
@@ -109,6 +109,7 @@ class Recorder:
         self._last = session.timesteps
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.copy()
+        self._is_debug_build = len(session.fleet) > 0 and session.fleet.executable(0).has_marks
         self._names: tuple[str, ...] = ()
         self._note_roster()
         self._add_frame()
@@ -130,10 +131,9 @@ class Recorder:
             return
         for served in step.served:
             if served.states is not None:
-                self._served.append((time_ns, served))
-                self._served_rows += len(served.robots)
-        if self._served_rows > MAX_ROWS:
-            self._add_readings()
+                codes = np.full(len(served.robots), served.code)
+                rows = Readings(codes, served.robots, served.clock_s, served.states)
+                self._note_readings(time_ns, rows)
         for reading in readings_of(step):
             self._add_json(topics.READING, time_ns, reading)
 
@@ -149,6 +149,12 @@ class Recorder:
         """Record a piece of a program's standard input."""
         data = {"kind": "stdin", "robot": robot, **as_fields(content)}
         self._add_json(topics.INPUT, self._now_ns(robot), data)
+
+    def waiting(self, robot: int, clock_s: float, answer: tuple[int, float]) -> None:
+        """Record what a program was told of input that it could read."""
+        ready, wait_s = answer
+        data = {"kind": "waiting", "robot": robot, "clock_s": clock_s, "ready": ready}
+        self._add_json(topics.INPUT, _ns(clock_s), {**data, "wait_s": wait_s})
 
     def seconds_left(self) -> float:
         """Return how much time may be simulated before the next call of `sample` [s]."""
@@ -207,19 +213,24 @@ class Recorder:
         self._odometry.clear()
         self._cut()
 
+    def _note_readings(self, time_ns: int, rows: Readings) -> None:
+        self._readings.append((time_ns, rows))
+        self._reading_rows += len(rows.robots)
+        if self._reading_rows > MAX_ROWS:
+            self._add_readings()
+
     def _add_readings(self) -> None:
-        if not self._served:
+        if not self._readings:
             return
-        time_ns, answers = self._served[0][0], [served for _, served in self._served]
-        codes = [np.full(len(served.robots), served.code) for served in answers]
-        rows = Readings(
-            np.concatenate(codes),
-            np.concatenate([served.robots for served in answers]),
-            np.concatenate([served.clock_s for served in answers]),
-            np.concatenate([served.states for served in answers if served.states is not None]),
+        time_ns, found = self._readings[0][0], [rows for _, rows in self._readings]
+        together = Readings(
+            np.concatenate([rows.codes for rows in found]),
+            np.concatenate([rows.robots for rows in found]),
+            np.concatenate([rows.clock_s for rows in found]),
+            np.concatenate([rows.states for rows in found]),
         )
-        self._writer.add(topics.STATE, time_ns, readings.encode(rows, time_ns))
-        self._served, self._served_rows = [], 0
+        self._writer.add(topics.STATE, time_ns, readings.encode(together, time_ns))
+        self._readings, self._reading_rows = [], 0
 
     def _cut(self) -> None:
         self._try(self._writer.cut)
@@ -236,6 +247,12 @@ class Recorder:
         self._frames.append(RawFrame.of(state, has_turret=self._has_turret))
         self._times_ns.append(_ns(environment.time_s))
         self._moved = False
+        if self._options.sensors == "all":
+            robots = np.flatnonzero(state.presence.present)
+            clock_s = np.full(len(robots), environment.time_s)
+            states = environment.last_readings(robots)
+            rows = Readings(np.zeros(len(robots), np.int64), robots, clock_s, states)
+            self._note_readings(_ns(environment.time_s), rows)
 
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()
@@ -245,7 +262,7 @@ class Recorder:
             "digest": digest(session),
             "output": self._output_crc,
         }
-        if state_hash:
+        if state_hash and not self._is_debug_build:  # whose memory is another
             data["state"] = state_hash
         self._add_json(topics.HASH, _ns(session.time_s), data)
 

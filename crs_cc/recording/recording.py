@@ -47,11 +47,7 @@ class Roster:
 
     @classmethod
     def of(cls, values: dict[str, str]) -> Self:
-        """Return the roster in a recording.
-
-        Raises:
-            ValueError: it is not valid.
-        """
+        """Return the roster in a recording; raise ValueError if it is not valid."""
         made = cls(
             int(values.get("time_ns", "")[:20]),
             _names(values.get("robots", "")),

@@ -77,11 +77,7 @@ class KernelInstance:
         self.message = np.frombuffer(self._slot, MESSAGE, 1, first)["i"][0]
 
     def resume(self) -> None:
-        """Run the program up to its next request.
-
-        Raises:
-            InternalError: it stops with an error.
-        """
+        """Run the program up to its next request; raise InternalError if it stops with an error."""
         slot = self._slot
         _RESUME.pack_into(slot, 0, 0, 0, 0, 0, 0, 0, _FUEL)
         self._values[0].i32 = 0

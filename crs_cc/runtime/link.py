@@ -60,11 +60,7 @@ class Library(Protocol):
 
 
 def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -> Program:
-    """Link a program.
-
-    Raises:
-        CompileError: a name is defined twice, or undefined.
-    """
+    """Link a program; raise CompileError if a name is defined twice, or undefined."""
     diagnostics.stage = "linking"
     user = join(units, diagnostics)
     resolve_aliases(user)

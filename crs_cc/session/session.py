@@ -362,10 +362,12 @@ class Session:
             asking = asking[posted]
         codes = slots["code"][asking]
         on_link = _ON_LINK.take(codes, mode="clip")
+        if on_link.all():
+            self._send(asking, codes)
+            return
         if on_link.any():
             self._send(asking[on_link], codes[on_link])
-        if not on_link.all():
-            self._answer_hosts(asking[~on_link], codes[~on_link])
+        self._answer_hosts(asking[~on_link], codes[~on_link])
 
     def end_cycle(self) -> bool:
         """Execute the cycle in the environment when all programs have used it up.
@@ -457,15 +459,15 @@ class Session:
     def _answer_robots(self, end_s: float) -> None:
         """Serve the requests that arrive over the link before the end of the cycle."""
         state = self.state
-        due = np.flatnonzero(state.due_s < end_s)
+        due = (state.due_s < end_s).nonzero()[0]
+        if not due.size:
+            return
         codes = self.fleet.slots["code"][due]
         for code in sorted(set(codes.tolist())):
             robots = due[codes == code]
-            messages = self.fleet.messages(robots)
-            self._hints.note_requests(code, robots, messages, state.due_s[robots])
-            state.clock_s[robots] = self.environment.serve(
-                code, robots, messages, state.due_s[robots]
-            )
+            messages, at_s = self.fleet.messages(robots), state.due_s[robots]
+            self._hints.note_requests(code, robots, messages, at_s)
+            state.clock_s[robots] = self.environment.serve(code, robots, messages, at_s)
             self.fleet.reply(robots, messages)
-            state.called_s[robots] = state.due_s[robots]
+            state.called_s[robots] = at_s
             state.due_s[robots] = NEVER_S

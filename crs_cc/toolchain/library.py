@@ -131,11 +131,7 @@ def _compile(unit: str, headers: tuple[tuple[str, str], ...], added: AddedUnit |
 
 
 def compile_own(text: str, name: str, options: Options) -> Program:
-    """Compile C source of our own, and verify it.
-
-    Raises:
-        InternalError: it does not compile.
-    """
+    """Compile C source of our own, and verify it; raise InternalError if it does not compile."""
     try:
         program = compile_text(text, name, options, Diagnostics())
     except CompileError as error:

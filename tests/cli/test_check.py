@@ -71,26 +71,13 @@ def test_errors_in_a_world_are_reported(capfd: pytest.CaptureFixture[str]) -> No
     )
 
 
-@pytest.mark.parametrize(
-    ("source", "message"),
-    [
-        (
-            "char a[2000000000];\nint main(void) { return a[0]; }\n",
-            "large.c:1:6: error: 'a' does not fit: 2000000000 bytes of ",
-        ),
-        (
-            "int main(void) { _Alignas(4096) char a[9]; a[0] = 0; return a[0]; }\n",
-            "large.c:1:5: error: 'a' in 'main' is aligned to 4096 bytes",
-        ),
-    ],
-)
 def test_check_rejects_programs_that_do_not_fit_as_run_does(
-    source: str, message: str, capfd: pytest.CaptureFixture[str]
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
-    Path("large.c").write_text(source)
+    Path("large.c").write_text("char a[2000000000];\nint main(void) { return a[0]; }\n")
     assert main(["run", "large.c"]) == 121
     refused = capfd.readouterr().err
-    assert refused.startswith(message)
+    assert refused.startswith("large.c:1:6: error: 'a' does not fit: 2000000000 bytes of ")
     assert main(["check", "-q", "large.c"]) == 121
     assert capfd.readouterr().err == refused
 
@@ -102,10 +89,6 @@ def test_check_rejects_programs_that_do_not_fit_as_run_does(
         (
             "int f(void)\n{ static int b[4000000]; return b[0]; }\n",
             "part.c:2:14: error: 'b' does not fit: 16000000 bytes of ",
-        ),
-        (
-            "int f(void) { _Alignas(4096) char a[9]; a[0] = 0; return a[0]; }\n",
-            "part.c:1:5: error: 'a' in 'f' is aligned to 4096 bytes",
         ),
     ],
 )

@@ -97,7 +97,7 @@ def test_a_missing_file_is_reported_with_a_suggestion(
     [
         (["fast", "3"], 121, "fast: error: no such file\n    hint: arguments of the program"),
         (["3"], 121, "3: error: no such file\n    hint: arguments of the program follow --"),
-        (["--speed", "3"], 2, "Did you mean '--seed'? Options of the program itself follow"),
+        (["--sped", "3"], 2, "Options of the program itself follow"),
         (["-v"], 2, "No such option '-v'. Options of the program itself follow --."),
     ],
 )

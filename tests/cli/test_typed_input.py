@@ -82,12 +82,6 @@ def test_a_file_or_pipe_is_ready_at_once(
     assert capfd.readouterr().out == "1 1 at 0.00 3 go\n1 1 at 0.00 w x!\nat 0.00 1 -1\n"
 
 
-def test_typed_input_is_not_recorded(capfd: pytest.CaptureFixture[str]) -> None:
-    Path("keys.txt").write_text("1s: go\\n\n")
-    assert main(["run", "steered.c", "--input", "keys.txt", "--record", "run.mcap"]) == 2
-    assert "--input and --record cannot be used together" in capfd.readouterr().err
-
-
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import time
 from pathlib import Path
 
 import numpy as np
@@ -49,7 +50,8 @@ def test_it_holds_what_happened(recorded: Path) -> None:
     assert kinds == ["collision", "exited"]
     pieces = [data for _, data in recording.data(topics.OUTPUT.topic)]
     assert any("base64" in piece for piece in pieces)  # what is no UTF-8
-    inputs = [data["text"] for _, data in recording.data(topics.INPUT.topic)]
+    given = [data for _, data in recording.data(topics.INPUT.topic)]
+    inputs = [data["text"] for data in given if data["kind"] == "stdin"]
     assert inputs == ["go\n"]
     codes = np.concatenate([each.codes for each in recording.readings()])
     states = np.concatenate([each.states for each in recording.readings()])
@@ -147,3 +149,43 @@ def test_recording_changes_nothing(
         patch.setattr("sys.stdin", given)
         main(["run", *files, "--json", "--quiet", "--max-time", "8"])
     assert json.loads(capfd.readouterr().out)["state_hash"] == state
+
+
+def test_a_run_writes_tables_and_what_was_printed_and_keeps_its_pace(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    program = tmp_path / "hello.c"
+    program.write_text(
+        "#include <stdio.h>\n#include <unistd.h>\n"
+        'int main(void) { puts("hello"); fputs("there", stderr); sleep(1); return 0; }'
+    )
+    begin_s = time.monotonic()
+    options = ["--csv", str(tmp_path / "tables"), "--speed", "2", "--json", "--quiet"]
+    assert main(["run", str(program), *options]) == 0
+    assert time.monotonic() - begin_s > 0.5
+    (robot,) = json.loads(capfd.readouterr().out)["robots"]
+    assert (robot["stdout"], robot["stderr"]) == ("hello\n", "there")
+    assert not robot["output_truncated"]
+    names = sorted(path.name for path in (tmp_path / "tables").iterdir())
+    assert names == ["events.csv", "messages.csv", "poses.csv", "sensors.csv"]
+    assert main(["run", str(program), "--speed", "fast"]) == 2
+
+
+@pytest.mark.parametrize(("sensors", "least", "most"), [("none", 0, 0), ("all", 20, 45)])
+def test_what_is_recorded_of_sensors_is_selected(
+    tmp_path: Path, sensors: str, least: int, most: int
+) -> None:
+    program, path = tmp_path / "turn.c", tmp_path / "run.mcap"
+    program.write_text(
+        "#include <Nclient.h>\nint main(void) { connect_robot(1); vm(50, -50, 0); for (;;) ; }"
+    )
+    options = ["--record", str(path), "--record-sensors", sensors, "--record-every", "100ms"]
+    assert main(["run", str(program), *options, "--max-time", "2", "--quiet"]) == 0
+    recording = Recording(path)
+    found = list(recording.readings())
+    assert least <= sum(len(each.robots) for each in found) <= most
+    if sensors == "all":
+        unasked = np.concatenate([each.states[each.codes == 0] for each in found])
+        assert len(np.unique(unasked[:, 36])) > 10  # it turns, and nobody asks
+    assert 20 <= len(list(recording.frames())) <= 23
+    recording.close()

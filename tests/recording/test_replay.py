@@ -172,3 +172,60 @@ def test_the_debugger_says_when_a_run_is_another(
     rewritten(recorded, other)
     assert main(["debug", "--batch", str(other), "--at", "5s"]) == 0
     assert "the run differs from its recording at 2.00 s" in capfd.readouterr().err
+
+
+def test_input_typed_at_times_is_recorded_with_what_programs_were_told_of_it(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    program, keys, path = (tmp_path / name for name in ("wait.c", "keys.txt", "run.mcap"))
+    program.write_text(
+        "#include <poll.h>\n#include <stdio.h>\n#include <unistd.h>\n"
+        "int main(void) { struct pollfd file = {0, POLLIN, 0}; int i;\n"
+        'for (i = 0; i < 8; i++) { printf("%d", poll(&file, 1, 100)); usleep(100000); }\n'
+        'printf(" %c\\n", getchar()); return 0; }\n'
+    )
+    keys.write_text("1s: x\n")
+    assert main(["run", str(program), "--input", str(keys), "--record", str(path)]) == 0
+    said = capfd.readouterr().out
+    assert "0" in said
+    assert said.endswith("1 x\n")
+    assert main(["replay", str(path), "--verify"]) == 0
+    capfd.readouterr()
+    commands = ["-ex", "goto 0.3", "-ex", "goto 2"]
+    assert main(["debug", "--batch", str(path), "--at", "1.5", *commands]) == 0
+    found = capfd.readouterr()
+    assert "differs" not in found.err
+    assert said in found.out
+
+
+def test_tables_are_written_as_parquet_and_arrow(recorded: Path, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    options = ["--parquet", str(tmp_path / "p"), "--arrow", str(tmp_path / "a")]
+    assert main(["replay", str(recorded), *options, "--csv", str(tmp_path / "c")]) == 0
+    found = parquet.read_table(tmp_path / "p" / "poses.parquet").to_pylist()
+    with (tmp_path / "c" / "poses.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(found) == len(rows)
+    assert [str(row["x [m]"]) for row in found] == [row["x [m]"] for row in rows]
+    assert found[0]["turret [deg]"] is None
+    assert len(list((tmp_path / "a").iterdir())) == 4
+
+
+def test_a_debugged_run_is_recorded_as_it_stands(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "debugged.mcap"
+    there = ["-ex", "goto 4", "-ex", "reverse-step", "-ex", "goto 2"]
+    assert main(["debug", "--batch", str(recorded), *there, "--record", str(path)]) == 0
+    mine, theirs = Recording(path), Recording(recorded)
+    assert mine.end_ns == 2_000_000_000
+    assert main(["replay", str(path), "--verify"]) == 0  # by other builds of the programs
+    pairs = zip(mine.frames(), theirs.frames(), strict=False)
+    assert all((own.values == other.values).all() for own, other in pairs)
+    mine.close()
+    theirs.close()
+    path.unlink()
+    edit = ["-ex", "goto 1", "-ex", "move robot0 to 1 2"]
+    assert main(["debug", "--batch", str(recorded), *edit, "--record", str(path)]) == 0
+    assert "not recorded: it was changed by hand" in capfd.readouterr().err
+    assert not path.exists()

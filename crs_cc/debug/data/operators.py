@@ -13,6 +13,7 @@ ZeroDivisionError: division by zero
 from __future__ import annotations
 
 import math
+import operator
 import struct
 from collections.abc import Callable
 from typing import Any, Final
@@ -162,36 +163,24 @@ _COUNTS: Final[dict[str, Callable[[int, int], int]]] = {
     "popcnt": lambda value, _bits: value.bit_count(),
     "eqz": lambda value, _bits: int(value == 0),
 }
-_INTEGER: Final[dict[str, Callable[[int, int], int]]] = {
-    "add": lambda left, right: left + right,
-    "sub": lambda left, right: left - right,
-    "mul": lambda left, right: left * right,
+_EITHER: Final[dict[str, Callable[..., Any]]] = {
+    name: getattr(operator, name)
+    for name in ("add", "sub", "mul", "eq", "ne", "lt", "gt", "le", "ge")
+}
+_INTEGER: Final[dict[str, Callable[..., Any]]] = {
+    **_EITHER,
     "div": _quotient,
     "rem": _remainder,
-    "and": lambda left, right: left & right,
-    "or": lambda left, right: left | right,
-    "xor": lambda left, right: left ^ right,
-    "eq": lambda left, right: left == right,
-    "ne": lambda left, right: left != right,
-    "lt": lambda left, right: left < right,
-    "gt": lambda left, right: left > right,
-    "le": lambda left, right: left <= right,
-    "ge": lambda left, right: left >= right,
+    "and": operator.and_,
+    "or": operator.or_,
+    "xor": operator.xor,
 }
 _FLOAT: Final[dict[str, Callable[..., Any]]] = {
-    "add": lambda left, right: left + right,
-    "sub": lambda left, right: left - right,
-    "mul": lambda left, right: left * right,
+    **_EITHER,
     "div": _divide,
     "min": _least,
     "max": _most,
     "copysign": math.copysign,
-    "eq": lambda left, right: left == right,
-    "ne": lambda left, right: left != right,
-    "lt": lambda left, right: left < right,
-    "gt": lambda left, right: left > right,
-    "le": lambda left, right: left <= right,
-    "ge": lambda left, right: left >= right,
     "abs": abs,
     "neg": lambda value: -value,
     "ceil": _whole(math.ceil),

@@ -98,6 +98,10 @@ class ReplayConsole:
         self._read_at[robot] = at + 1
         return known[at]
 
+    def given(self) -> dict[int, list[bytes]]:
+        """Return the pieces of input that each robot's program has read up to here."""
+        return {robot: self._reads[robot][:at] for robot, at in self._read_at.items()}
+
     def snapshot(self) -> ConsolePosition:
         """Return the current position."""
         robots = range(max(self._read_at, default=-1) + 1)

@@ -25,13 +25,7 @@ _ORDINALS: Final = ("first", "second", "third", "fourth", "fifth")
 def argument_hint(
     callee: FunctionSymbol, function: FunctionType, arguments: Sequence[Expression]
 ) -> str:
-    """Return a hint for a call whose arguments do not match; "" if there is none.
-
-    Args:
-        callee: the called function.
-        function: its type, with a prototype.
-        arguments: the arguments.
-    """
+    """Return a hint for a call whose arguments do not match; "" if there is none."""
     parameters = function.parameters or ()
     given = [_is_stream(value.type) for value in arguments]
     wanted = [_is_stream(ctype) for ctype in parameters]

@@ -25,11 +25,11 @@ from typing import Final
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import constant, tree, vla
+from crs_cc.frontend.check import complex_numbers, constant, tree, vla
 from crs_cc.frontend.check.builtins_atomic import ATOMIC_BUILTINS
 from crs_cc.frontend.check.builtins_number import NUMBER_BUILTINS, folded
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
-from crs_cc.frontend.check.conversion import assigned, convert, promote_argument
+from crs_cc.frontend.check.conversion import assigned, convert, promote_argument, usual
 from crs_cc.frontend.check.declarator import type_name
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import modifiable
@@ -163,6 +163,16 @@ def _constant_p(unit: Unit, nodes: list[Node], location: Location) -> Expression
     return tree.integer(int(is_text or isinstance(value, tree.Literal)), INT, location)
 
 
+def _complex(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    """Return a complex number of two parts, whose zeros keep their signs."""
+    _count(nodes, 2, location)
+    real, imaginary = usual(*(rvalue(unit, each) for each in nodes))
+    if not isinstance(real.type, FloatType):
+        text = f"'__builtin_complex' needs floating-point numbers, not '{real.type}'"
+        raise CheckError(location, text)
+    return complex_numbers.build(real.type, real, imaginary, location)
+
+
 def _string_length(unit: Unit, nodes: list[Node], location: Location) -> Expression | None:
     """Return the length of a string literal; None for any other argument."""
     _count(nodes, 1, location)
@@ -258,6 +268,7 @@ _SYNONYMS: Final = {"__builtin_setjmp": "__crs_setjmp"}
 _SPECIAL: Final = {
     "__builtin_assume_aligned": _first,
     "__builtin_choose_expr": _choose,
+    "__builtin_complex": _complex,
     "__builtin_classify_type": _classify,
     "__builtin_constant_p": _constant_p,
     "__builtin_expect": _expect,

@@ -32,11 +32,6 @@ class ConstantAddress:
 def integer(unit: Unit, node: Node, what: str) -> int:
     """Return the value of an integer constant expression.
 
-    Args:
-        unit: the file.
-        node: the expression.
-        what: its purpose, such as "case label".
-
     Raises:
         CheckError: it is not constant or not an integer.
     """

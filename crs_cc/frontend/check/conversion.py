@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Final, NoReturn
 
-from crs_cc.frontend.check import fold, tree
+from crs_cc.frontend.check import complex_numbers, fold, tree
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.lost_value_warnings import warn_constant, warn_division
 from crs_cc.frontend.check.scope import ObjectSymbol
@@ -20,6 +20,7 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible
 from crs_cc.ir.types import (
     BOOL,
+    COMPLEX,
     DOUBLE,
     INT,
     NULLPTR,
@@ -37,6 +38,7 @@ from crs_cc.ir.types import (
     RecordType,
     VoidType,
     bit_field,
+    is_complex,
     unqualified,
 )
 
@@ -103,11 +105,18 @@ def decay(expression: Expression) -> Expression:
     return expression
 
 
+def is_number(ctype: CType) -> bool:
+    """Return whether a type is arithmetic: integer, floating or complex (C17 6.2.5p18)."""
+    return is_arithmetic(ctype) or is_complex(ctype)
+
+
 def convert(expression: Expression, target: CType) -> Expression:
     """Convert a value to a type without checks; fold it if it is constant."""
     source = expression.type
     if source is target or source == target:
         return expression
+    if is_complex(target) or (is_complex(source) and is_arithmetic(target)):
+        return complex_numbers.converted(expression, target, convert)
     if isinstance(expression, tree.Literal):
         value = fold.convert(expression.value, source, target)
         if value is not None:
@@ -158,8 +167,22 @@ def usual(left: Expression, right: Expression) -> tuple[Expression, Expression]:
     left, right = promote(left), promote(right)
     if left.type is right.type:
         return left, right
+    if is_complex(left.type) or is_complex(right.type):
+        both = COMPLEX[common_base(left, right).name]
+        return convert(left, both), convert(right, both)
     common = _common(left.type, right.type)
     return convert(left, common), convert(right, common)
+
+
+def common_base(left: Expression, right: Expression) -> FloatType:
+    """Return the common type of the parts of two numbers, one of them complex (C17 6.3.1.8)."""
+    types = [
+        complex_numbers.base_of(each.type) if is_complex(each.type) else promote(each).type
+        for each in (left, right)
+    ]
+    common = _common(types[0], types[1])
+    assert isinstance(common, FloatType)
+    return common
 
 
 def _common(left: CType, right: CType) -> CType:
@@ -183,11 +206,13 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
     if isinstance(target, VoidType):
         return tree.Convert(VOID, value.location, value)
     target = unqualified(target)
+    if is_number(target) and is_number(source) and not is_scalar(target):
+        return convert(value, target)
     if isinstance(target, RecordType):
         return value if source == target else _union_of(value, target)
     if not is_scalar(target):
         _fail(value, f"used type '{target}' where arithmetic or pointer type is required")
-    if not is_scalar(source):
+    if not is_scalar(source) and not (is_complex(source) and is_arithmetic(target)):
         _fail(value, f"operand of type '{source}' where arithmetic or pointer type is required")
     if isinstance(target, PointerType) and isinstance(source, FloatType):
         _fail(value, f"operand of type '{source}' cannot be cast to a pointer type")
@@ -247,7 +272,7 @@ def assigned(
     if source is target:
         return value
     target = unqualified(target)
-    if is_arithmetic(target) and is_arithmetic(source):
+    if is_number(target) and is_number(source):
         warn_constant(unit, value, target)
         warn_division(unit, value, target)
         return convert(value, target)

@@ -24,10 +24,13 @@ from crs_cc.frontend.preprocess.options import is_c23
 from crs_cc.ir.types import (
     BASIC_TYPES,
     BOOL,
+    COMPLEX,
+    DOUBLE,
     UINT,
     VOID,
     ArrayType,
     CType,
+    FloatType,
     FunctionType,
     PointerType,
     RecordType,
@@ -39,6 +42,13 @@ from crs_cc.ir.types import (
 
 LARGEST_OBJECT: Final = (1 << 31) - 1
 """The maximum size of an object [bytes]: differences of pointers into it must fit an `int`."""
+
+_BINARY: Final = "use 'double', or integers of the smallest unit"
+_UNSUPPORTED: Final = {
+    "__int128": "use 'long long', or a struct of two of them",
+    "_Decimal32": _BINARY, "_Decimal64": _BINARY, "_Decimal128": _BINARY,
+}  # fmt: skip
+"""Types that are refused, with what to do instead."""
 
 _NAMES: Final = {
     "": "int", "unsigned": "unsigned int", "signed char": "signed char",
@@ -101,6 +111,8 @@ def _identifier(unit: Unit, node: Node) -> CType:
     found = basic_type(names)
     if found is not None:
         return found
+    if "_Complex" in names:
+        return _complex(names, unit.at(node))
     if len(names) == 1:
         symbol = unit.scope.find(names[0])
         if isinstance(symbol, ObjectSymbol):  # an earlier declarator of this declaration hides it
@@ -112,10 +124,21 @@ def _identifier(unit: Unit, node: Node) -> CType:
     return _unknown(unit, names, unit.at(node))
 
 
+def _complex(names: tuple[str, ...], location: Location) -> CType:
+    """Return the complex type of specifiers; `_Complex` alone means `_Complex double` (GNU C)."""
+    rest = list(names)
+    rest.remove("_Complex")
+    base = basic_type(tuple(rest)) if rest else DOUBLE
+    if not isinstance(base, FloatType):
+        text = f"'{' '.join(names)}' is not supported"
+        raise CheckError(location, text, "use a complex floating type, or a struct of two integers")
+    return COMPLEX[base.name]
+
+
 def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
     for name in names:
-        if name in {"_Complex", "__int128", "_Decimal32", "_Decimal64", "_Decimal128"}:
-            raise CheckError(location, f"type '{name}' is not supported")
+        if name in _UNSUPPORTED:
+            raise CheckError(location, f"type '{name}' is not supported", _UNSUPPORTED[name])
     if len(names) > 1:
         raise CheckError(location, f"'{' '.join(names)}' is not a type")
     if (names[0], "type") in unit.unknown:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import conversion, fold, tree, vla
+from crs_cc.frontend.check import complex_numbers, conversion, fold, tree, vla
 from crs_cc.frontend.check.alignment import natural_alignment
 from crs_cc.frontend.check.checker import CheckError, Unit, checks, expression
 from crs_cc.frontend.check.declarator import type_name
@@ -26,11 +26,13 @@ from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import (
     BOOL,
     CHAR,
+    DOUBLE,
     NULLPTR,
     UINT,
     VOID,
     ArrayType,
     CType,
+    FloatType,
     FunctionType,
     Member,
     PointerType,
@@ -42,6 +44,7 @@ from crs_cc.ir.types import (
 )
 
 _PREDEFINED = {"bool": BOOL, "nullptr_t": NULLPTR}
+_IMAGINARY = frozenset("ijIJ")
 _FUNCTION_NAMES = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"}
 
 
@@ -102,11 +105,21 @@ def constant(unit: Unit, node: Node) -> Expression:
             return tree.Literal(_PREDEFINED[node.type], location, node.value == "true")
         if node.type == "char":
             value, ctype = literal.character(node.value)
+        elif not _IMAGINARY.isdisjoint(node.value):
+            return _imaginary(node.value, location)
         else:
             value, ctype = literal.number(node.value, is_c90(unit.standard))
     except ValueError as problem:
         raise CheckError(location, str(problem)) from None
     return tree.Literal(ctype, location, value)
+
+
+def _imaginary(text: str, location: Location) -> Expression:
+    """Return GNU C's `2.0i`."""
+    value, ctype = literal.number("".join(each for each in text if each not in _IMAGINARY))
+    base = ctype if isinstance(ctype, FloatType) else DOUBLE
+    parts = [tree.Literal(base, location, each) for each in (0.0, float(value))]
+    return complex_numbers.build(base, parts[0], parts[1], location)
 
 
 @checks(c_ast.ExprList)

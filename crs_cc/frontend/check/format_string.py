@@ -95,14 +95,7 @@ class _Wanted:
 def check_format(
     unit: Unit, callee: FunctionSymbol, nodes: list[Node], arguments: list[Expression]
 ) -> None:
-    """Warn about arguments that do not match a call's format string.
-
-    Args:
-        unit: receives the warnings.
-        callee: the called function.
-        nodes: the arguments as written.
-        arguments: the arguments, promoted.
-    """
+    """Warn about arguments that do not match a call's format string."""
     known = KNOWN.get(callee.name) if callee.is_external else None
     form = callee.format or known
     if form is None or form.string >= len(nodes) or not _takes_string(callee.type, form):

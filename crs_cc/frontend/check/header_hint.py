@@ -16,12 +16,7 @@ _USUAL: Final = (
 
 
 def header_hint(name: str, folders: Sequence[Path]) -> str:
-    """Return a hint at the header that declares a name; "" if there is none.
-
-    Args:
-        name: a function, macro or type.
-        folders: the directories of the headers that come with crs.
-    """
+    """Return a hint at the header that declares a name; "" if there is none."""
     pattern = re.compile(
         rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:[([]|;$)", re.MULTILINE
     )

@@ -29,6 +29,7 @@ from crs_cc.ir.types import (
     Member,
     RecordType,
     is_complete,
+    is_complex,
     unqualified,
 )
 
@@ -192,7 +193,7 @@ class _Filler:
     def braced(self, part: _Part, node: Node) -> None:
         """Initialise a part with `{...}`."""
         ctype = part.type
-        if not isinstance(ctype, ArrayType | RecordType):
+        if not isinstance(ctype, ArrayType | RecordType) or is_complex(ctype):
             self._braced_scalar(part, node)
             return
         if not is_complete(ctype) and not isinstance(ctype, ArrayType):
@@ -327,6 +328,9 @@ class _Filler:
         ctype = part.type
         if isinstance(ctype, ArrayType) and isinstance(value, tree.StringLiteral):
             return self._string(part, ctype, value)
+        if is_complex(ctype):
+            self.scalar(part, value)
+            return True
         if isinstance(value, tree.CompoundLiteral) and self._expand(part, value):
             return True
         if isinstance(ctype, RecordType) and unqualified(value.type) == unqualified(ctype):
@@ -374,6 +378,10 @@ class _Filler:
     def scalar(self, part: _Part, value: tree.Expression) -> None:
         """Initialise a scalar part."""
         converted = assigned(self.unit, value, part.type, "initialise")
+        if isinstance(converted, tree.CompoundLiteral) and is_complex(part.type):
+            self._expand(_Part(unqualified(part.type), part.offset), converted)
+            if self.is_static:
+                return
         self._take(InitialValue(part.offset, part.type, converted, part.member))
 
     # Designators (C17 6.7.9p6, p7)

@@ -8,25 +8,27 @@ from typing import Final
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import fold, tree, vla
+from crs_cc.frontend.check import complex_numbers, fold, tree, vla
 from crs_cc.frontend.check.checker import CheckError, Unit, checks, expression
+from crs_cc.frontend.check.complex_numbers import Arithmetic, truth
 from crs_cc.frontend.check.conversion import (
     assigned,
+    common_base,
     convert,
     decay,
     is_arithmetic,
     is_integer,
     is_null_constant,
+    is_number,
     is_scalar,
     promote,
     usual,
 )
 from crs_cc.frontend.check.expressions import rvalue, size_of
 from crs_cc.frontend.check.lost_value_warnings import is_inexact, warn_divisions, warn_overflow
-from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.suspicious_operands import warn_signs, warn_string
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.check.type_compat import compatible, composite
+from crs_cc.frontend.check.type_compat import compatible
 from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
@@ -40,7 +42,7 @@ from crs_cc.ir.types import (
     RecordType,
     VoidType,
     is_complete,
-    qualify,
+    is_complex,
     unqualified,
 )
 
@@ -66,7 +68,9 @@ def operate(
 ) -> Expression:
     """Return `left op right` for two values."""
     if op in {"&&", "||"}:
-        return _logical(op, left, right, place)
+        return _logical(op, truth(left), truth(right), place)
+    if is_complex(left.type) or is_complex(right.type):
+        return _complex(unit, op, left, right, place)
     if op in fold.COMPARISONS:
         return _comparison(unit, op, left, right, place)
     if op in {"+", "-"} and (
@@ -81,6 +85,20 @@ def operate(
     warn_divisions(unit, left, right)
     left, right = usual(left, right)
     return _folded(unit, op, left.type, (left, right), place)
+
+
+def _complex(
+    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
+    """Return an operation on numbers, at least one of them complex."""
+    if not is_number(left.type) or not is_number(right.type):
+        raise _invalid(left, right, place)
+
+    def compute(op: str, first: Expression, second: Expression) -> Expression:
+        return operate(unit, op, first, second, place)
+
+    operands, base = (left, right), common_base(left, right)
+    return complex_numbers.binary(op, operands, base, place, Arithmetic(compute, convert))
 
 
 def _folded(
@@ -219,6 +237,8 @@ def unary(unit: Unit, node: Node) -> Expression:
 
 def _sign(unit: Unit, node: Node) -> Expression:
     operand, place = rvalue(unit, node.expr), unit.at(node)
+    if is_complex(operand.type):
+        return complex_numbers.negated(node.op, operand)
     if not is_arithmetic(operand.type) or (node.op == "~" and not is_integer(operand.type)):
         text = f"invalid argument type '{operand.type}' to unary expression"
         raise CheckError(place, text)
@@ -233,13 +253,25 @@ def _sign(unit: Unit, node: Node) -> Expression:
 
 
 def _not(unit: Unit, node: Node) -> Expression:
-    operand, place = rvalue(unit, node.expr), unit.at(node)
+    operand, place = truth(rvalue(unit, node.expr)), unit.at(node)
     if not is_scalar(operand.type):
         text = f"invalid argument type '{operand.type}' to unary expression"
         raise CheckError(place, text)
     if isinstance(operand, tree.Literal):
         return tree.integer(int(operand.value == 0), INT, place)
     return tree.Unary(INT, place, "!", operand)
+
+
+def _part(unit: Unit, node: Node) -> Expression:
+    """Check GNU's `__real__` and `__imag__`, which are lvalues if their operand is one."""
+    operand, index = expression(unit, node.expr), ["__real", "__imag"].index(node.op)
+    if is_complex(operand.type):
+        return complex_numbers.part(operand, index)
+    operand = decay(operand)
+    if not is_arithmetic(operand.type):
+        text = f"invalid argument type '{operand.type}' to unary expression"
+        raise CheckError(unit.at(node), text)
+    return operand if index == 0 else convert(tree.integer(0, INT, operand.location), operand.type)
 
 
 def _dereference(unit: Unit, node: Node) -> Expression:
@@ -268,6 +300,8 @@ def _increment(unit: Unit, node: Node) -> Expression:
     target = modifiable(expression(unit, node.expr))
     place = unit.at(node)
     ctype = target.type
+    if is_complex(ctype):
+        return _complex_step(unit, node, target)
     if isinstance(ctype, PointerType):
         _need_size(target, ctype)
     elif not is_arithmetic(ctype):
@@ -280,11 +314,20 @@ def _increment(unit: Unit, node: Node) -> Expression:
     return tree.Increment(unqualified(ctype), place, target, step, is_postfix)
 
 
+def _complex_step(unit: Unit, node: Node, target: Expression) -> Expression:
+    """Return `++` or `--` of a complex number."""
+    place, one = unit.at(node), tree.integer(1, INT, unit.at(node))
+    changed = _compound(unit, node.op[-1], target, one, place)
+    if node.op[0] != "p":
+        return changed
+    return operate(unit, "-" if node.op[-1] == "+" else "+", changed, one, place)
+
+
 _NOT_ASSIGNABLE: Final = "array type '{}' is not assignable"
 _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
     "+": _sign, "-": _sign, "~": _sign, "!": _not, "*": _dereference, "&": _address,
     "++": _increment, "--": _increment, "p++": _increment, "p--": _increment,
-    "sizeof": size_of, "_Alignof": size_of,
+    "__real": _part, "__imag": _part, "sizeof": size_of, "_Alignof": size_of,
 }  # fmt: skip
 
 
@@ -372,81 +415,11 @@ def _compound(
             index_, computed = vla.scaled(index_, ctype.target), PointerType(CHAR)
             return tree.CompoundAssign(ctype, place, op, target, index_, computed)
         return tree.CompoundAssign(ctype, place, op, target, index_, ctype)
+    if is_complex(ctype) or is_complex(value.type):
+        return complex_numbers.assignment(
+            target, lambda old: convert(operate(unit, op, decay(old), value, place), ctype)
+        )
     made = operate(unit, op, decay(target), value, place)
     if not isinstance(made, tree.Binary):
         raise _invalid(target, value, place)
     return tree.CompoundAssign(ctype, place, op, target, made.right, made.left.type)
-
-
-# The conditional operator
-
-
-@checks(c_ast.TernaryOp)
-def conditional(unit: Unit, node: Node) -> Expression:
-    """Check `condition ? then : otherwise` (C17 6.5.15), and gcc's `condition ?: otherwise`."""
-    condition = rvalue(unit, node.cond)
-    if not is_scalar(condition.type):
-        text = f"used type '{condition.type}' where arithmetic or pointer type is required"
-        raise CheckError(condition.location, text)
-    if node.iftrue is None:
-        symbol = ObjectSymbol("", condition.type, condition.location)
-        then: Expression = tree.ObjectName(condition.type, condition.location, symbol)
-        condition = tree.Assign(then.type, then.location, then, condition)
-    else:
-        then = rvalue(unit, node.iftrue)
-    otherwise = rvalue(unit, node.iffalse)
-    if is_arithmetic(then.type) and is_arithmetic(otherwise.type):
-        then, otherwise = usual(then, otherwise)
-    ctype = _conditional_type(unit, then, otherwise)
-    if ctype != VOID:
-        then, otherwise = convert(then, ctype), convert(otherwise, ctype)
-    if isinstance(condition, tree.Literal):
-        chosen = then if condition.value else otherwise
-        if is_lvalue(chosen) and is_scalar(ctype):
-            return tree.Convert(ctype, chosen.location, chosen)  # not an lvalue any more
-        return chosen
-    return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
-
-
-def _conditional_type(unit: Unit, then: Expression, otherwise: Expression) -> CType:
-    left, right = then.type, otherwise.type
-    if is_arithmetic(left) and is_arithmetic(right):
-        return left
-    if VOID in (left, right):
-        return VOID
-    if isinstance(left, PointerType) or isinstance(right, PointerType):
-        return _conditional_pointer(unit, then, otherwise)
-    if left == right and isinstance(left, RecordType):
-        return left
-    text = f"incompatible operand types ('{left}' and '{right}')"
-    raise CheckError(then.location, text)
-
-
-def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) -> CType:
-    left, right = then.type, otherwise.type
-    if is_null_constant(otherwise) and isinstance(left, PointerType):
-        return left
-    if is_null_constant(then) and isinstance(right, PointerType):
-        return right
-    if not isinstance(left, PointerType) or not isinstance(right, PointerType):
-        if not is_integer(left) and not is_integer(right):
-            text = f"incompatible operand types ('{left}' and '{right}')"
-            raise CheckError(then.location, text)
-        text = f"pointer/integer type mismatch in conditional expression ('{left}' and '{right}')"
-        unit.warning(then.location, text, flag="pointer-type-mismatch")
-        return left if isinstance(left, PointerType) else right
-    return PointerType(_common_target(unit, left, right, then.location))
-
-
-def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Location) -> CType:
-    """Return the target type of a conditional expression of pointers (C17 6.5.15p6)."""
-    a, b = left.target, right.target
-    const, volatile = a.const or b.const, a.volatile or b.volatile
-    plain_a, plain_b = unqualified(a), unqualified(b)
-    if VOID in (plain_a, plain_b):
-        return qualify(VOID, const, volatile)
-    if compatible(plain_a, plain_b):
-        return qualify(composite(plain_a, plain_b), const, volatile)
-    text = f"pointer type mismatch in conditional expression ('{left}' and '{right}')"
-    unit.warning(place, text, flag="pointer-type-mismatch")
-    return qualify(VOID, const, volatile)

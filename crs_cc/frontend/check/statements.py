@@ -21,6 +21,7 @@ from crs_cc.frontend.check.checker import (
     checks_statement,
     expression,
 )
+from crs_cc.frontend.check.complex_numbers import truth
 from crs_cc.frontend.check.conversion import (
     assigned,
     convert,
@@ -142,7 +143,7 @@ def _condition(unit: Unit, node: Node) -> Expression:
 
 
 def _scalar(unit: Unit, node: Node) -> Expression:
-    value = rvalue(unit, node)
+    value = truth(rvalue(unit, node))
     if not is_scalar(value.type):
         text = f"statement requires an expression of scalar type ('{value.type}' invalid)"
         raise CheckError(value.location, text)

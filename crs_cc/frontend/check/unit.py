@@ -8,7 +8,7 @@ from typing import Any, Final
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import calls, tree, vla
+from crs_cc.frontend.check import calls, conditional, tree, vla
 from crs_cc.frontend.check.alignment import has_attribute
 from crs_cc.frontend.check.builtins import VA_LIST
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, checks_statement
@@ -44,7 +44,7 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-_ = calls  # registers the checker of calls
+_ = calls, conditional  # registers their checkers
 
 VARARGS: Final = "__va_alist"
 """The parameter of variadic functions before C89, in <varargs.h>."""

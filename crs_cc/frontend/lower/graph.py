@@ -27,12 +27,7 @@ def simplify(function: Function) -> set[Block]:
 
 
 def _destination(block: Block, ends: dict[Block, Block]) -> Block:
-    """Return the block that a chain of empty blocks leads to; a cycle of them is left as it is.
-
-    Args:
-        block: where to start.
-        ends: the known destinations of empty blocks.
-    """
+    """Return the block that a chain of empty blocks leads to; a cycle of them is left as it is."""
     passed: dict[Block, None] = {}
     while not block.instructions and isinstance(jump := block.terminator, Jump):
         if block in ends:

@@ -30,7 +30,6 @@ _HINTS: Final = {
     **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
     **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h", _PROCESSES),
     **_all("sys/ptrace.h semaphore.h threads.h spawn.h dlfcn.h", _PROCESSES),
-    "complex.h": f"complex numbers are not supported: {_GUARD}",
     **_all("curses.h ncurses.h term.h", _TERMINAL),
     **_all("readline/readline.h", _TERMINAL),
     **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),

@@ -25,7 +25,7 @@ ORIGIN: Final = "<built-in>"
 """The name of the file that they are in; its only character is at place 0."""
 
 _ONES: Final = (
-    "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_COMPLEX__ __STDC_NO_THREADS__ "
+    "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_THREADS__ "
     "__STDC_IEC_559__ __STDC_UTF_16__ __STDC_UTF_32__ __i386__ __i386 __linux__ __linux "
     "__gnu_linux__ __unix__ __unix __ILP32__ _ILP32 __ELF__ "
     "__NO_INLINE__ __GNUC_STDC_INLINE__ __DBL_HAS_DENORM__ __DBL_HAS_INFINITY__ "

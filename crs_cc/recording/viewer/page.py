@@ -70,11 +70,6 @@ class _Paths:
 def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYTES) -> str:
     """Return the page of a recorded run.
 
-    Args:
-        recording: the recording.
-        world: its world.
-        most_bytes: the largest page, about.
-
     Raises:
         RecordingError: the recording is damaged.
     """

@@ -106,14 +106,7 @@ def called_otherwise(program: Program, conventions: dict[str, Convention]) -> se
 
 
 def general_form(name: str, number: int, convention: Convention, sizes: list[int]) -> Code:
-    """Return the general form of a function.
-
-    Args:
-        name: its name.
-        number: its index.
-        convention: how it is called.
-        sizes: the sizes of its parameters.
-    """
+    """Return the general form of a function."""
     value = len(TYPE_CALL[0])
     body: list[Instr] = [("local.get", FP), ("local.get", FUEL)]
     offsets = argument_offsets(sizes)

@@ -12,11 +12,12 @@ of a loop nothing is prepaid, so that the blocks before it pay for all of it.
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.ir.instruction import Block, Branch, Jump, Switch
+from crs_cc.ir.loops import postorder
 from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.wasm import Instr
@@ -46,16 +47,12 @@ def exact_charges(function: Function) -> FuelCharges:
     return FuelCharges({block: block.fuel for block in function.blocks}, nothing, nothing)
 
 
-def early_charges(function: Function, headers: Container[Block]) -> FuelCharges:
-    """Return charges with as much prepayment as is possible.
-
-    Args:
-        function: the function.
-        headers: its loop headers.
-    """
+def early_charges(
+    function: Function, headers: Container[Block], fuel: Mapping[Block, int]
+) -> FuelCharges:
+    """Return charges with as much prepayment as is possible; `fuel` is what each block costs."""
     blocks = function.blocks
     into = _groups(function)
-    fuel = {block: block.fuel for block in blocks}
     members: dict[Block, list[Block]] = {}
     for block, group in into.items():
         members.setdefault(group, []).append(block)
@@ -64,7 +61,7 @@ def early_charges(function: Function, headers: Container[Block]) -> FuelCharges:
         if block in headers or not isinstance(block.terminator, Jump | Branch | Switch):
             paid.update((into[target], 0) for target in block.successors())
     prepaid: dict[Block, int] = {}
-    for block in _postorder(function):
+    for block in postorder(function.blocks[0]):
         targets = block.successors()
         if not targets:
             prepaid[block] = 0
@@ -94,24 +91,6 @@ def _groups(function: Function) -> dict[Block, Block]:
         for target in targets[1:]:
             parent[find(target)] = find(targets[0])
     return {block: find(block) for block in function.blocks}
-
-
-def _postorder(function: Function) -> list[Block]:
-    """Return the reachable blocks, each after its successors except for back edges."""
-    entry = function.blocks[0]
-    seen, order = {entry}, []
-    work = [(entry, iter(entry.successors()))]
-    while work:
-        block, rest = work[-1]
-        for target in rest:
-            if target not in seen:
-                seen.add(target)
-                work.append((target, iter(target.successors())))
-                break
-        else:
-            order.append(block)
-            work.pop()
-    return order
 
 
 def charge(fuel: int) -> list[Instr]:

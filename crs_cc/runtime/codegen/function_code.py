@@ -35,6 +35,7 @@ from crs_cc.ir.program import Function
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.codegen import jumps, stopping
 from crs_cc.runtime.codegen.activation import Activation
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.call_checks import check_pointer, check_value
@@ -62,8 +63,9 @@ from crs_cc.runtime.codegen.passing import arguments_size, pass_arguments
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.rotation import rotated_loops
+from crs_cc.runtime.codegen.scalar_replacement import Partly
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.small_functions import Body
+from crs_cc.runtime.codegen.struct_registers import with_structs_in_registers
 from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.symbols import Symbols
@@ -94,7 +96,12 @@ def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, Fu
 
 class _FunctionCode:
     def __init__(self, function: Function, names: Symbols, build: Build) -> None:
-        self.function = function
+        self.original = function
+        partly = Partly(function, {block: block.fuel for block in function.blocks}, {})
+        if not build.passes_in_memory:
+            partly = with_structs_in_registers(function, names.bodies)
+        function = self.function = partly.function
+        self.fields = partly.homes
         self.build = build
         self.checked, self.debug = build.checked, build.debug
         self.steps = build.debug and not in_library(function.location)
@@ -127,7 +134,9 @@ class _FunctionCode:
         )
         self.nodes = {block: Node() for block in function.blocks}
         headers = self.registers.headers
-        self.fuel = exact_charges(function) if self.debug else early_charges(function, headers)
+        self.fuel = (
+            exact_charges(function) if self.debug else early_charges(function, headers, partly.fuel)
+        )
         self.latches = {} if self.debug else rotated_loops(function, headers)
         self.bottoms = {header: Node() for header in self.latches}
         self.here = function.blocks[0]
@@ -142,10 +151,14 @@ class _FunctionCode:
             charge += GENERAL_FORM
         if self.deferred and not self.debug:
             charge += self.deferred.charge
-        kept = [*self.saved, *self.homes.values()]
+        saved = [each for each in self.saved if each not in self.fields]
+        kept = [*saved, *self.homes.values()]
         size = arguments_size(self.function, self.names)
         stamped = self.debug and not self.function.trusted
-        return lay_out(self.function, kept, size, charge, checked=self.checked, stamped=stamped)
+        frame = lay_out(self.original, kept, size, charge, checked=self.checked, stamped=stamped)
+        for register, (slot, offset) in self.fields.items():
+            frame.offsets[register] = frame.offsets[slot] + offset
+        return frame
 
     def _watchpoints(self) -> Watchpoints | None:
         if not self.build.watch or self.function.trusted:
@@ -227,7 +240,7 @@ class _FunctionCode:
         known = self.assigned.unset if self.assigned else {}
         unset = {each.number: known[it] for each, it in self.landings if it in known}
         calls = {site: landing.number for site, landing in self.calls.items()}
-        return FunctionInfo(self.function, self.frame, places, callees, calls, self.flags, unset)
+        return FunctionInfo(self.original, self.frame, places, callees, calls, self.flags, unset)
 
     # -- suspending ---------------------------------------------------------------------------
 

@@ -23,15 +23,15 @@ from crs_cc.ir.instruction import (
     Stop,
     Switch,
 )
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
 from crs_cc.runtime.codegen.convention import NARROW
 from crs_cc.runtime.codegen.flow_graph import Node
 from crs_cc.runtime.codegen.indices import FUEL
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.scalar_replacement import Writable
 from crs_cc.runtime.codegen.selection import Selector
-from crs_cc.runtime.codegen.small_functions import Bodies, Body
+from crs_cc.runtime.codegen.small_functions import Bodies
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
@@ -74,11 +74,8 @@ class _Expansion:
 
 
 def all_bodies(calls: dict[Call, Body]) -> dict[str, Body]:
-    """Return all functions that are inlined in one, also in each other."""
-    found: dict[str, Body] = {}
-    for body in calls.values():
-        found.update(body.all_bodies())
-    return found
+    """Return all functions that are inlined in one."""
+    return {body.function.name: body for body in calls.values()}
 
 
 class InlinedCalls:
@@ -197,10 +194,7 @@ class InlinedCalls:
         writer.code += [("local.get", FUEL), fuel, ("i64.sub",), ("local.set", FUEL)]
         last = body.registers.last_uses(block)
         for number, it in enumerate(block.instructions):
-            if isinstance(it, Writable):
-                size, memory = Constant("i32", it.size), self._memories[body.function.name]
-                memory.check_range(it.target, size, it.location, "write")
-            elif not isinstance(it, Statement):
+            if not isinstance(it, Statement):
                 selector.before(it)
                 selector.select(it)
             for register in last[number]:
@@ -229,11 +223,5 @@ class InlinedCalls:
                     writer.push(value)
                     writer.pop(expansion.call.result)
                 node.jump(expansion.then)
-            case Call() as call:
-                body = expansion.body.calls[str(call.callee)]
-                memory = self._memories[expansion.body.function.name]
-                self._pass_structs(call, body, memory)
-                then = nodes[call.then]
-                self._body(node, _Expansion(call, body, then, expansion.side_exit), memory)
             case Stop(kind=kind, location=location):
                 writer.fail(Site(kind, location), [("i32.const", 0)])

@@ -16,10 +16,11 @@ from typing import Any, Final, NoReturn, Self, TypeAlias
 from crs_cc.ir.instruction import Call
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import Function
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.function_code import generate
 from crs_cc.runtime.codegen.signatures import Shape
-from crs_cc.runtime.codegen.small_functions import Bodies, Body, calls_of
+from crs_cc.runtime.codegen.small_functions import Bodies, calls_of
 from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.sites import CallSite, Site

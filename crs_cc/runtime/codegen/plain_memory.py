@@ -30,6 +30,7 @@ from crs_cc.runtime.codegen import indices, inline_ranges, shadow
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
 from crs_cc.runtime.codegen.inline_ranges import short
 from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
+from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
@@ -137,6 +138,16 @@ class PlainMemory:
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
         """Check that `size` bytes at `address` are accessible."""
+
+    def writable(self, it: Writable) -> None:
+        """Check that a struct can be written."""
+        self.check_range(it.target, Constant("i32", it.size), it.location, "write")
+
+    def readable(self, it: Readable) -> None:
+        """Check that a struct can be passed, and charge for it."""
+        size = Constant("i32", it.size)
+        self.check_range(it.target, size, it.location, "read")
+        self.writer.charge(size)
 
     def check_message(self, address: Operand, location: Location) -> None:
         """Check that the message of a request is in memory."""

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from crs_cc.ir.instruction import Block, Branch, Switch
+from crs_cc.ir.loops import edges
 from crs_cc.ir.program import Function
 
 MOST_COPIED: Final = 12
@@ -44,23 +45,10 @@ def _edges(function: Function) -> tuple[dict[Block, set[Block]], dict[Block, lis
     """Return the sources of the back edges to each block, and of all edges."""
     back: dict[Block, set[Block]] = {block: set() for block in function.blocks}
     predecessors: dict[Block, list[Block]] = {block: [] for block in function.blocks}
-    entry = function.blocks[0]
-    open_blocks, seen = {entry}, {entry}
-    work = [(entry, iter(entry.successors()))]
-    while work:
-        block, rest = work[-1]
-        for target in rest:
-            predecessors[target].append(block)
-            if target in open_blocks:
-                back[target].add(block)
-            elif target not in seen:
-                seen.add(target)
-                open_blocks.add(target)
-                work.append((target, iter(target.successors())))
-                break
-        else:
-            open_blocks.discard(block)
-            work.pop()
+    for block, target, leads_back in edges(function):
+        predecessors[target].append(block)
+        if leads_back:
+            back[target].add(block)
     return back, predecessors
 
 

@@ -7,7 +7,7 @@ of whole members. A copy out of a slot becomes stores of its members.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Final
 
@@ -16,6 +16,7 @@ from crs_cc.ir.instruction import (
     VARARGS,
     Address,
     Block,
+    Bounds,
     Constant,
     Copy,
     Fill,
@@ -38,6 +39,9 @@ from crs_cc.runtime.codegen.fuel_charges import FREE_BYTES
 MOST_FIELDS: Final = 32
 """The limit on the registers that replace the slots of a function."""
 
+MOST_BYTES: Final = 128
+"""Larger slots of a function that is not inlined stay in memory."""
+
 _UNKNOWN: Final = Variable("", INT, Location(""))
 """The variable of fields that are not passed, of which `Assignments` finds early reads."""
 
@@ -47,6 +51,14 @@ _Place = tuple[Slot, int]
 @dataclass(slots=True, eq=False)
 class Writable(Instruction):
     """A check that `size` bytes at `target` can be written; unchecked builds have none."""
+
+    target: Register
+    size: int
+
+
+@dataclass(slots=True, eq=False)
+class Readable(Instruction):
+    """A check that a struct of `size` bytes at `target` can be passed by value."""
 
     target: Register
     size: int
@@ -76,16 +88,66 @@ class Replaced:
     members: dict[Parameter, list[Member]]
 
 
+@dataclass(slots=True, eq=False)
+class Partly:
+    """A function without some of its slots.
+
+    Attributes:
+        function: the function; its blocks are copies.
+        fuel: the fuel of the original of each block.
+        homes: for each register in a slot's place, the slot and the offset in it.
+    """
+
+    function: Function
+    fuel: dict[Block, int]
+    homes: dict[Register, tuple[Slot, int]]
+
+
 class NotReplaceableError(Exception):
-    """A slot is used in a way that needs memory."""
+    """A slot is used in a way that needs memory; None if there is too much to replace."""
+
+    def __init__(self, slot: Slot | None) -> None:
+        super().__init__()
+        self.slot = slot
 
 
-def replace_slots(function: Function) -> Replaced | None:
-    """Return a function without its slots; None if there is one that must be in memory."""
+def replace_slots(function: Function, fuel: Mapping[Block, int]) -> Replaced | None:
+    """Return a function without its slots; None if there is one that must be in memory.
+
+    Args:
+        function: the function.
+        fuel: the fuel of each block.
+    """
     try:
-        return _Replacement(function).run()
+        return _Replacement(function, fuel).run()
     except NotReplaceableError:
         return None
+
+
+def replace_some(function: Function, fuel: Mapping[Block, int]) -> Partly | None:
+    """Return a function without those slots that need no memory; None if all do.
+
+    What was copied into them may have no value, so it is for unchecked builds.
+
+    Args:
+        function: the function.
+        fuel: the fuel of each block.
+    """
+    kept: set[Slot] = {VARARGS}
+    kept.update(each.place for each in function.parameters if isinstance(each.place, Slot))
+    kept.update(slot for slot in function.slots if slot.size > MOST_BYTES)
+    while not kept.issuperset(function.slots):
+        replacement = _Replacement(function, fuel, kept=kept, loads=True)
+        try:
+            replaced = replacement.run()
+        except NotReplaceableError as error:
+            if error.slot is None:
+                return None
+            kept.add(error.slot)
+        else:
+            homes = {made: place for place, made in replacement.registers.items()}
+            return Partly(replaced.function, replaced.fuel, homes)
+    return None
 
 
 @dataclass(slots=True)
@@ -99,9 +161,9 @@ class _Uses:
     def access(self, slot: Slot, offset: int, memory: MemoryType) -> None:
         """Note an access; all accesses of a field have the same type."""
         if MEMORY_SIZE[memory] < 4 or slot is VARARGS:
-            raise NotReplaceableError
+            raise NotReplaceableError(slot)
         if self.fields.setdefault(slot, {}).setdefault(offset, memory) != memory:
-            raise NotReplaceableError
+            raise NotReplaceableError(slot)
 
     def close(self) -> None:
         """Give both sides of each copy the same fields, and check that none overlap."""
@@ -109,14 +171,14 @@ class _Uses:
         for (slot, start), size in self.whole:
             self._fill(slot, start, start + size)
         self._spread()
-        for rows in self.fields.values():
+        for slot, rows in self.fields.items():
             ends = [at + MEMORY_SIZE[rows[at]] for at in sorted(rows)]
             if any(end > at for end, at in zip(ends, sorted(rows)[1:], strict=False)):
-                raise NotReplaceableError
+                raise NotReplaceableError(slot)
         for (slot, start), size in self.whole:
             inside = self.within(slot, start, size)
             if sum(MEMORY_SIZE[memory] for _, memory in inside) != size:
-                raise NotReplaceableError
+                raise NotReplaceableError(slot)
 
     def _spread(self) -> None:
         """Give both sides of each copy the same fields."""
@@ -134,7 +196,7 @@ class _Uses:
             while start < at:
                 is_long = start % 8 == 0 and at - start >= 8
                 if at - start < 4 or start % 4:
-                    raise NotReplaceableError
+                    raise NotReplaceableError(slot)
                 self.access(slot, start, "i64" if is_long else "i32")
                 start += 8 if is_long else 4
             start = at + MEMORY_SIZE[memory]
@@ -149,11 +211,60 @@ class _Uses:
         return [(at, memory) for at, memory in rows if start <= at < start + size]
 
 
+def _held_everywhere(function: Function, kept: Container[Slot]) -> dict[Register, _Place]:
+    """Return the registers that hold the address of a slot wherever they are used.
+
+    These are the parameters of expanded calls: they are assigned once, the address in the same
+    block, or another of these registers.
+    """
+    count: dict[Register, int] = {}
+    moves: list[tuple[Register, Register | _Place]] = []
+    for block in function.blocks:
+        holding: dict[Register, _Place] = {}
+        for it in all_instructions(block):
+            target = writes(it)
+            if target is None:
+                continue
+            count[target] = count.get(target, 0) + 1
+            is_variable = target.variable is not None  # it may be read without a value
+            if isinstance(it, Move) and isinstance(it.source, Register) and not is_variable:
+                moves.append((target, holding.get(it.source, it.source)))
+            holding.pop(target, None)
+            if isinstance(it, Address) and isinstance(it.base, Slot) and it.base not in kept:
+                holding[target] = it.base, it.offset
+    passed = {each.place for each in function.parameters}
+    held: dict[Register, _Place] = {}
+    for target, source in moves:  # callers before their callees
+        place = held.get(source) if isinstance(source, Register) else source
+        if place is not None and count[target] == 1 and target not in passed:
+            held[target] = place
+    return held
+
+
 class _Replacement:
     """Replaces the slots of one function."""
 
-    def __init__(self, function: Function) -> None:
+    def __init__(
+        self,
+        function: Function,
+        fuel: Mapping[Block, int],
+        *,
+        kept: Container[Slot] = (),
+        loads: bool = False,
+    ) -> None:
+        """Set what to replace.
+
+        Args:
+            function: the function.
+            fuel: the fuel of each block.
+            kept: the slots that stay in memory.
+            loads: whether what is copied into a slot may be loaded, though it may have no value.
+        """
         self.function = function
+        self.fuel = fuel
+        self.kept = kept
+        self.loads = loads
+        self.held = _held_everywhere(function, kept)
         self.uses = _Uses()
         self.places: dict[Instruction, dict[Register, _Place]] = {}
         self.registers: dict[tuple[Slot, int], Register] = {}
@@ -167,60 +278,67 @@ class _Replacement:
         registers = list(function.registers)
         passed = {parameter.place for parameter in function.parameters}
         for slot, rows in self.uses.fields.items():
-            variable = None if slot in passed else _UNKNOWN
+            variable = None if slot in passed or self.loads else _UNKNOWN
             for at, memory in sorted(rows.items()):
                 made = Register(len(registers), VALUE_TYPE[memory], variable)
                 self.registers[slot, at] = made
                 registers.append(made)
         if len(self.registers) > MOST_FIELDS:
-            raise NotReplaceableError
+            raise NotReplaceableError(None)
         copied = {block: Block(block.label) for block in function.blocks}
         for block, copy in copied.items():
             copy.instructions = [made for it in block.instructions for made in self._rewrite(it)]
             copy.terminator = renumber(block.terminator, copied.__getitem__)
-        members, parameters = self._parameters()
         changed = replace(
-            function, slots=[], registers=registers, parameters=parameters,
+            function,
+            slots=[each for each in function.slots if each in self.kept],
+            registers=registers,
             blocks=list(copied.values()),
-        )  # fmt: skip
-        fuel = {copy: block.fuel for block, copy in copied.items()}
-        return Replaced(changed, fuel, members)
+        )
+        fuel = {copy: self.fuel[block] for block, copy in copied.items()}
+        return Replaced(changed, fuel, self._members())
 
-    def _parameters(self) -> tuple[dict[Parameter, list[Member]], list[Parameter]]:
-        """Return the members of parameters that are structs, and all parameters."""
+    def _members(self) -> dict[Parameter, list[Member]]:
+        """Return the members of parameters that are structs."""
         found: dict[Parameter, list[Member]] = {}
         for parameter in self.function.parameters:
             slot = parameter.place
-            if isinstance(slot, Slot):
+            if isinstance(slot, Slot) and slot not in self.kept:
                 rows = sorted(self.uses.fields.get(slot, {}).items())
                 found[parameter] = [
                     Member(at, memory, self.registers[slot, at]) for at, memory in rows
                 ]
                 if parameter.memory is not None:
-                    raise NotReplaceableError
-        return found, self.function.parameters
+                    raise NotReplaceableError(slot)
+        return found
 
     # -- what is done with slots -----------------------------------------------------------------
 
     def _look(self, block: Block, alive: int) -> None:
         """Collect the uses of slots in a block, and which registers hold their addresses."""
-        holding: dict[Register, _Place] = {}
+        holding = dict(self.held)
         for it in all_instructions(block):
             self._use(it, holding)
             target = writes(it)
-            if target is not None:
+            if target is not None and target not in self.held:
                 holding.pop(target, None)
                 if isinstance(it, Address) and isinstance(it.base, Slot):
+                    if it.base in self.kept:
+                        continue
                     holding[target] = it.base, it.offset
-        if any(alive >> register.index & 1 for register in holding):
-            raise NotReplaceableError
+        for each, (slot, _) in holding.items():
+            if alive >> each.index & 1 and each not in self.held:
+                raise NotReplaceableError(slot)
 
     def _use(self, it: Instruction, holding: dict[Register, _Place]) -> None:
+        if self._use_held(it, holding) or (isinstance(it, Bounds) and self.loads):
+            return
         match it:
             case Load(base=Slot() as slot) | Store(base=Slot() as slot):
-                if isinstance(it, Load) and it.unjudged:
-                    raise NotReplaceableError
-                self.uses.access(slot, it.offset, it.memory)
+                if slot not in self.kept:
+                    if isinstance(it, Load) and it.unjudged:
+                        raise NotReplaceableError(slot)
+                    self.uses.access(slot, it.offset, it.memory)
             case Copy(size=Constant(value=size)):
                 self._use_copy(it, int(size), holding)
                 return
@@ -230,19 +348,40 @@ class _Replacement:
                 if target in holding and size.value < FREE_BYTES:
                     self.places[it] = {target: holding[target]}
                     return
-        if any(register in holding for register in reads(it)):
-            raise NotReplaceableError
+        for register in reads(it):
+            if register in holding:
+                raise NotReplaceableError(holding[register][0])
+
+    def _use_held(self, it: Instruction, holding: dict[Register, _Place]) -> bool:
+        """Note a use that only expanded calls make of an address, and return whether it is one."""
+        match it:
+            case Load(base=Register() as base) | Store(base=Register() as base) if base in holding:
+                slot, start = holding[base]
+                self.uses.access(slot, start + it.offset, it.memory)
+                self.places[it] = {base: holding[base]}
+                return isinstance(it, Load) or it.source not in holding
+            case Readable(target=base) | Writable(target=base) if base in holding:
+                self.places[it] = {base: holding[base]}
+                return True
+            case Move(result=target, source=Register()):
+                return target in self.held
+        return False
 
     def _use_copy(self, it: Copy, size: int, holding: dict[Register, _Place]) -> None:
         target, source = self._held(it.target, holding), self._held(it.source, holding)
-        if (target or source) and size >= FREE_BYTES:
-            raise NotReplaceableError
+        for slot, _ in (each for each in (target, source) if each is not None):
+            if size >= FREE_BYTES:
+                raise NotReplaceableError(slot)
         if target is not None and source is not None:
+            if target[0] is source[0] and 0 < abs(target[1] - source[1]) < size:
+                raise NotReplaceableError(target[0])
             self.uses.copies.append((target, source, size))
         elif source is not None:
             self.uses.whole.append((source, size))
         elif target is not None:
-            raise NotReplaceableError
+            if not self.loads:
+                raise NotReplaceableError(target[0])
+            self.uses.whole.append((target, size))
         self.places[it] = {each: holding[each] for each in reads(it) if each in holding}
 
     def _held(self, operand: Operand, holding: dict[Register, _Place]) -> _Place | None:
@@ -252,8 +391,16 @@ class _Replacement:
 
     def _rewrite(self, it: Instruction) -> Iterable[Instruction]:
         """Return what an instruction becomes."""
+        if self._stays(it):
+            return [it]
+        if isinstance(it, Bounds) and self.loads:  # it has no effect in unchecked builds
+            return []
+        if it in self.places and not isinstance(it, Copy | Fill):
+            return self._rewrite_held(it)
         match it:
             case Lifetime() | Address(base=Slot()):
+                return []
+            case Move(result=result) if result in self.held:
                 return []
             case Load(base=Slot() as slot):
                 return [Move(it.location, it.result, self.registers[slot, it.offset])]
@@ -265,12 +412,39 @@ class _Replacement:
                 return self._clear(it.location, self.places[it][target], int(size))
         return [it]
 
+    def _rewrite_held(self, it: Instruction) -> list[Instruction]:
+        """Return what an instruction of an expanded call becomes."""
+        match it:
+            case Load(base=Register() as base):
+                return [Move(it.location, it.result, self._field(it, base))]
+            case Store(base=Register() as base):
+                return [Move(it.location, self._field(it, base), it.source)]
+        return []
+
+    def _stays(self, it: Instruction) -> bool:
+        """Return whether an instruction is about a slot that stays in memory."""
+        match it:
+            case Lifetime(slot=slot) | Address(base=Slot() as slot):
+                return slot in self.kept
+            case Load(base=Slot() as slot) | Store(base=Slot() as slot):
+                return slot in self.kept
+        return False
+
+    def _field(self, it: Load | Store, base: Register) -> Register:
+        slot, start = self.places[it][base]
+        return self.registers[slot, start + it.offset]
+
     def _copy(self, it: Copy) -> Iterator[Instruction]:
         places = self.places[it]
         assert isinstance(it.size, Constant)
         assert isinstance(it.source, Register)
         assert isinstance(it.target, Register)
         size = int(it.size.value)
+        if it.source not in places:
+            target, to = places[it.target]
+            for at, memory in self.uses.within(target, to, size):
+                yield Load(it.location, self.registers[target, at], it.source, at - to, memory)
+            return
         source, start = places[it.source]
         rows = self.uses.within(source, start, size)
         if it.target in places:

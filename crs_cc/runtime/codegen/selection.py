@@ -28,6 +28,7 @@ from crs_cc.ir.instruction import (
 )
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
+from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable
 from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
@@ -181,5 +182,7 @@ _ACCESS: Final[dict[type[Instruction], str]] = {
     Callers: "callers",
     Lifetime: "lifetime",
     State: "state",
+    Writable: "writable",
+    Readable: "readable",
 }
 """The method of `PlainMemory` for each memory instruction."""

@@ -12,7 +12,6 @@ which nothing can fail after a change of memory.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.ir.definite_assignment import Assignments
@@ -39,11 +38,13 @@ from crs_cc.ir.instruction import (
 )
 from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.loops import loop_headers
-from crs_cc.ir.program import Function, Parameter
+from crs_cc.ir.program import Function
 from crs_cc.ir.value_type import MEMORY_SIZE
+from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
+from crs_cc.runtime.codegen.expansion import Expanded, expand
 from crs_cc.runtime.codegen.registers import Registers
-from crs_cc.runtime.codegen.scalar_replacement import Member, Writable, replace_slots
+from crs_cc.runtime.codegen.scalar_replacement import Readable, Writable, replace_slots
 from crs_cc.runtime.codegen.signatures import ends_without_value
 from crs_cc.runtime.codegen.value_numbering import KnownBytes, ValueNumbers
 
@@ -51,7 +52,9 @@ MOST_WORK: Final = 60
 """The fuel of the largest small function, with that of the functions that it calls."""
 
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
-_INLINED: Final = (Statement, Move, Unary, Binary, Load, Store, Address, Bounds, Writable)
+_INLINED: Final = (
+    Statement, Move, Unary, Binary, Load, Store, Address, Bounds, Writable, Readable,
+)  # fmt: skip
 _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 _DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
 
@@ -99,45 +102,6 @@ def calls_of(function: Function) -> Iterable[Call]:
     return (end for block in function.blocks if isinstance(end := block.terminator, Call))
 
 
-@dataclass(slots=True)
-class Body:
-    """A function that can be inlined, analysed.
-
-    Attributes:
-        function: the function, without slots.
-        fuel: the fuel of each block.
-        members: for each parameter that is a struct, its members that are used.
-        registers: its registers by lifetime.
-        assigned: which of its registers may be uninitialised: none.
-        deferred: its loads whose checks are deferred.
-        can_fail: whether it has a check that can fail.
-        has_effects: whether it changes memory.
-        calls: the bodies of the functions that it calls.
-    """
-
-    function: Function
-    fuel: dict[Block, int]
-    members: dict[Parameter, list[Member]]
-    registers: Registers
-    assigned: Assignments
-    deferred: DeferredChecks
-    can_fail: bool = False
-    has_effects: bool = False
-    calls: dict[str, Body] = field(default_factory=dict)
-
-    @property
-    def charge(self) -> int:
-        """The charge of the frame for its locals, see `registers` [bytes]."""
-        return self.registers.charge + self.deferred.charge
-
-    def all_bodies(self) -> dict[str, Body]:
-        """Return this body and those of all functions called, by name."""
-        found = {self.function.name: self}
-        for body in self.calls.values():
-            found.update(body.all_bodies())
-        return found
-
-
 class Bodies:
     """The bodies of a program's functions, analysed when they are first asked for."""
 
@@ -166,7 +130,11 @@ class Bodies:
     def _analyse(self, original: Function) -> Body | None:
         if original.result is not None and ends_without_value(original):
             return None
-        replaced = replace_slots(original)
+        calls = list(calls_of(original))
+        expanded = expand(original, {call: self.of(call) for call in calls})
+        if expanded is None:
+            return None
+        replaced = replace_slots(expanded.function, expanded.fuel)
         if replaced is None:
             return None
         function = replaced.function
@@ -177,9 +145,9 @@ class Bodies:
         if assigned.flags:
             return None
         deferred = DeferredChecks(function, liveness, keep=False)
-        if self.checked and not _same_checks(original, deferred):
+        if self.checked and not _same_checks(original, expanded, deferred):
             return None
-        registers = Registers(function, liveness, [], inlined=set(calls_of(function)), debug=False)
+        registers = Registers(function, liveness, [], inlined=(), debug=False)
         body = Body(function, replaced.fuel, replaced.members, registers, assigned, deferred)
         return body if self._leaves_no_trace(body) else None
 
@@ -192,12 +160,6 @@ class Bodies:
             has_changed = changed[block]
             for it in all_instructions(block):
                 fails, changes = self._fails(it, places, proved), isinstance(it, Store)
-                if isinstance(it, Call):
-                    callee = self.of(it)
-                    if callee is None:
-                        return False
-                    body.calls[callee.function.name] = callee
-                    fails, changes = callee.can_fail, callee.has_effects
                 if fails and has_changed:
                     return False
                 body.can_fail |= fails
@@ -211,7 +173,7 @@ class Bodies:
     def _fails(self, it: Instruction, places: ValueNumbers, proved: KnownBytes) -> bool:
         """Return whether an instruction can fail, given what was accessed before in its block."""
         match it:
-            case Writable(target=target, size=size):
+            case Writable(target=target, size=size) | Readable(target=target, size=size):
                 proved.add(places.of(target, 0), size, valued=False)
                 return self.checked
             case Load(base=Register() as base) | Store(base=Register() as base):
@@ -236,8 +198,11 @@ class Bodies:
         return not fits if op in _SHIFTS else self.traps_overflow
 
 
-def _same_checks(original: Function, deferred: DeferredChecks) -> bool:
-    """Return whether the loads whose checks are deferred are those of the original function."""
+def _same_checks(original: Function, expanded: Expanded, deferred: DeferredChecks) -> bool:
+    """Return whether the loads whose checks are deferred are those of the original functions."""
+    kept = expanded.deferred.items()
+    if any(deferred.is_deferred(load) is not before for load, before in kept):
+        return False
     before = DeferredChecks(original, Liveness(original), keep=False)
     loads = [it for block in original.blocks for it in block.instructions if isinstance(it, Load)]
     return all(

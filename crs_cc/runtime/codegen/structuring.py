@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.ir.loops import postorder
 from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, SIDE_EXIT, UNWIND, Node
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
@@ -24,23 +25,6 @@ class _Order:
     children: dict[Node, list[Node]]
     merges: set[Node]
     headers: set[Node]
-
-
-def _postorder(entry: Node) -> list[Node]:
-    seen = {entry}
-    out: list[Node] = []
-    work = [(entry, iter(entry.successors()))]
-    while work:
-        node, rest = work[-1]
-        for target in rest:
-            if target not in seen:
-                seen.add(target)
-                work.append((target, iter(target.successors())))
-                break
-        else:
-            out.append(node)
-            work.pop()
-    return out
 
 
 def _dominators(
@@ -62,7 +46,7 @@ def _dominators(
 
 def _analyse(entry: Node) -> _Order:
     """Compute dominators, merge nodes and loop headers."""
-    order = list(reversed(_postorder(entry)))
+    order = list(reversed(postorder(entry)))
     rank = {node: number for number, node in enumerate(order)}
     forward: dict[Node, list[Node]] = {node: [] for node in order}
     merges: set[Node] = set()

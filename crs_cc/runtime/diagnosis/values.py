@@ -1,6 +1,6 @@
 r"""Format the bytes of an object by its C type, for messages and debuggers.
 
->>> from crs_cc.ir.types import CHAR, DOUBLE, INT, ArrayType, Member, PointerType
+>>> from crs_cc.ir.types import CHAR, COMPLEX, DOUBLE, INT, ArrayType, Member, PointerType
 >>> from crs_cc.ir.types import Record, RecordType
 >>> show = Values().show
 >>> show(INT, b"\xff\xff\xff\xff"), show(CHAR, b"a"), show(DOUBLE, bytes(8))
@@ -11,6 +11,8 @@ r"""Format the bytes of an object by its C type, for messages and debuggers.
 >>> point.complete([Member("x", INT), Member("on", INT, bit_width=2)])
 >>> show(RecordType(point), bytes((7, 0, 0, 0, 3, 0, 0, 0)))
 '{x = 7, on = -1}'
+>>> show(COMPLEX["float"], bytes((0, 0, 0, 64, 0, 0, 128, 191)))
+'2.0 - 1.0i'
 """
 
 from __future__ import annotations
@@ -36,6 +38,7 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     VoidType,
+    is_complex,
     spell,
     unqualified,
 )
@@ -208,6 +211,10 @@ class Values:
             inner = bit_field(member, content[part])
             shown = self._show(member.type, inner, states[part], depth + 1)
             parts.append(shown if member.name is None else f"{member.name} = {shown}")
+        if is_complex(ctype):
+            real, imaginary = (each.partition(" = ")[2] for each in parts)
+            sign = "-" if imaginary.startswith("-") else "+"
+            return f"{real} {sign} {imaginary.removeprefix('-')}i"
         return "{" + ", ".join(parts) + "}"
 
     def _text(self, content: bytes, states: bytes) -> str | None:

@@ -55,7 +55,6 @@ if TYPE_CHECKING:
 _GROUPS: Final = {"infrared": mask.INFRARED, "compass": mask.COMPASS, "laser": mask.LASER}
 """The bits of masks that select a device of the registry."""
 
-_BITS: Final = np.array([1, 2, 4])
 _REAL_TIME: Final = 10
 
 
@@ -177,7 +176,8 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
     vector[:, BUMPER] = bumper_state(state).pressed[rows]
     vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, constants, rows)
     works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
-    vector[:, MOTOR_STATUS] = ((works & ~take(state.drive.limp, rows)) * _BITS).sum(axis=1)
+    works &= ~take(state.drive.limp, rows)
+    vector[:, MOTOR_STATUS] = np.packbits(works, axis=1, bitorder="little")[:, 0]
     return vector
 
 

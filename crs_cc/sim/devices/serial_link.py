@@ -33,18 +33,20 @@ class SerialLine:
         links = [robot.model.link for robot in world.robots]
         kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
         self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
-        self._network_s = np.array([link.network_s for link in links])
-        self._has_line = np.array([bool(link.byte_counts) for link in links])
-        table = [REQUESTS.get(code) for code in range(_CODES + 1)]
-        self._sends_data = np.array([row is not None and row.sends_data for row in table])
-        self._on_network = np.array([row is not None and row.link == "network" for row in table])
-        self._on_line = np.array([row is not None and row.link == "serial" for row in table])
-        self._on_network[[code for code in DEVICE_CODES if code not in REQUESTS]] = True
-        # One additional row is for all other codes.
-        self._byte_count = np.zeros((len(kinds), _CODES + 1), dtype=np.int64)
+        # By kind of link and code; one additional code stands for all others.
+        shape = len(kinds), _CODES + 1
+        self._byte_count = np.zeros(shape, dtype=np.int64)
+        self._sends_data = np.zeros(shape, dtype=np.bool_)
+        self._network_s = np.zeros(shape)
         for link, kind in kinds.items():
-            for name, count in link.byte_counts:
-                self._byte_count[kind, CODES[name]] = count
+            counts = {CODES[name]: count for name, count in link.byte_counts}
+            self._network_s[kind, DEVICE_CODES.start : DEVICE_CODES.stop] = link.network_s
+            for code, row in REQUESTS.items():
+                networked = row.link == "network" or (row.link == "serial" and not counts)
+                self._network_s[kind, code] = link.network_s if networked else 0.0
+                count = 0 if networked else counts.get(code, 0)
+                self._byte_count[kind, code] = count
+                self._sends_data[kind, code] = row.sends_data and count > 0
 
     def time_s(
         self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
@@ -60,15 +62,12 @@ class SerialLine:
         Returns:
             the times, in the broadcast shape of the three arguments.
         """
-        code, robot = np.asarray(codes), np.asarray(robots)
-        code = np.where((code >= 0) & (code < _CODES), code, _CODES)
-        count = self._byte_count[self._kind[robot], code]
-        carried = self._sends_data[code] & (count > 0)
-        if carried.any():
-            count = count + np.where(carried, np.clip(sizes, 0, DATA_SIZE), 0)
-        line_s = count * _BITS_PER_BYTE / state.baud[robot]
-        networked = self._on_network[code] | (self._on_line[code] & ~self._has_line[robot])
-        return np.asarray(np.where(networked, self._network_s[robot], line_s))
+        robot = np.asarray(robots)
+        place = self._kind[robot], np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
+        count, sends_data = self._byte_count[place], self._sends_data[place]
+        if sends_data.any():
+            count = count + np.where(sends_data, np.clip(sizes, 0, DATA_SIZE), 0)
+        return np.asarray(self._network_s[place] + count * _BITS_PER_BYTE / state.baud[robot])
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:

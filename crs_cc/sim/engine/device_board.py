@@ -46,13 +46,7 @@ class DeviceBoard:
     """
 
     def __init__(self, world: WorldModel, seed: int, log: EventLog) -> None:
-        """Create the devices.
-
-        Args:
-            world: the world.
-            seed: seed of their random errors.
-            log: receives their events.
-        """
+        """Create the devices."""
         self.log = log
         self.messenger = Messenger(world, seed)
         self.installed: dict[str, Installed] = {

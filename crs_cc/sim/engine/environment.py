@@ -27,7 +27,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.comms.control import CommunicationControl
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
@@ -35,6 +35,7 @@ from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.drive.constants import Drives
+from crs_cc.sim.devices.sensor_board import state_vector
 from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
@@ -225,6 +226,10 @@ class Environment:
         Nothing moves in skipped cycles; timers and what they fill are not up to date.
         """
         return self._running.state
+
+    def last_readings(self, rows: IndexArray) -> Int32Array:
+        """Return `State` of robots after the last cycle that was executed, shape (k, 45)."""
+        return state_vector(self._running.state, self._running.constants, rows)
 
     @property
     def world(self) -> WorldModel:

@@ -76,12 +76,6 @@ def carry_robot(state: EnvState, constants: RobotConstants, robot: int, place: P
 def carry_object(state: EnvState, constants: RobotConstants, body: int, place: Pose) -> str:
     """Move a pushable object to a pose, if the place is free.
 
-    Args:
-        state: changed in place.
-        constants: the constants of all objects.
-        body: its number among the bodies.
-        place: the pose.
-
     Returns:
         the name of what it would overlap; empty if it was moved.
     """

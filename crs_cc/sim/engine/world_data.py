@@ -232,11 +232,7 @@ class WorldData:
         self.state.heat.left[self.names.index(name)] = heat
 
     def snapshot(self, served: Sequence[Served]) -> Snapshot:
-        """Return all that is needed to come back to this time.
-
-        Args:
-            served: the requests that were answered in this cycle.
-        """
+        """Return all that is needed to come back to this time."""
         physics, events = self.physics.snapshot(), self.log.snapshot()
         self._packed = packed(self.state, like=self._packed)
         return Snapshot(self.world, self._packed, physics, tuple(served), events)

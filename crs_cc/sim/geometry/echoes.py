@@ -90,7 +90,6 @@ class _Shapes:
     """Pings, and all that may be in their beams, by rising ping.
 
     Attributes:
-        pings: the pings.
         counts: how many faces, circles and voices each has, shape (k, 3).
         faces: ends, length and share of the faces.
         rounds: centre, radius and share of the circles.

@@ -78,20 +78,13 @@ class Fan:
         tilt = (exact.arctan2(y_m, x_m) - direction) % math.pi  # of the axis relative to the origin
         tilt = np.minimum(tilt, math.pi - tilt) + half
         aside_m = away_m * exact.sin(np.minimum(tilt, math.pi / 2))
-        start_m, reach_m = (
-            float(away_m.max(initial=0.0)),
-            float((range_m + away_m).max(initial=0.0)),
-        )
-        aside_m, widest_rad = float(aside_m.max(initial=0.0)), float(half.max(initial=0.0))
         axis = exact.turn(direction)
-        beams = (x_m, y_m, axis.real, axis.imag, exact.cos(half), exact.sin(half), range_m, order)
-        table = np.concatenate(
-            [
-                (len(order), reach_m, start_m, aside_m, widest_rad, 0.0),
-                np.column_stack(beams).ravel(),
-                _beams_behind(axis),
-            ]
-        )
+        sides = exact.cos(half), exact.sin(half)
+        rows = np.column_stack([x_m, y_m, axis.real, axis.imag, *sides, range_m, order])
+        columns = (range_m + away_m, away_m, aside_m, half)
+        reach_m, start_m, *others = (float(each.max(initial=0.0)) for each in columns)
+        head = (len(order), reach_m, start_m, *others, 0.0)
+        table = np.concatenate([head, rows.ravel(), _beams_behind(axis)])
         return cls(x_m + 1j * y_m, order, start_m, reach_m, table, z_m)
 
     def __len__(self) -> int:

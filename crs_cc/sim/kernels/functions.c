@@ -31,19 +31,22 @@ static void products(int count, const double *a, const double *b, double *out)
     }
 }
 
-/* The displacements along arcs with a heading before, a length and a change of heading. x replaces
-   the headings, y the lengths. */
+void __crs_arc(double heading, double way, double turn, double *x, double *y)
+{
+    double half = turn == 0 ? 1e-20 : turn / 2;         /* sin(x) / x is 1 at 0 */
+    double direction = heading + turn / 2, chord = way * (sin(half) / half);
+
+    *x = chord * cos(direction);
+    *y = chord * sin(direction);
+}
+
+/* Arcs: x replaces the headings, y the lengths. */
 static void arcs(int count, double *heading, double *way, const double *turn)
 {
     int i;
 
-    for (i = 0; i < count; i++) {
-        double half = turn[i] == 0 ? 1e-20 : turn[i] / 2;       /* sin(x) / x is 1 at 0 */
-        double direction = heading[i] + turn[i] / 2, chord = way[i] * (sin(half) / half);
-
-        heading[i] = chord * cos(direction);
-        way[i] = chord * sin(direction);
-    }
+    for (i = 0; i < count; i++)
+        __crs_arc(heading[i], way[i], turn[i], &heading[i], &way[i]);
 }
 
 void __crs_apply(int function, int count, double *a, double *b, double *out)

@@ -8,6 +8,14 @@
 /* Elementwise functions, see functions.c. */
 void __crs_apply(int function, int count, double *a, double *b, double *out);
 
+/* The displacement along an arc with a heading before, a length and a change of heading. */
+void __crs_arc(double heading, double way, double turn, double *x, double *y);
+
+/* The motion of axes and robots, see drive.c: arrays in columns, changed in place. */
+void __crs_profiles(int count, double *columns);
+void __crs_counts(int count, double *columns);
+void __crs_moves(int count, double *columns);
+
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
 void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,
                   const double *voices, double *out);

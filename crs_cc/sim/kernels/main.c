@@ -3,7 +3,7 @@
 
 #include "kernels.h"
 
-enum { ECHOES = 100, RAYS };        /* other numbers are those of elementwise functions */
+enum { ECHOES = 100, RAYS, PROFILES, COUNTS, MOVES };       /* other numbers are those of elementwise functions */
 
 static int arguments[10];
 static double arena[3][2 * BLOCK];
@@ -23,6 +23,12 @@ int __crs_start(void)
         else if (n[0] == RAYS)
             __crs_rays(n[1], n[2], n[3], n[4], n[5], arena[0], arena[0] + n[6], arena[0] + n[7],
                        arena[0] + n[8]);
+        else if (n[0] == PROFILES)
+            __crs_profiles(n[1], arena[0]);
+        else if (n[0] == COUNTS)
+            __crs_counts(n[1], arena[0]);
+        else if (n[0] == MOVES)
+            __crs_moves(n[1], arena[0]);
         else
             __crs_apply(n[0], n[1], arena[0], arena[1], arena[2]);
     }

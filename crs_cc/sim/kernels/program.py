@@ -14,11 +14,11 @@ import struct
 import threading
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Location
 
@@ -36,6 +36,15 @@ _ECHOES_NUMBER: Final = 100
 
 _RAYS: Final = struct.Struct("<9i")
 _RAYS_NUMBER: Final = 101
+
+PROFILES: Final = 102
+COUNTS: Final = 103
+MOVES: Final = 104
+"""Kernels of `drive.c`."""
+ROBOTS_AT_ONCE: Final = 8192
+"""A kernel of `drive.c` has room for so many."""
+
+_Column: TypeAlias = FloatArray | BoolArray
 
 PING_SIZE: Final = 13
 """Numbers in a row of pings, see `echoes.c`."""
@@ -153,7 +162,18 @@ class Kernels:
         found = arena[out : out + (1 + wanted) * count * beams].reshape(-1, count, beams)
         if objects is not None:
             objects[:] = found[1]
-        return found[0].copy()
+        return np.array(found[0])
+
+    def columns(self, kernel: int, count: int, arrays: Sequence[_Column]) -> FloatArray:
+        """Run a kernel of `drive.c` on arrays with a row for each robot.
+
+        Returns:
+            the arena, with the arrays one after the other, changed in place; until the next call.
+        """
+        joined = np.concatenate([array.reshape(-1) for array in arrays])
+        self._arena[: len(joined)] = joined
+        self.apply(kernel, count)
+        return self._arena
 
     def number(self, function: int, a: float, b: float) -> float:
         """Return a function of one or two numbers."""

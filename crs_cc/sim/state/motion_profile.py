@@ -29,8 +29,9 @@ from typing import Final, Self
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray
+from crs_cc.sim.kernels.program import PROFILES, ROBOTS_AT_ONCE, kernels
 from crs_cc.sim.model.axis import AXES
-from crs_cc.sim.state.rows import ALL, Rows, take
+from crs_cc.sim.state.rows import ALL, Rows, parts, take
 
 _NO_WAY: Final = 1e-12  # shorter distances are rounding errors
 
@@ -74,6 +75,22 @@ class Axes:
     def standing(cls, robots: int) -> Self:
         """Return axes at rest."""
         return cls(*(np.zeros((robots, AXES)) for _ in fields(cls)))
+
+    def profiles(self, rows: Rows) -> list[FloatArray]:
+        """Return the columns of some robots that kernels read, see `kernels/drive.c`."""
+        columns = (
+            self.start_s,
+            self.first,
+            self.ramp,
+            self.ramp_s,
+            self.cruise,
+            self.cruise_s,
+            self.brake_s,
+            self.begun,
+            self.total,
+            self.travelled,
+        )
+        return [take(column, rows) for column in columns]
 
     def end_s(self, rows: Rows = ALL) -> FloatArray:
         """Return when each axis will be at rest [s]: infinite for never."""
@@ -187,31 +204,14 @@ def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
     Returns:
         the distance of each axis, shape (k, 3): the slice.
     """
-    since_s = to_s[:, None] - take(axes.start_s, rows)
-    ramp_s, cruise_s, brake_s = (
-        take(axes.ramp_s, rows),
-        take(axes.cruise_s, rows),
-        take(axes.brake_s, rows),
-    )
-    stands = since_s >= ramp_s + cruise_s + brake_s
-    travelled: FloatArray = take(axes.total, rows)
-    speed = np.zeros_like(travelled)
-    if not stands.all():
-        first, ramp, cruise = take(axes.first, rows), take(axes.ramp, rows), take(axes.cruise, rows)
-        ramping_s = np.minimum(since_s, ramp_s)
-        behind_s = np.maximum(since_s - ramp_s, 0.0)
-        cruising_s = np.minimum(behind_s, cruise_s)
-        braking_s = np.minimum(behind_s - cruising_s, brake_s)
-        slowing = np.divide(cruise, brake_s, out=np.zeros_like(brake_s), where=brake_s > 0.0)
-        way = take(axes.begun, rows) + (first + ramp * ramping_s / 2) * ramping_s
-        way += cruise * (cruising_s + braking_s) - slowing * braking_s * braking_s / 2
-        now = np.where(since_s < ramp_s, first + ramp * ramping_s, cruise) - slowing * braking_s
-        travelled = np.where(stands, travelled, way)
-        speed = np.where(stands, 0.0, now)
-    slice_ = travelled - take(axes.travelled, rows)
-    axes.travelled[rows] = travelled
-    axes.speed[rows] = speed
-    return np.asarray(slice_)
+    way = np.empty((len(to_s), AXES))
+    for some, part in parts(rows, len(to_s), ROBOTS_AT_ONCE):
+        k = part.stop - part.start
+        found = kernels().columns(PROFILES, k, [*axes.profiles(some), to_s[part]])
+        end = 10 * AXES * k
+        axes.travelled[some] = found[end - AXES * k : end].reshape(-1, AXES)
+        way[part], axes.speed[some] = found[end + k : end + 7 * k].reshape(2, k, AXES)
+    return way
 
 
 def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> None:

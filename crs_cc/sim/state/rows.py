@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Final, TypeAlias, TypeVar
 
 import numpy as np
@@ -25,3 +26,17 @@ ALL: Final = slice(None)
 def take(values: npt.NDArray[Scalar], rows: Rows) -> npt.NDArray[Scalar]:
     """Return `values[rows]`, read-only: four times as fast as indexing if rows have columns."""
     return values[rows] if isinstance(rows, slice) else values.take(rows, axis=0)
+
+
+def parts(rows: Rows, count: int, most: int) -> Iterator[tuple[Rows, slice]]:
+    """Yield parts of a selection of `count` robots, with their places in it.
+
+    >>> [(some.tolist(), part.start) for some, part in parts(np.array([7, 8, 9]), 3, most=2)]
+    [([7, 8], 0), ([9], 2)]
+    """
+    if count <= most:
+        yield rows, slice(0, count)
+        return
+    for first in range(0, count, most):
+        part = slice(first, min(first + most, count))
+        yield part if isinstance(rows, slice) else rows[part], part

@@ -172,8 +172,8 @@ ONE_ERROR = {
         "1:25 error: field designator 'b' does not refer to any field in type "
         "'struct <anonymous>'",
     # Not supported, by name
-    "_Complex double z;": "1:1 error: type '_Complex' is not supported",
-    "__int128 z;": "1:1 error: type '__int128' is not supported",
+    "__int128 z;": "1:1 error: type '__int128' is not supported "
+    "[use 'long long', or a struct of two of them]",
     # Syntax
     "int f(void) { return 1 }": "1:23 error: expected ';' after '1'",
     "int a = 3\nint b = 4;": "1:10 error: expected ';' after '3'",

@@ -36,7 +36,7 @@ int main(int argc, char **argv)
 def test_every_path_pays_for_its_blocks(seed: int) -> None:
     function = walker(seed, 2 + seed % 12).functions["__crs_start"]
     headers = loop_headers(function)
-    fuel = early_charges(function, headers)
+    fuel = early_charges(function, headers, {each: each.fuel for each in function.blocks})
     assert fuel.received[function.blocks[0]] == 0
     for block in function.blocks:
         assert fuel.charges[block] >= 0
@@ -51,7 +51,7 @@ def test_a_loop_pays_once_for_a_turn(tmp_path: Path) -> None:
     source.write_text("int main(void) { int i, s = 0; for (i = 0; i < 9; i++) s += i; return s; }")
     function = build_executable([source], Diagnostics()).program.functions["main"]
     (header,) = loop_headers(function)
-    fuel = early_charges(function, {header})
+    fuel = early_charges(function, {header}, {each: each.fuel for each in function.blocks})
     body = next(each for each in header.successors() if header in each.successors())
     assert fuel.charges[header] == 0
     assert fuel.charges[body] == header.fuel + body.fuel

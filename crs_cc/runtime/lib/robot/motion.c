@@ -33,9 +33,12 @@ int pr(int trans, int steer, int turret)
     return axes(CRS_PR, trans, steer, turret);
 }
 
-int vm(int trans, int steer, int turret)
+/* The way to an angle in tenths of degrees, the shorter one. */
+static int way_to(int angle, long from)
 {
-    return axes(CRS_VM, trans, steer, turret);
+    int way = (angle - (int)from) % 3600;
+
+    return way > 1800 ? way - 3600 : way < -1800 ? way + 3600 : way;
 }
 
 static int is_known(int mode)
@@ -49,7 +52,7 @@ static int is_sent(int mode)
     return is_known(mode) || __crs_is_direct();
 }
 
-static int send_modes(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
+static int moved(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
 {
     struct __crs_message message;
 
@@ -65,27 +68,24 @@ static int send_modes(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, in
     return __crs_post_state(CRS_MV, &message);
 }
 
-int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
-{
-    return send_modes(t_mode, t_mv, s_mode, s_mv, r_mode, r_mv);
-}
-
-/* The way to an angle in tenths of degrees, the shorter one. */
-static int way_to(int angle, long from)
-{
-    int way = (angle - (int)from) % 3600;
-
-    return way > 1800 ? way - 3600 : way < -1800 ? way + 3600 : way;
-}
-
 /* The vendor's Nclient sends nothing, and his Ndirect only to a Nomad 200. The distance since its
    start is not known, so only steering and turret move. */
 int pa(int trans, int steer, int turret)
 {
     if (!__crs_is_direct() || __crs_is_direct_without_sensors())
         return FALSE;
-    return send_modes(MV_IGNORE, 0, MV_PR, way_to(steer, State[STATE_CONF_STEER]), MV_PR,
-                      way_to(turret, State[STATE_CONF_TURRET]));
+    return moved(MV_IGNORE, 0, MV_PR, way_to(steer, State[STATE_CONF_STEER]), MV_PR,
+                 way_to(turret, State[STATE_CONF_TURRET]));
+}
+
+int vm(int trans, int steer, int turret)
+{
+    return axes(CRS_VM, trans, steer, turret);
+}
+
+int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
+{
+    return moved(t_mode, t_mv, s_mode, s_mv, r_mode, r_mv);
 }
 
 int st(void)

@@ -17,7 +17,5 @@ int tk(char *talk)
     if (!__crs_tell(CRS_TK, &message, NULL))
         return FALSE;
     printf("%s\n", talk);
-    if (!__crs_is_direct())
-        return TRUE;
-    return __crs_command(CRS_GS, 0, 0, 0, 0);   /* there the reply is the state */
+    return __crs_is_direct() ? __crs_command(CRS_GS, 0, 0, 0, 0) : TRUE; /* it replies with State */
 }

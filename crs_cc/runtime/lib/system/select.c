@@ -1,6 +1,6 @@
-/* Waiting for input (POSIX select, pselect and poll). Files and output are always ready, and
-   so is the standard input if it is a file or a pipe. The host knows when somebody types;
-   without a timeout the programs wait in their next read if he does not know either. */
+/* Waiting for input (POSIX select, pselect and poll). Files and output are always ready, and so is
+   the standard input if it is a file or a pipe. The host knows when somebody types; without a
+   timeout the programs wait in their next read if he does not know either. */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -70,8 +70,8 @@ static int wait_for(int count, fd_set *readable, fd_set *writable, fd_set *excep
         FD_ZERO(exceptional);
     if (readers + writers > 0)
         return readers + writers;
-    left_s = timeout == 0 ? FOREVER_S : timeout->tv_sec + timeout->tv_usec * 1e-6;
-    left_s = sleep_for(left_s, input_s);
+    left_s = sleep_for(timeout == 0 ? FOREVER_S : timeout->tv_sec + timeout->tv_usec * 1e-6,
+                       input_s);
     if (timeout != 0) {
         timeout->tv_sec = (time_t)__builtin_fabs(left_s);
         timeout->tv_usec = (suseconds_t)((__builtin_fabs(left_s) - timeout->tv_sec) * 1e6);

@@ -45,6 +45,8 @@ COMPUTERS: Final = 12.0 / 5
 MOTORS: Final = 12.85 / 5
 """Factors of the voltages on the sensor board (vendor source `Ndirect.c` 2.7)."""
 
+_FACTORS: Final = COMPUTERS, MOTORS
+_BOTH: Final = np.arange(2)
 _NOBODY: Final = np.zeros(0, dtype=np.intp)
 _STEPS: Final = 1_000  # of charge, in the tables
 _LEVELS: Final = 3  # low, medium, high
@@ -61,7 +63,7 @@ class Batteries:
         motors: list[MotorBattery] = [
             model.device("motor_battery") or ENDLESS_MOTORS for model in kinds
         ]
-        self._computers, self._motors = _Supply(computers, COMPUTERS), _Supply(motors, MOTORS)
+        self._supplies = _Supplies(computers, motors)
         least = np.array([_least_charge(battery) for battery in motors])
         self._least_charge = least[self._kind]
         self._in_status = np.array([battery.is_in_status for battery in motors])[self._kind]
@@ -96,17 +98,12 @@ class Batteries:
         """Return which robots' motor batteries are empty, shape (k,)."""
         if self._lasts:
             return np.zeros(len(rows), dtype=np.bool_)
-        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
-        charge = self._motors.charge(kinds, for_s, self._moved_j(state, rows))
-        return np.asarray(charge < self._least_charge[rows])
+        return np.asarray(self.left(state, rows, at_s)[:, 1] < self._least_charge[rows])
 
     def left(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> FloatArray:
         """Return the state of charge of computers' and motors' batteries, 0 to 1, (k, 2)."""
-        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
-        moved_j = self._moved_j(state, rows)
-        return np.column_stack(
-            [self._computers.charge(kinds, for_s, 0.0), self._motors.charge(kinds, for_s, moved_j)]
-        )
+        for_s = at_s - state.presence.joined_s[rows]
+        return self._supplies.charge(self._kind[rows], for_s, self._moved_j(state, rows))
 
     def charge(self, state: EnvState, robot: int, at_s: float, share: float) -> None:
         """Set the state of charge of a robot's motor battery, 0 to 1.
@@ -114,39 +111,32 @@ class Batteries:
         Raises:
             ValueError: the battery is unlimited.
         """
-        motors, kind = self._motors, self._kind[robot]
-        if not np.isfinite(motors.capacity_j[kind]):
+        supplies, motor = self._supplies, (self._kind[robot], 1)
+        if not np.isfinite(supplies.capacity_j[motor]):
             raise ValueError("the motor battery is unlimited")
         for_s = at_s - float(state.presence.joined_s[robot])
-        used_j = (motors.start[kind] - share) * motors.capacity_j[kind]
-        motors_of(state).moved_j[self._number[robot]] = used_j - motors.power_w[kind] * for_s
+        used_j = (supplies.start[motor] - share) * supplies.capacity_j[motor]
+        motors_of(state).moved_j[self._number[robot]] = used_j - supplies.power_w[motor] * for_s
 
     def voltage_bytes(
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
     ) -> tuple[Int32Array, Int32Array]:
         """Return the bytes of the computers' and of the motors' battery, shape (k,) each."""
-        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
-        charges = (
-            self._computers.charge(kinds, for_s, 0.0),
-            self._motors.charge(kinds, for_s, self._moved_j(state, rows)),
-        )
-        supplies = (self._computers, self._motors)
-        pairs = list(zip(supplies, charges, strict=True))
+        kinds, charge = self._kind[rows], self.left(state, rows, at_s)
         if not constants.degradations.concern(state, "battery"):
-            computers, motors = (supply.bytes(kinds, charge) for supply, charge in pairs)
-            return computers, motors
-        volts = np.column_stack([supply.volts(kinds, charge) for supply, charge in pairs])
-        volts = constants.degradations.alter(state, "battery", rows, volts, at_s)
-        reported = np.where(np.isnan(volts), 0.0, volts)
-        return _byte(reported[:, 0], COMPUTERS), _byte(reported[:, 1], MOTORS)
+            found = self._supplies.bytes(kinds, charge)
+        else:
+            volts = self._supplies.volts(kinds, charge)
+            volts = constants.degradations.alter(state, "battery", rows, volts, at_s)
+            found = _byte(np.where(np.isnan(volts), 0.0, volts), _FACTORS)
+        return found[:, 0], found[:, 1]
 
     def status(self, state: EnvState, rows: IndexArray, at_s: FloatArray) -> Int32Array | None:
         """Return bits 2 and 3 of the motors' status, None if no robot reports its charge there."""
         asks = self._in_status[rows]
         if not asks.any():
             return None
-        for_s = at_s - state.presence.joined_s[rows]
-        charge = self._motors.charge(self._kind[rows], for_s, self._moved_j(state, rows))
+        charge = self.left(state, rows, at_s)[:, 1]
         level = np.minimum((charge * _LEVELS).astype(np.int32), _LEVELS - 1)
         return np.asarray(np.where(asks, level << 2, 0))
 
@@ -166,32 +156,46 @@ def _moved_kg(model: RobotModel) -> float:
     return model.mass_kg if model.drive.steering is not None else model.mass_kg / 2
 
 
-class _Supply:
-    """One battery of each kind of robot."""
+class _Supplies:
+    """The batteries of each kind of robot: arrays have a column for the computers' and the motors'.
 
-    def __init__(self, batteries: Sequence[Battery], factor: float) -> None:
-        self.start = np.array([battery.charge for battery in batteries])
-        self.power_w = np.array([battery.power_w for battery in batteries])
-        self.capacity_j = np.array([battery.capacity_j for battery in batteries])
-        self._curve_v = [battery.curve_v for battery in batteries]
-        self._bytes = np.array([_bytes(curve_v, factor) for curve_v in self._curve_v])
+    Attributes:
+        start: charge at the start, 0 to 1.
+        power_w: power that is used all the time.
+        capacity_j: energy in a full battery.
+    """
+
+    def __init__(self, computers: Sequence[Battery], motors: Sequence[Battery]) -> None:
+        every = [each for pair in zip(computers, motors, strict=True) for each in pair]
+        self.start = np.array([each.charge for each in every]).reshape(-1, 2)
+        self.power_w = np.array([each.power_w for each in every]).reshape(-1, 2)
+        self.capacity_j = np.array([each.capacity_j for each in every]).reshape(-1, 2)
+        curves_v = [each.curve_v for each in every]
+        self._curves_v = list(zip(curves_v[::2], curves_v[1::2], strict=True))
+        tables = [_bytes(curve_v, _FACTORS[place % 2]) for place, curve_v in enumerate(curves_v)]
+        self._bytes = np.array(tables, np.int32).reshape(-1, 2, _STEPS + 1)
 
     def charge(
         self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float
     ) -> FloatArray:
-        """Return the state of charge of each after some time in use, 0 to 1."""
-        used_j = self.power_w[kinds] * for_s + moved_j
+        """Return the states of charge after some time in use, 0 to 1, shape (k, 2)."""
+        used_j = self.power_w[kinds] * for_s[:, None]
+        used_j[:, 1] += moved_j
         left = self.start[kinds] - used_j / self.capacity_j[kinds]
         return np.asarray(np.maximum(left, 0.0))
 
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:
         """Return the bytes that are sent for states of charge."""
-        return np.asarray(self._bytes[kinds, (charge * _STEPS + 0.5).astype(np.intp)])
+        steps = (charge * _STEPS + 0.5).astype(np.intp)
+        return np.asarray(self._bytes[kinds[:, None], _BOTH, steps])
 
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
         """Return the voltages at states of charge."""
-        curves = ((self._curve_v[kind], share) for kind, share in zip(kinds, charge, strict=True))
-        return np.array([_volts(curve_v, share) for curve_v, share in curves])
+        found = np.empty((len(kinds), 2))
+        for place, kind in enumerate(kinds.tolist()):
+            for supply, curve_v in enumerate(self._curves_v[kind]):
+                found[place, supply] = _volts(curve_v, charge[place, supply])
+        return found
 
 
 def _volts(curve_v: tuple[float, ...], charge: FloatArray) -> FloatArray:
@@ -203,7 +207,7 @@ def _volts(curve_v: tuple[float, ...], charge: FloatArray) -> FloatArray:
     return np.asarray((1.0 - share) * curve[before] + share * curve[before + 1])
 
 
-def _byte(volts: FloatArray, factor: float) -> Int32Array:
+def _byte(volts: FloatArray, factor: float | tuple[float, ...]) -> Int32Array:
     return np.clip(np.rint((volts / factor - 2) * (255 / 3)), 0, 255).astype(np.int32)
 
 

@@ -36,10 +36,12 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
-from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.devices.drive.constants import DRIVE_SIZE, weighted
+from crs_cc.sim.kernels.program import MOVES, ROBOTS_AT_ONCE, kernels
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
-from crs_cc.sim.state.rows import take
+from crs_cc.sim.state.degradation import MOTIONS
+from crs_cc.sim.state.rows import parts, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -108,6 +110,10 @@ def rest_s(state: EnvState, rows: IndexArray) -> FloatArray:
 def _turn(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
+    if _is_free(state, constants):
+        for some, part in parts(rows, len(to_s), ROBOTS_AT_ONCE):
+            _turn_freely(state, constants, some, to_s[part])
+        return
     way = motion_profile.advance(state.drive.axes, rows, to_s)
     from_s = state.drive.clock_s[rows].copy()
     move, limit = constants.degradations.move, constants.drives.speed_limit
@@ -133,6 +139,40 @@ def _turn(
     state.drive.facing_rad[rows] = facing_rad + turn_rad
     if constants.drives.turrets:
         state.drive.turret_rad[rows] += way[:, 2]
+
+
+def _is_free(state: EnvState, constants: RobotConstants) -> bool:
+    """Return whether wheels turn as commanded, and robots move as their wheels turn."""
+    if constants.inclines is not None or state.drive.hindered.any():
+        return False
+    return not any(constants.degradations.concern(state, device) for device in MOTIONS)
+
+
+def _turn_freely(
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
+) -> None:
+    """Do what `_turn` does, by one kernel, see `kernels/drive.c`."""
+    drive, axes, k = state.drive, state.drive.axes, len(to_s)
+    moves = drive.slice, drive.moved_m, drive.facing_rad, drive.turret_rad
+    columns = [
+        *axes.profiles(rows),
+        to_s,
+        take(constants.drives.table, rows),
+        *odometry.columns(state.odometry, rows),
+        *(take(column, rows) for column in moves),
+    ]
+    begin = (10 * AXES + 1 + DRIVE_SIZE) * k
+    found = kernels().columns(MOVES, k, columns)
+    after = found[begin + odometry.COLUMNS * k :]
+    drive.clock_s[rows] = to_s
+    way, axes.speed[rows] = after[7 * k : 13 * k].reshape(2, k, AXES)
+    if not way.any():
+        return
+    axes.travelled[rows] = found[9 * AXES * k : 10 * AXES * k].reshape(k, AXES)
+    odometry.note(state.odometry, rows, found[begin:], k)
+    drive.slice[rows] = after[: 3 * k].reshape(k, AXES)
+    drive.moved_m[rows] = after[3 * k : 5 * k].reshape(k, 2)
+    drive.facing_rad[rows], drive.turret_rad[rows] = after[5 * k : 7 * k].reshape(2, k)
 
 
 def face(state: EnvState, constants: RobotConstants) -> None:

@@ -27,6 +27,9 @@ from crs_cc.sim.model.axis import STILL
 from crs_cc.sim.model.robot import Drive, Odometry, RobotModel
 from crs_cc.sim.model.world import WorldModel
 
+DRIVE_SIZE: Final = 16
+"""Numbers in a row of `Drives.table`."""
+
 _FINEST: Final = 1e-12  # resolution of an ideal encoder
 
 
@@ -43,7 +46,6 @@ class Drives:
         turn: turn of the wheels' direction per unit of each axis' motion [rad].
         true_forward: the true distance per unit, with errors of the wheels, see `rolling`.
         true_turn: the true turn per unit.
-        count: motion of each axis per count of its encoder.
         rolls: 1 for the axes whose wheels roll when the robot is moved along them, else 0.
         yields: whether the motors are weaker than the wheels' grip, so that they stall.
         roll_out_mps2: deceleration of limp wheels.
@@ -53,6 +55,7 @@ class Drives:
         synchro: whether the robot has a synchro drive, whose base never turns.
         turret: whether it has a turret of its own.
         turrets: whether any robot has one.
+        table: what kernels need to know, see `kernels/drive.c`, (robots, `DRIVE_SIZE`).
     """
 
     unit: FloatArray
@@ -62,7 +65,6 @@ class Drives:
     turn: FloatArray
     true_forward: FloatArray
     true_turn: FloatArray
-    count: FloatArray
     rolls: FloatArray
     yields: BoolArray
     roll_out_mps2: FloatArray
@@ -72,6 +74,7 @@ class Drives:
     synchro: BoolArray
     turret: BoolArray
     turrets: bool
+    table: FloatArray
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
@@ -91,15 +94,20 @@ class Drives:
         errors = [model.odometry for model in models]
         both = list(zip(drives, errors, strict=True))
         axes = [[axis or STILL for axis in drive.axes] for drive in drives]
+        turn = _rows([_turn(drive, Odometry()) for drive in drives])
+        forward = _rows([_forward(drive, Odometry()) for drive in drives])
+        true_turn = _rows([_turn(drive, wrong) for drive, wrong in both])
+        true_forward = _rows([_forward(drive, wrong) for drive, wrong in both])
+        count = _rows([_counts(drive, wrong) for drive, wrong in both])
+        turret = _flags([drive.turret is not None for drive in drives])
         return cls(
             unit=_rows([_units(drive) for drive in drives]),
             speed_limit=_rows([[axis.speed_limit for axis in three] for three in axes]),
             ramp_limit=_rows([[axis.acceleration_limit for axis in three] for three in axes]),
-            forward=_rows([_forward(drive, Odometry()) for drive in drives]),
-            turn=_rows([_turn(drive, Odometry()) for drive in drives]),
-            true_forward=_rows([_forward(drive, wrong) for drive, wrong in both]),
-            true_turn=_rows([_turn(drive, wrong) for drive, wrong in both]),
-            count=_rows([_counts(drive, wrong) for drive, wrong in both]),
+            forward=forward,
+            turn=turn,
+            true_forward=true_forward,
+            true_turn=true_turn,
             rolls=_rows([[1.0, float(drive.steering is None), 0.0] for drive in drives]),
             yields=_flags([drive.force_n < drive.grip_n for drive in drives]),
             roll_out_mps2=np.array([drive.roll_out_mps2 for drive in drives]),
@@ -107,8 +115,9 @@ class Drives:
             give_up_s=np.array([drive.give_up_s for drive in drives]),
             waits_forever=_flags([drive.waits_forever for drive in drives]),
             synchro=_flags([drive.steering is not None for drive in drives]),
-            turret=_flags([drive.turret is not None for drive in drives]),
-            turrets=any(drive.turret is not None for drive in drives),
+            turret=turret,
+            turrets=bool(turret.any()),
+            table=np.column_stack([turn, forward, true_turn, true_forward, count, turret]),
         )
 
 

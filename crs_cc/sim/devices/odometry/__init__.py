@@ -15,23 +15,24 @@ Encoders count in steps: the motion of an axis is reported as a whole number of 
 interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry assumes nominal wheels;
 `drive.rolling` has their errors.
 
->>> quarter = np.array([math.pi / 2]), np.array([math.pi / 2])    # along a circle of radius 1
+>>> quarter = np.array([np.pi / 2]), np.array([np.pi / 2])    # along a circle of radius 1
 >>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), *quarter)]
 [1.0, 1.0]
 """
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
-from crs_cc.sim.devices.drive.constants import weighted
-from crs_cc.sim.kernels.program import kernels
-from crs_cc.sim.state.rows import take
+from crs_cc.sim.devices.drive.constants import DRIVE_SIZE
+from crs_cc.sim.kernels.program import COUNTS, ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.state.odometry import OdometryState
+from crs_cc.sim.state.rows import Rows, parts, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -39,7 +40,9 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
 
-_TURN: Final = 2 * math.pi
+COLUMNS: Final = 10
+"""Numbers of a robot in the columns of odometry."""
+
 _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
@@ -63,29 +66,27 @@ def count_turns(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
 ) -> None:
     """Add the axes' motion since the last call to the odometry, in encoder counts."""
-    way = _counted(state, constants, rows, way)
-    heading_rad = state.odometry.heading_rad[rows]
-    turn_rad = weighted(way, take(constants.drives.turn, rows))
-    x_m, y_m = arc(heading_rad, weighted(way, take(constants.drives.forward, rows)), turn_rad)
-    state.odometry.x_m[rows] += x_m
-    state.odometry.y_m[rows] += y_m
-    state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
-    if constants.drives.turrets:
-        turret_rad = state.odometry.turret_rad[rows] + np.where(
-            constants.drives.turret[rows], way[:, 2], 0.0
-        )
-        state.odometry.turret_rad[rows] = turret_rad % _TURN
+    for some, part in parts(rows, len(way), ROBOTS_AT_ONCE):
+        k = part.stop - part.start
+        table = take(constants.drives.table, some)
+        found = kernels().columns(COUNTS, k, [table, *columns(state.odometry, some), way[part]])
+        note(state.odometry, some, found[DRIVE_SIZE * k :].reshape(-1), k)
 
 
-def _counted(
-    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, way: FloatArray
-) -> FloatArray:
-    """Return the motion in whole counts; the remainder counts later."""
-    shaft, count = take(state.odometry.shaft, rows) + way, take(constants.drives.count, rows)
-    reported = np.rint(shaft / count) * count
-    whole = reported - take(state.odometry.told, rows)
-    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, reported
-    return np.asarray(whole)
+def columns(odometry: OdometryState, rows: Rows) -> list[FloatArray]:
+    """Return the columns of some robots that kernels change, see `kernels/drive.c`."""
+    pose = odometry.x_m, odometry.y_m, odometry.heading_rad, odometry.turret_rad
+    return [take(column, rows) for column in (odometry.shaft, odometry.told, *pose)]
+
+
+def note(odometry: OdometryState, rows: Rows, found: FloatArray, count: int) -> None:
+    """Set the odometry of robots from the columns that a kernel has changed."""
+    shafts, poses = found[: 6 * count].reshape(2, count, AXES), found[6 * count : COLUMNS * count]
+    odometry.shaft[rows], odometry.told[rows] = shafts
+    odometry.x_m[rows], odometry.y_m[rows], odometry.heading_rad[rows], turret_rad = poses.reshape(
+        4, count
+    )
+    odometry.turret_rad[rows] = turret_rad
 
 
 def dp(context: RequestContext) -> None:

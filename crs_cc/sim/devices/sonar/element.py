@@ -63,13 +63,7 @@ def _sonar(element: Element, reader: Reader) -> Sonar:
 
 
 def _board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
-    """Return the properties common to the sonars of a definition.
-
-    Args:
-        element: the element with the attributes.
-        of: the sonars.
-        reader: receives the errors.
-    """
+    """Return the properties common to the sonars of a definition."""
     least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
     if least_s < _SHORTEST_S:
         reader.refuse(element, "least-interval: must be 1ms or more")

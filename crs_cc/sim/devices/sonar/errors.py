@@ -60,12 +60,7 @@ class SonarErrors:
         self._noise = Noise(seed, stream, _DEVIATES, len(modes)) if random else None
 
     def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
-        """Return the deviates of one firing of each robot, shape (k, 3).
-
-        Args:
-            rows: the robots, k of them.
-            numbers: the number of each firing.
-        """
+        """Return the deviates of one firing of each robot, shape (k, 3)."""
         if self._noise is None:
             return np.zeros((len(rows), _DEVIATES))
         return np.asarray(self._noise.rows(rows, numbers))

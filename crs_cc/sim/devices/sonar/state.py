@@ -12,6 +12,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.units import m_to_inch
 from crs_cc.sim.devices.sonar.model import MAX_SONARS, NONE, Sonars
 from crs_cc.sim.state.last_measurement import CONFIGURATION
+from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
@@ -93,7 +94,7 @@ class SonarState:
 
     def reading_in(self, rows: IndexArray) -> Int32Array:
         """Return the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
-        return inches(self.echo_m[rows])
+        return inches(take(self.echo_m, rows))
 
     def hear(self, rows: IndexArray, to_s: FloatArray) -> None:
         """Record the echoes and timeouts up to a time of each robot."""
@@ -128,4 +129,5 @@ def sonar_state(state: EnvState) -> SonarState:
 
 def inches(distance_m: FloatArray) -> Int32Array:
     """Return distances as sonars report them: whole inches, 0 to `NO_ECHO`."""
-    return np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO).astype(np.int32)
+    whole = np.rint(m_to_inch(distance_m))
+    return np.minimum(np.maximum(whole, 0), NO_ECHO).astype(np.int32)  # faster than `clip`

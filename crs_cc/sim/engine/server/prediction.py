@@ -28,13 +28,7 @@ if TYPE_CHECKING:
 
 
 def predict(context: RequestContext, *, sonars: SonarRing, sensor_board: SensorBoard) -> None:
-    """Answer PREDICT; the state stores what lasers would see.
-
-    Args:
-        context: the requests.
-        sonars: the sonars of all robots.
-        sensor_board: their other sensors.
-    """
+    """Answer PREDICT; the state stores what lasers would see."""
     state, constants, rays = context.state, context.constants, context.rays
     rows, wanted = context.rows, context.columns("x", "y", "heading", "turret")
     poses = _mounts(state, constants, rows, wanted.astype(np.float64))

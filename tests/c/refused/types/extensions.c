@@ -2,7 +2,7 @@
 struct flexible { int n; short v[]; };
 union number { int i; double d; };
 
-_Complex double z; // error: type '_Complex' is not supported
+_Complex int z; // error: '_Complex int' is not supported
 __int128 large; // error: type '__int128' is not supported
 
 int main(void)

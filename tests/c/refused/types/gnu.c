@@ -15,7 +15,8 @@ int main(void)
 
     goto *s; // error: assigning to 'const void *' from incompatible type 'struct s'
     __builtin_frame_address(0); // error: '__builtin_frame_address' is not supported
-    __sync_fetch_and_add(&o, 1); // error: '__sync_fetch_and_add' is not supported: a program has one
+    __sync_fetch_and_add(o, 1); // error: address argument to atomic builtin must be a pointer ('int' given)
+    __sync_add(&o, 1); // error: '__sync_add' is not a known atomic builtin
     __builtin_choose_expr(o, 1, 2); // error: is not an integer constant expression
     switch (o) {
     case 1 ... 5:

@@ -1,0 +1,72 @@
+"""The tables of a recorded run as Parquet or Arrow files, by pyarrow, which is an extra."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, Literal
+
+import click
+
+from crs_cc.cli.tables import tables
+
+if TYPE_CHECKING:
+    from crs_cc.recording.recording import Recording
+
+Form = Literal["parquet", "arrow"]
+
+ROWS: Final = 50_000
+"""In memory at a time."""
+
+
+def write_columnar(recording: Recording, folder: Path, form: Form) -> None:
+    """Write the tables of `crs replay --csv` in another form.
+
+    Raises:
+        click.UsageError: pyarrow is not installed.
+        RecordingError: the recording is not valid.
+        OSError: a file cannot be written.
+    """
+    try:
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+    except ImportError:
+        text = f"--{form} needs pyarrow: pip install 'crs_cc[arrow]'."
+        raise click.UsageError(text) from None
+    for name, heading, rows in tables(recording):
+        schema: Any = pa.schema([(title, _type(title)) for title in heading])
+        path = folder / f"{name}.{form}"
+        if form == "parquet":
+            writer: Any = pq.ParquetWriter(path, schema, compression="zstd")
+        else:
+            writer = pa.ipc.new_file(str(path), schema)
+        with writer:
+            source = iter(rows)
+            while batch := list(itertools.islice(source, ROWS)):
+                writer.write_table(_table(schema, batch))
+
+
+def _table(schema: Any, batch: Sequence[Sequence[Any]]) -> Any:
+    import pyarrow as pa
+
+    columns = [
+        pa.array([_cell(cell, field.type) for cell in column], field.type)
+        for column, field in zip(zip(*batch, strict=True), schema, strict=True)
+    ]
+    return pa.Table.from_arrays(columns, schema=schema)
+
+
+def _type(title: str) -> str:
+    """Return the type of a column: what has a unit is a number.
+
+    >>> _type("x [m]"), _type("robot")
+    ('double', 'string')
+    """
+    return "double" if "[" in title or title == "laser mode" else "string"
+
+
+def _cell(cell: Any, kind: Any) -> Any:
+    if str(kind) == "string":
+        return str(cell)
+    return float(cell) if isinstance(cell, int | float) else None

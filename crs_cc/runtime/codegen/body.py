@@ -1,0 +1,42 @@
+"""A small function as it is inlined, see `small_functions`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.ir.definite_assignment import Assignments
+from crs_cc.ir.instruction import Block
+from crs_cc.ir.program import Function, Parameter
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
+from crs_cc.runtime.codegen.registers import Registers
+from crs_cc.runtime.codegen.scalar_replacement import Member
+
+
+@dataclass(slots=True)
+class Body:
+    """A function that can be inlined, analysed.
+
+    Attributes:
+        function: the function, without slots and calls.
+        fuel: the fuel of each block.
+        members: for each parameter that is a struct, its members that are used.
+        registers: its registers by lifetime.
+        assigned: which of its registers may be uninitialised: none.
+        deferred: its loads whose checks are deferred.
+        can_fail: whether it has a check that can fail.
+        has_effects: whether it changes memory.
+    """
+
+    function: Function
+    fuel: dict[Block, int]
+    members: dict[Parameter, list[Member]]
+    registers: Registers
+    assigned: Assignments
+    deferred: DeferredChecks
+    can_fail: bool = False
+    has_effects: bool = False
+
+    @property
+    def charge(self) -> int:
+        """The charge of the frame for its locals, see `registers` [bytes]."""
+        return self.registers.charge + self.deferred.charge
