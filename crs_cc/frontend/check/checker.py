@@ -107,6 +107,8 @@ class FunctionState:
         shared: the variables that functions inside it use.
         visible: the variables of functions around it that it can use.
         captured: those that it uses, each with the local variable for its address.
+        landings: for each label that functions inside it jump to, the buffer of `setjmp`, and the
+            `goto` that follows it.
         thunks: the static objects for pointers to each function inside it.
     """
 
@@ -132,6 +134,7 @@ class FunctionState:
     shared: list[ObjectSymbol] = field(default_factory=list)
     visible: set[ObjectSymbol] = field(default_factory=set)
     captured: dict[ObjectSymbol, ObjectSymbol] = field(default_factory=dict)
+    landings: dict[str, tuple[ObjectSymbol, tree.Goto]] = field(default_factory=dict)
     thunks: dict[FunctionSymbol, tuple[ObjectSymbol, ObjectSymbol]] = field(default_factory=dict)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
@@ -43,7 +45,7 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-_PREDEFINED = {"bool": BOOL, "nullptr_t": NULLPTR}
+_PREDEFINED: Final[dict[str, CType]] = {"bool": BOOL, "nullptr_t": NULLPTR}
 _IMAGINARY = frozenset("ijIJ")
 _FUNCTION_NAMES = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"}
 
@@ -102,13 +104,13 @@ def constant(unit: Unit, node: Node) -> Expression:
             length = len(content) // element.size
             return tree.StringLiteral(ArrayType(element, length), location, content)
         if node.type in _PREDEFINED:
-            return tree.Literal(_PREDEFINED[node.type], location, node.value == "true")
+            return tree.Literal(_PREDEFINED[node.type], location, int(node.value == "true"))
         if node.type == "char":
-            value, ctype = literal.character(node.value)
-        elif not _IMAGINARY.isdisjoint(node.value):
+            code, of_characters = literal.character(node.value)
+            return tree.Literal(of_characters, location, code)
+        if not _IMAGINARY.isdisjoint(node.value):
             return _imaginary(node.value, location)
-        else:
-            value, ctype = literal.number(node.value, is_c90(unit.standard))
+        value, ctype = literal.number(node.value, is_c90(unit.standard))
     except ValueError as problem:
         raise CheckError(location, str(problem)) from None
     return tree.Literal(ctype, location, value)

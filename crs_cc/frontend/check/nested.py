@@ -21,6 +21,7 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree, vla
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit
 from crs_cc.frontend.check.conversion import convert, decay, is_scalar
+from crs_cc.frontend.check.escape import landings
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.tree import Expression, Initialiser, InitialValue
 from crs_cc.frontend.check.type_compat import compatible
@@ -114,6 +115,7 @@ def enclose(unit: Unit, definition: tree.FunctionDefinition, state: FunctionStat
     begin = [*_taking(state, location), *filled]
     if begin:
         body.insert(0, tree.ExpressionStatement(location, vla.after(begin[:-1], begin[-1])))
+    body[:0] = landings(state, location)
     body[:0] = [tree.Declare(location, each, None) for each in state.captured.values()]
 
 
@@ -297,8 +299,8 @@ class _Rewriting:
         for index in range(THUNKS):
             thunk = _thunk(unit, symbol, chains, index)
             unit.functions.append(thunk)
-            name = tree.FunctionName(symbol.type, location, thunk.symbol)
-            pointer = tree.AddressOf(_ADDRESS, location, name)
+            called = tree.FunctionName(symbol.type, location, thunk.symbol)
+            pointer = tree.AddressOf(_ADDRESS, location, called)
             values.append(InitialValue(index * _ADDRESS.size, _ADDRESS, pointer))
         unit.objects.append(tree.ObjectDefinition(chains, None))
         filled = Initialiser(values, is_braced=True)

@@ -30,6 +30,7 @@ from crs_cc.frontend.check.conversion import (
     is_scalar,
     promote,
 )
+from crs_cc.frontend.check.escape import escape
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import ObjectSymbol
@@ -297,10 +298,9 @@ def check_labels(unit: Unit) -> None:
             unit.error(location, f"use of undeclared label '{name}'")
     for each, automatics in state.gotos:
         if each.name not in state.labels:
-            hint = ""
-            if state.outer is not None:
-                hint = "a nested function cannot jump out of itself: return a value, or use setjmp"
-            unit.error(each.location, f"use of undeclared label '{each.name}'", hint)
+            each.escape = escape(state, each)
+            if each.escape is None:
+                unit.error(each.location, f"use of undeclared label '{each.name}'")
             continue
         there = state.labels[each.name][1]
         each.release = vla.jump(unit, "'goto'", each.location, automatics, there)

@@ -339,11 +339,17 @@ class Label:
 
 @dataclass(slots=True, eq=False)
 class Goto:
-    """`goto`; `release` frees the memory of arrays whose scope it leaves."""
+    """`goto`.
+
+    Attributes:
+        release: frees the memory of arrays whose scope it leaves.
+        escape: for a label of a function around this one, the jump there.
+    """
 
     location: Location
     name: str
     release: Expression | None = None
+    escape: Expression | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -133,6 +133,9 @@ def _label(low: Lowering, statement: tree.Label) -> None:
 
 def _goto(low: Lowering, statement: tree.Goto) -> None:
     low.mark(statement.location)
+    if statement.escape is not None:
+        effect(low, statement.escape)
+        return
     _release(low, statement.release)
     low.leave_scopes(0, statement.location)
     low.end(Jump(statement.location, _label_block(low, statement.name)))

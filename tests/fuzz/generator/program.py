@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from tests.fuzz.generator import calls, general, memory, records, texts
+from tests.fuzz.generator import calls, general, gnu, memory, records, texts
 from tests.fuzz.generator.expressions import PRELUDE, Function
 from tests.fuzz.generator.source import Source
 
@@ -35,6 +35,13 @@ TOPICS: dict[str, Topic] = {
     "sorting": memory.sorting,
     "lists": memory.lists,
     "variable_arrays": memory.variable_arrays,
+    "nested_statements": gnu.nested_statements,
+    "atomics": gnu.atomics,
+    "complex_numbers": gnu.complex_numbers,
+    "inline_functions": gnu.inline_functions,
+    "bit_fields_by_value": gnu.bit_fields_by_value,
+    "constant_tables": gnu.constant_tables,
+    "nested_functions": gnu.nested_functions,
 }
 
 

@@ -2,7 +2,6 @@
 #include <stdarg.h>
 int search(int n)
 {
-    __label__ found;
     void look(int i)
     {
         if (i * i == n)
