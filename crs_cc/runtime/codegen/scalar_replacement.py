@@ -241,6 +241,18 @@ def _held_everywhere(function: Function, kept: Container[Slot]) -> dict[Register
     return held
 
 
+def _check_lifetime(
+    it: Instruction, holding: Mapping[Register, _Place], ended: set[Register]
+) -> None:
+    """Refuse the use of an address whose object has ended, which is an error to be found."""
+    if isinstance(it, Lifetime) and not it.begins:
+        ended.update(each for each, (slot, _) in holding.items() if slot is it.slot)
+    used = [it.target] if isinstance(it, Readable | Writable) else reads(it)
+    for register in used:
+        if register in ended and register in holding:
+            raise NotReplaceableError(holding[register][0])
+
+
 class _Replacement:
     """Replaces the slots of one function."""
 
@@ -317,11 +329,14 @@ class _Replacement:
     def _look(self, block: Block, alive: int) -> None:
         """Collect the uses of slots in a block, and which registers hold their addresses."""
         holding = dict(self.held)
+        ended: set[Register] = set()
         for it in all_instructions(block):
+            _check_lifetime(it, holding, ended)
             self._use(it, holding)
             target = writes(it)
             if target is not None and target not in self.held:
                 holding.pop(target, None)
+                ended.discard(target)
                 if isinstance(it, Address) and isinstance(it.base, Slot):
                     if it.base in self.kept:
                         continue

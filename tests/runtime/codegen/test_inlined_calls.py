@@ -142,6 +142,11 @@ def test_a_known_address_cannot_fail_again() -> None:
     assert inlined(f"{text} void f(int *a) {{ swap(a, a + 1); }}") == ["swap"]
 
 
+def test_a_use_of_a_variable_that_has_ended_is_not_replaced_by_a_register() -> None:
+    body = "int *p; { int inner = 3; p = &inner; } return *p;"
+    assert inlined(f"int f(void) {{ {body} }} int g(void) {{ return f(); }}") == []
+
+
 @pytest.mark.parametrize(
     "body",
     [
