@@ -22,6 +22,7 @@ class DebugOptions(ProgramOptions):
         record: the file to which the run is recorded when the debugger ends.
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded.
+        foxglove: add messages by Foxglove's schemas.
         at_s: the time to go to first, in a recording [s].
         dap: serve an editor instead: `stdio` or a port number.
     """
@@ -36,3 +37,4 @@ class DebugOptions(ProgramOptions):
     record: Path | None = None
     record_every_s: float = 0.05
     record_sensors: Sensors = "read"
+    foxglove: bool = False

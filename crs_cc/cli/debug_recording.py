@@ -38,6 +38,7 @@ def debug_recording(options: DebugOptions) -> int:
                 record=options.record,
                 record_every_s=options.record_every_s,
                 record_sensors=options.record_sensors,
+                foxglove=options.foxglove,
             )
             return debug_programs(wanted, check)
     finally:

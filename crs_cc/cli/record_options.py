@@ -39,6 +39,10 @@ _OPTIONS: Final = (
         show_default=True,
         help="Record no sensor readings, those that programs read, or all of every frame.",
     ),
+    click.option(
+        "--foxglove", is_flag=True,
+        help="Also record scenes and logs in the form that Foxglove shows.",
+    ),
 )  # fmt: skip
 
 

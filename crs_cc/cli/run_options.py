@@ -28,6 +28,7 @@ class RunOptions(ProgramOptions):
         speed: the highest multiple of real time; infinite for as fast as possible.
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
+        foxglove: add messages by Foxglove's schemas.
         summary: show the summary; None to decide by whether stderr is a terminal.
     """
 
@@ -44,3 +45,4 @@ class RunOptions(ProgramOptions):
     tables: Path | None = None
     speed: float = math.inf
     record_sensors: Sensors = "read"
+    foxglove: bool = False

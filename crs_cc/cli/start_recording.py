@@ -44,7 +44,9 @@ def start_recording(
     description = _description(options, tree, loaded, seed, max_time_s)
     frame_s = max(options.record_every_s, loaded.world.timestep_s)
     description = replace(description, frame_s=frame_s)
-    wanted = RecorderOptions(options.record_every_s, options.record_sensors)
+    wanted = RecorderOptions(
+        options.record_every_s, options.record_sensors, foxglove=options.foxglove
+    )
     return Recorder(options.record, wanted, description.metadata(), attachments)
 
 

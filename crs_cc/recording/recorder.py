@@ -27,6 +27,7 @@ from crs_cc.recording.step_events import events_of, readings_of, traffic_of
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import BoolArray, FloatArray
+    from crs_cc.recording.foxglove.messages import FoxgloveView
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
@@ -51,10 +52,12 @@ class RecorderOptions:
     Attributes:
         every_s: simulated time between two frames, at least a timestep.
         sensors: `State` vectors: `none`, those that programs `read`, or `all`, with each frame.
+        foxglove: whether messages by Foxglove's schemas are added.
     """
 
     every_s: float = 0.05
     sensors: Sensors = "read"
+    foxglove: bool = False
 
 
 class Recorder:
@@ -97,6 +100,7 @@ class Recorder:
         self._frames: list[RawFrame] = []
         self._odometry: list[tuple[int, FloatArray]] = []
         self._output_crc = 0
+        self._foxglove: FoxgloveView | None = None
         self._rosters = 0
         self._moved = True  # since the last frame
         self._stride = 1
@@ -110,6 +114,10 @@ class Recorder:
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.copy()
         self._is_debug_build = len(session.fleet) > 0 and session.fleet.executable(0).has_marks
+        if self._options.foxglove:
+            from crs_cc.recording.foxglove.messages import FoxgloveView
+
+            self._foxglove = FoxgloveView(session.environment.world)
         self._names: tuple[str, ...] = ()
         self._note_roster()
         self._add_frame()
@@ -143,7 +151,13 @@ class Recorder:
             return
         self._output_crc = zlib.crc32(content, self._output_crc)
         data = {"robot": robot, "stream": stream, **as_fields(content)}
-        self._add_json(topics.OUTPUT, self._now_ns(robot), data)
+        time_ns = self._now_ns(robot)
+        self._add_json(topics.OUTPUT, time_ns, data)
+        if self._foxglove is not None:
+            from crs_cc.recording.foxglove.messages import LOG, log_message
+
+            name = self._robot_ids[robot]
+            self._writer.add(LOG, time_ns, log_message(time_ns, name, stream, content))
 
     def read(self, robot: int, content: bytes) -> None:
         """Record a piece of a program's standard input."""
@@ -200,9 +214,14 @@ class Recorder:
     def _flush(self) -> None:
         """Encode and write what has been gathered."""
         if self._frames:
-            messages = encode(_block(self._frames))
-            for time_ns, data in zip(self._times_ns, messages, strict=True):
+            block = _block(self._frames)
+            for time_ns, data in zip(self._times_ns, encode(block), strict=True):
                 self._writer.add(topics.FRAME, time_ns, data)
+            if self._foxglove is not None:
+                names = self._robot_ids, self._object_names
+                for time_ns, values in zip(self._times_ns, block, strict=True):
+                    channel, data = self._foxglove.frame(time_ns, values, *names)
+                    self._writer.add(channel, time_ns, data)
         self._add_readings()
         if self._odometry:
             believed = encode(np.array([each for _, each in self._odometry]))
@@ -293,11 +312,13 @@ class Recorder:
         self._names = environment.names
         robots = environment.world.robots
         self._has_turret = any("turret" in robot.model.drive.axis_names for robot in robots)
+        self._robot_ids = [robot.id for robot in robots]
+        self._object_names = list(environment.pushables)
         self._rosters += 1
         values = {
             "time_ns": str(_ns(environment.time_s)),
-            "robots": json.dumps([robot.id for robot in robots]),
-            "objects": json.dumps(list(environment.pushables)),
+            "robots": json.dumps(self._robot_ids),
+            "objects": json.dumps(self._object_names),
             "columns": "x y heading turret" if self._has_turret else "x y heading",
         }
         self._try(lambda: self._writer.metadata(f"{topics.ROSTER}{self._rosters}", values))

@@ -1,0 +1,4 @@
+"""What Foxglove and its kind show of a recording by themselves: scenes, point clouds, logs.
+
+The schemas here are those of npm's @foxglove/schemas 2.1.0 (MIT), unchanged.
+"""
