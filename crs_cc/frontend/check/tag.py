@@ -111,7 +111,8 @@ def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     if not is_complete(ctype) and not is_flexible:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
     if is_variably_modified(ctype):
-        raise CheckError(location, f"member '{node.name}' must have a constant size")
+        text = f"member '{node.name}' must have a constant size"
+        raise CheckError(location, text, "declare the array by itself, and keep a pointer to it")
     natural = natural_alignment(unit, node)
     packed = in_packed or is_packed(node)
     member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)

@@ -19,7 +19,6 @@ REFUSED: Final[dict[type, str]] = {
     c_ast.AttributedStatement: "attributes in [[...]] are not supported",
     c_ast.AttributedType: "attributes in [[...]] are not supported",
     c_ast.BitIntType: "'_BitInt' is not supported",
-    c_ast.InferredType: "type inference with 'auto' is not supported",
 }
 """Node classes of C23, and the errors for them."""
 
@@ -36,6 +35,7 @@ PARTS: Final[dict[type, str]] = {
     c_ast.FuncDecl: "declarator.declared_type",
     c_ast.GenericAssociation: "expressions.generic",
     c_ast.IdentifierType: "declarator.declared_type",
+    c_ast.InferredType: "declaration.declared_or_broken",
     c_ast.InitList: "initializer.initialise",
     c_ast.NamedInitializer: "initializer.initialise",
     c_ast.ParamList: "declarator.declared_type",
