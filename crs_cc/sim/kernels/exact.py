@@ -76,6 +76,7 @@ log: Final = _Unary(9)
 power: Final = _Binary(10)
 _TURN: Final = 11
 _PRODUCT: Final = 12
+_NORMAL_PAIRS: Final = 14
 
 
 @overload
@@ -143,6 +144,14 @@ def product(a: ComplexArray | complex, b: ComplexArray | complex) -> ComplexArra
         return complex(real, imag)
     first, second = np.asarray(a, np.complex128), np.asarray(b, np.complex128)
     return _evaluate(_PRODUCT, first, second, is_complex=True)
+
+
+def normal_pairs(a: FloatArray, b: FloatArray) -> ComplexArray:
+    """Return pairs of standard normal deviates, as complex numbers, from uniform ones below 1.
+
+    G. E. P. Box, M. E. Muller, "A note on the generation of random normal deviates", 1958.
+    """
+    return _evaluate(_NORMAL_PAIRS, a, b, is_complex=True)
 
 
 def _evaluate(number: int, a: _Values, b: _Values | None, *, is_complex: bool) -> _Values:

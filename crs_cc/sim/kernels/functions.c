@@ -49,6 +49,19 @@ static void arcs(int count, double *heading, double *way, const double *turn)
         __crs_arc(heading[i], way[i], turn[i], &heading[i], &way[i]);
 }
 
+static void normal_pairs(int count, const double *a, const double *b, double *out)
+{
+    int i;
+
+    for (i = 0; i < count; i++) {
+        double away = __builtin_sqrt(-2 * log(1 - a[i]));       /* 1 - a is never 0 */
+        double angle = 2 * M_PI * b[i];
+
+        out[2 * i] = away * cos(angle);
+        out[2 * i + 1] = away * sin(angle);
+    }
+}
+
 void __crs_apply(int function, int count, double *a, double *b, double *out)
 {
     int i;
@@ -68,5 +81,6 @@ void __crs_apply(int function, int count, double *a, double *b, double *out)
     case 11: turns(count, a, out); break;
     case 12: products(count, a, b, out); break;
     case 13: arcs(count, a, b, out); break;
+    case 14: normal_pairs(count, a, b, out); break;
     }
 }

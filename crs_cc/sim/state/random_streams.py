@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -31,6 +31,8 @@ ROLLING: Final = 4
 MESSAGES: Final = 20
 DEGRADATION: Final = 100
 """Keys of the sensors."""
+
+_Generators: TypeAlias = "Sequence[np.random.Generator]"
 
 _BLOCK_ROWS: Final = 64  # few enough to be generated quickly, many enough to be so rarely
 _MAX_BLOCK_SIZE: Final = 4096  # deviates; one block is held for each stream
@@ -44,7 +46,7 @@ class _BlockCache:
         seed: int,
         keys: Sequence[tuple[int, ...]],
         row_shape: tuple[int, ...],
-        fill: Callable[[np.random.Generator, FloatArray], None],
+        draw: Callable[[_Generators, tuple[int, ...]], FloatArray],
     ) -> None:
         """Set up the streams; blocks are generated when they are asked for.
 
@@ -52,9 +54,9 @@ class _BlockCache:
             seed: the random seed.
             keys: the key of each stream.
             row_shape: shape of a row; its last dimension bounds the number of rows in a block.
-            fill: fills a block, of shape (rows, *row_shape), from a generator.
+            draw: returns blocks of a shape, (rows, *row_shape), one from each generator.
         """
-        self._seed, self._keys, self._fill = seed, tuple(keys), fill
+        self._seed, self._keys, self._draw = seed, tuple(keys), draw
         self._rows = min(_BLOCK_ROWS, max(1, _MAX_BLOCK_SIZE // row_shape[-1]))
         self._blocks = np.zeros((len(self._keys), self._rows, *row_shape))
         self._held = np.full(len(self._keys), -1, dtype=np.int64)  # the block of each stream
@@ -63,17 +65,25 @@ class _BlockCache:
         """Return row `numbers[i]` of stream `streams[i]`, shape (k, *row_shape)."""
         blocks, places = numbers // self._rows, numbers % self._rows
         found = self._blocks[streams, places]
-        for miss in np.flatnonzero(self._held[streams] != blocks):
-            stream, block = int(streams[miss]), int(blocks[miss])
-            if self._held[stream] != block:  # else an earlier row of this call needed it
-                self._generate(stream, block)
-            found[miss] = self._blocks[stream, places[miss]]
+        missed = np.flatnonzero(self._held[streams] != blocks)
+        while len(missed):
+            _, first = np.unique(streams[missed], return_index=True)
+            self._generate(streams[missed[first]], blocks[missed[first]])
+            got = self._held[streams[missed]] == blocks[missed]
+            found[missed[got]] = self._blocks[streams[missed[got]], places[missed[got]]]
+            missed = missed[~got]
         return np.asarray(found)
 
-    def _generate(self, stream: int, block: int) -> None:
-        seeds = np.random.SeedSequence(self._seed, spawn_key=(*self._keys[stream], block))
-        self._fill(np.random.Generator(np.random.PCG64(seeds)), self._blocks[stream])
-        self._held[stream] = block
+    def _generate(self, streams: Int64Array, blocks: Int64Array) -> None:
+        """Generate a block of each of some streams."""
+        keys = [
+            (*self._keys[stream], block)
+            for stream, block in zip(streams.tolist(), blocks.tolist(), strict=True)
+        ]
+        seeds = (np.random.SeedSequence(self._seed, spawn_key=key) for key in keys)
+        generators = [np.random.Generator(np.random.PCG64(seed)) for seed in seeds]
+        self._blocks[streams] = self._draw(generators, self._blocks.shape[1:])
+        self._held[streams] = blocks
 
 
 class Noise:
@@ -81,7 +91,7 @@ class Noise:
 
     def __init__(self, seed: int, sensor: int, width: int, robots: int) -> None:
         keys = [(robot, sensor) for robot in range(robots)]
-        self._cache = _BlockCache(seed, keys, (width,), _fill_normal)
+        self._cache = _BlockCache(seed, keys, (width,), _normal)
 
     def rows(self, robots: Int64Array, numbers: Int64Array) -> FloatArray:
         """Return row `numbers[i]` of the stream of robot `robots[i]`, shape (k, width)."""
@@ -109,7 +119,7 @@ class NormalUniformStreams:
             draws: whether any are needed; otherwise all are 0 and 1.
         """
         self._width = width
-        self._cache = _BlockCache(seed, keys, (2, width), _fill_both) if draws else None
+        self._cache = _BlockCache(seed, keys, (2, width), _both) if draws else None
 
     def rows(self, streams: Int64Array, numbers: Int64Array) -> tuple[FloatArray, FloatArray]:
         """Return row `numbers[i]` of stream `streams[i]`, normal and uniform, each (k, width)."""
@@ -119,20 +129,19 @@ class NormalUniformStreams:
         return rows[:, 0], rows[:, 1]
 
 
-def _fill_normal(generator: np.random.Generator, block: FloatArray) -> None:
-    block[...] = _normal(generator, block.shape)
+def _both(generators: _Generators, shape: tuple[int, ...]) -> FloatArray:
+    """Return a row of normal and one of uniform deviates, by turns."""
+    rows, _, width = shape
+    uniform = np.empty((len(generators), rows, width))
+    normal = _normal(generators, (rows, width))
+    for block, generator in zip(uniform, generators, strict=True):
+        block[...] = generator.random((rows, width))
+    return np.stack([normal, uniform], axis=2)
 
 
-def _fill_both(generator: np.random.Generator, block: FloatArray) -> None:
-    rows, _, width = block.shape
-    block[:, 0] = _normal(generator, (rows, width))
-    block[:, 1] = generator.random((rows, width))
-
-
-def _normal(generator: np.random.Generator, shape: tuple[int, ...]) -> FloatArray:
+def _normal(generators: _Generators, shape: tuple[int, ...]) -> FloatArray:
     """Return standard normal deviates."""
     count = math.prod(shape)
-    uniform = generator.random((2, (count + 1) // 2))
-    away = np.sqrt(-2.0 * exact.log(1.0 - uniform[0]))  # 1 - u is never 0
-    turns = exact.turn(2 * math.pi * uniform[1])
-    return np.concatenate([away * turns.real, away * turns.imag])[:count].reshape(shape)
+    uniform = np.stack([each.random((2, (count + 1) // 2)) for each in generators], axis=1)
+    pairs = exact.normal_pairs(uniform[0], uniform[1])
+    return np.concatenate([pairs.real, pairs.imag], axis=1)[:, :count].reshape(-1, *shape)

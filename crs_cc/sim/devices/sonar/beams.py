@@ -43,6 +43,7 @@ class Beams:
 
     Attributes:
         start_m: largest distance of a sonar from its robot's centre.
+        reach_m: largest distance from the centre at which a ping can be heard.
     """
 
     def __init__(self, models: Sequence[RobotModel]) -> None:
@@ -68,6 +69,7 @@ class Beams:
                 self._z_m[place] = sonar.z_m
         self.start_m = float(exact.magnitude(self._offset).max(initial=0.0))
         boards = [mode.board for mode in kinds]
+        self.reach_m = self.start_m + float(self._range_m.max(initial=0.0))
         lobes = [board.lobe_rad for board in boards]
         self._falloff = np.array([1 / (lobe * lobe) if lobe else 0.0 for lobe in lobes])
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
@@ -127,28 +129,31 @@ def overheard(
         to_s: the time at which the robots stop listening.
     """
     sonar, start = sonar_state(state), pings.start[listeners]
-    reach_m = beams.start_m + float(pings.range_m.max(initial=0.0))
-    cells = CellList(state.x_m, state.y_m, max(reach_m, _NEAR_M))
+    cells = CellList(state.x_m, state.y_m, max(beams.reach_m, _NEAR_M))
     listener, other = cells.near(start.real, start.imag)
     fires = (sonar.length[other] > 0) & (pings.own[listeners[listener]] != other)
     fires &= state.presence.present[other]
     listener, other = listener[fires], other[fires]
+    way_m = exact.magnitude(state.x_m[other] + 1j * state.y_m[other] - start[listener])
+    near = np.flatnonzero(way_m <= beams.reach_m)
+    listener, other, way_m = listener[near], other[near], way_m[near]
     # At most one ping of another robot arrives: its board fires again only later than sound from
     # the end of the range takes to arrive.
-    way_m = exact.magnitude(state.x_m[other] + 1j * state.y_m[other] - start[listener])
     round_s = sonar.interval_s[other]
     since_s = from_s[listener] - way_m / SOUND_MPS - sonar.start_s[other]
     turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
     number = sonar.order[other, turn % sonar.length[other]]
     place = state.x_m[other] + 1j * state.y_m[other]
-    turn_there = exact.turn(state.mount_rad[other])
+    turn_there = exact.turn(state.mount_rad)[other]
     theirs = beams.pings(other, number, place, turn_there, sonar.mode[other])
     seen = theirs.local(np.arange(len(other)), start[listener])
     way_m = exact.magnitude(seen)
     come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
     told_m = (come_s - from_s[listener]) * SOUND_MPS / 2
-    heard = (np.abs(exact.angle(seen)) <= theirs.half_rad) & (told_m >= 0.0)
-    heard &= way_m <= theirs.reach_m(np.arange(len(other)), exact.angle(seen))
-    heard &= come_s <= to_s[listener]
+    heard = (seen.real > 0.0) & (way_m <= theirs.range_m)  # most are not
+    heard = np.flatnonzero(heard & (told_m >= 0.0) & (come_s <= to_s[listener]))
+    angle_rad = exact.angle(seen[heard])
+    in_beam = np.abs(angle_rad) <= theirs.half_rad[heard]
+    heard = heard[in_beam & (way_m[heard] <= theirs.reach_m(heard, angle_rad))]
     ping = listeners[listener[heard]]
     return Points(ping, pings.local(ping, theirs.start[heard]), told_m[heard], np.ones(len(ping)))
