@@ -51,5 +51,7 @@ def mount_rad(
         turret_rad: direction of its turret, ignored where there is none, shape (k,).
     """
     drives = constants.drives
+    if not (drives.synchros or drives.turrets):
+        return facing_rad
     base_rad = np.where(drives.synchro[rows], state.base_rad[rows], facing_rad)
     return np.where(drives.turret[rows], turret_rad, base_rad)

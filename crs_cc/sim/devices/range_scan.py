@@ -44,6 +44,9 @@ def alike(kinds: IndexArray) -> Iterator[tuple[int, IndexArray]]:
     >>> [(kind, places.tolist()) for kind, places in alike(np.array([5, 2, 5]))]
     [(2, [1]), (5, [0, 2])]
     """
+    if len(kinds) and (kinds == kinds[0]).all():
+        yield int(kinds[0]), np.arange(len(kinds))
+        return
     for kind in np.unique(kinds).tolist():
         yield kind, np.flatnonzero(kinds == kind)
 

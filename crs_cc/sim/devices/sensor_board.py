@@ -31,13 +31,11 @@ from crs_cc.sim.devices.vendor_state import (
     MOTOR_STATUS,
     SIM_SPEED,
     SONAR_0,
-    VEL_TURRET,
-    configuration,
+    report,
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.model import registry
 from crs_cc.sim.state import mask
-from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -174,10 +172,7 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
         has = numbers >= 0
         vector[has, COMPASS] = reading[numbers[has]]
     vector[:, BUMPER] = bumper_state(state).pressed[rows]
-    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, constants, rows)
-    works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
-    works &= ~take(state.drive.limp, rows)
-    vector[:, MOTOR_STATUS] = np.packbits(works, axis=1, bitorder="little")[:, 0]
+    vector[:, CONF_X : MOTOR_STATUS + 1] = report(state, constants, rows)
     return vector
 
 

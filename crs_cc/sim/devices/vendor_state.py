@@ -3,7 +3,8 @@
 Indices and units are those of the vendor header `Nclient.h` 1.29. What a robot does not
 have is 0. `sensor_board` fills it in.
 
->>> from crs_cc.sim.state.env_state import EnvState
+>>> from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.state.env_state import EnvState
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> world = empty_world()
 >>> configuration(EnvState.at_start(world), RobotConstants.of(world), np.array([0])).tolist()
@@ -17,13 +18,12 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array
-from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
-from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.robot_constants import RobotConstants
+from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, kernels
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.last_measurement import CONFIGURATION
-from crs_cc.sim.state.rows import take
+from crs_cc.sim.state.rows import parts, simplest, take
 
 SIM_SPEED: Final = 0  # 10 is real time
 IR_0: Final = 1  # to 16, 0 to 15
@@ -41,21 +41,29 @@ MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, even if stalle
 LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
-_FULL_TURN: Final = 3600
+
+def report(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
+    """Return the part of `State` with positions, speeds and the motors' status, shape (k, 8)."""
+    speed, now_s = traction.speed(state, constants, rows), state.drive.clock_s[rows]
+    speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
+    reports = np.empty((len(rows), CONFIGURATION + 1), dtype=np.int32)
+    odometry, axes = state.odometry, state.drive.axes
+    before = odometry.x_m, odometry.y_m, odometry.heading_rad, odometry.turret_rad
+    profile = axes.start_s, axes.ramp_s, axes.cruise_s, axes.brake_s
+    selected = simplest(rows, len(odometry.x_m))
+    for some, part in parts(selected, len(rows), ROBOTS_AT_ONCE):
+        columns = [
+            *(take(column, some) for column in before),
+            now_s[part],
+            *(take(column, some) for column in profile),
+            speed[part],
+            take(constants.drives.unit, some),
+            take(state.drive.limp, some),
+        ]
+        reports[part] = kernels().reports(part.stop - part.start, columns)
+    return reports
 
 
 def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
     """Return the part of `State` with positions and speeds, shape (k, 7)."""
-    odometry = state.odometry
-    speed, unit = traction.speed(state, constants, rows), take(constants.drives.unit, rows)
-    now_s = state.drive.clock_s[rows]
-    speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
-    reported = np.zeros((len(rows), CONFIGURATION))
-    reported[:, 0] = m_to_tenths_inch(odometry.x_m[rows])
-    reported[:, 1] = m_to_tenths_inch(odometry.y_m[rows])
-    reported[:, 2] = rad_to_tenths_deg(odometry.heading_rad[rows])
-    reported[:, 3] = rad_to_tenths_deg(odometry.turret_rad[rows])
-    np.divide(speed, unit, out=reported[:, 4:], where=unit > 0.0)
-    whole = np.maximum(np.minimum(np.rint(reported), LARGEST), -LARGEST).astype(np.int32)
-    whole[:, 2:4] %= _FULL_TURN
-    return whole
+    return report(state, constants, rows)[:, :CONFIGURATION]

@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -81,9 +82,16 @@ def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None
     >>> few_pairs(2, 2)
     (array([0, 0, 1, 1]), array([0, 1, 0, 1]))
     """
-    if queries * points > _FEW_PAIRS:
-        return None
-    return np.divmod(np.arange(queries * points), max(points, 1))
+    return None if queries * points > _FEW_PAIRS else _all_pairs(queries, points)
+
+
+@functools.lru_cache(maxsize=64)
+def _all_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray]:
+    """Return all pairs of query and point, read-only."""
+    pairs = np.divmod(np.arange(queries * points), max(points, 1))
+    for column in pairs:
+        column.setflags(write=False)
+    return pairs
 
 
 class CellList:

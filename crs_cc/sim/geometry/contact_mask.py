@@ -80,6 +80,8 @@ class Pieces:
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Update the poses of the movable bodies, as for `Scene.moving`."""
+        if not len(self._bodies):
+            return
         x_m, y_m = position_m[self._bodies].T
         facing = exact.turn(angle_rad[self._bodies])
         off_m = exact.product(facing, self._own_middle[self._fixed :])
@@ -100,6 +102,8 @@ class Pieces:
             shape (k, beams), in the order of the list that the fan was made from.
         """
         covered = np.zeros((len(poses), len(fan)), dtype=np.bool_)
+        if not len(self._objects):
+            return covered
         place = poses[:, 0] + 1j * poses[:, 1]
         for part in self._blocks(place):
             hit = None if objects is None else objects[part]

@@ -16,6 +16,9 @@ void __crs_profiles(int count, double *columns);
 void __crs_counts(int count, double *columns);
 void __crs_moves(int count, double *columns);
 
+/* What `State` says of motions, see report.c: eight integers of each robot. */
+void __crs_reports(int count, const double *columns, int *out);
+
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
 void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,
                   const double *voices, double *out);

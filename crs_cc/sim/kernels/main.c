@@ -3,7 +3,7 @@
 
 #include "kernels.h"
 
-enum { ECHOES = 100, RAYS, PROFILES, COUNTS, MOVES };       /* other numbers are those of elementwise functions */
+enum { ECHOES = 100, RAYS, PROFILES, COUNTS, MOVES, REPORTS };       /* other numbers are those of elementwise functions */
 
 static int arguments[10];
 static double arena[3][2 * BLOCK];
@@ -29,6 +29,8 @@ int __crs_start(void)
             __crs_counts(n[1], arena[0]);
         else if (n[0] == MOVES)
             __crs_moves(n[1], arena[0]);
+        else if (n[0] == REPORTS)
+            __crs_reports(n[1], arena[0], (int *)arena[1]);
         else
             __crs_apply(n[0], n[1], arena[0], arena[1], arena[2]);
     }

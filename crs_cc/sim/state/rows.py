@@ -28,6 +28,17 @@ def take(values: npt.NDArray[Scalar], rows: Rows) -> npt.NDArray[Scalar]:
     return values[rows] if isinstance(rows, slice) else values.take(rows, axis=0)
 
 
+def simplest(rows: IndexArray, count: int) -> Rows:
+    """Return `ALL` if rows are all of `count` robots in order: slices take less time.
+
+    >>> simplest(np.array([0, 1]), 2), simplest(np.array([0, 0]), 2).tolist()
+    (slice(None, None, None), [0, 0])
+    """
+    if len(rows) != count or (count > 1 and not (rows[1:] > rows[:-1]).all()):
+        return rows
+    return ALL
+
+
 def parts(rows: Rows, count: int, most: int) -> Iterator[tuple[Rows, slice]]:
     """Yield parts of a selection of `count` robots, with their places in it.
 

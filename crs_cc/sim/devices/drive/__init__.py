@@ -178,7 +178,7 @@ def _turn_freely(
 def face(state: EnvState, constants: RobotConstants) -> None:
     """End a cycle: set the robots' headings to where their axes were turned."""
     state.heading_rad = state.drive.facing_rad % _TURN
-    if constants.drives.synchro.any():
+    if constants.drives.synchros:
         state.base_rad = np.where(constants.drives.synchro, state.base_rad, state.heading_rad)
         turret_rad = state.drive.turret_rad % _TURN
         state.mount_rad = np.where(constants.drives.turret, turret_rad, state.base_rad)

@@ -54,7 +54,8 @@ class Drives:
         waits_forever: whether `ws` with a timeout of 0 waits indefinitely.
         synchro: whether the robot has a synchro drive, whose base never turns.
         turret: whether it has a turret of its own.
-        turrets: whether any robot has one.
+        synchros: whether any robot has a synchro drive.
+        turrets: whether any robot has a turret.
         table: what kernels need to know, see `kernels/drive.c`, (robots, `DRIVE_SIZE`).
     """
 
@@ -73,6 +74,7 @@ class Drives:
     waits_forever: BoolArray
     synchro: BoolArray
     turret: BoolArray
+    synchros: bool
     turrets: bool
     table: FloatArray
 
@@ -116,6 +118,7 @@ class Drives:
             waits_forever=_flags([drive.waits_forever for drive in drives]),
             synchro=_flags([drive.steering is not None for drive in drives]),
             turret=turret,
+            synchros=any(drive.steering is not None for drive in drives),
             turrets=bool(turret.any()),
             table=np.column_stack([turn, forward, true_turn, true_forward, count, turret]),
         )

@@ -150,8 +150,8 @@ def overheard(
     way_m = exact.magnitude(seen)
     come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
     told_m = (come_s - from_s[listener]) * SOUND_MPS / 2
-    heard = (seen.real > 0.0) & (way_m <= theirs.range_m)  # most are not
-    heard = np.flatnonzero(heard & (told_m >= 0.0) & (come_s <= to_s[listener]))
+    likely = (seen.real > 0.0) & (way_m <= theirs.range_m)  # few are
+    heard = np.flatnonzero(likely & (told_m >= 0.0) & (come_s <= to_s[listener]))
     angle_rad = exact.angle(seen[heard])
     in_beam = np.abs(angle_rad) <= theirs.half_rad[heard]
     heard = heard[in_beam & (way_m[heard] <= theirs.reach_m(heard, angle_rad))]
