@@ -63,6 +63,7 @@ WARNINGS: Final = {
     "integer-division": "a fraction is lost before a number becomes a floating-point number",
     "overflow": "a constant that does not fit its type",
     "return-local-addr": "the address of a local variable is returned",
+    "sequence-point": "a variable is changed and used again in an order that C leaves open",
     "return-type": "a function returns no value although it should, or the reverse",
     "shift-count-overflow": "a shift by more bits than the type has",
     "sign-compare": "a negative constant is compared with an unsigned number",

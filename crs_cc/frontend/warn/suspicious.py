@@ -16,6 +16,7 @@ from crs_cc.frontend.check.fold import COMPARISONS
 from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.warn.flow import warn_paths
 from crs_cc.frontend.warn.robot_state import warn_state
+from crs_cc.frontend.warn.sequence import warn_order
 from crs_cc.frontend.warn.unused import warn_unused_names
 from crs_cc.ir.types import ArrayType, VoidType
 
@@ -45,6 +46,8 @@ def warn_unit(unit: Unit) -> None:
     warn_state(unit)
     for function in unit.functions:
         for node in walk(function.body):
+            for each in _full_expressions(node):
+                warn_order(unit, each)
             match node:
                 case tree.ExpressionStatement():
                     _warn_unused(unit, node.expression)
@@ -55,6 +58,22 @@ def warn_unit(unit: Unit) -> None:
                 case tree.Dereference():
                     _warn_index(unit, node)
         warn_paths(unit, function)
+
+
+def _full_expressions(node: Any) -> list[tree.Expression]:
+    """Return the full expressions of a statement, but for those of inner statements."""
+    match node:
+        case tree.ExpressionStatement(expression=value) | tree.Switch(value=value):
+            return [value]
+        case tree.If(condition=value):
+            return [value]
+        case tree.Loop(condition=condition, step=step):
+            return [each for each in (condition, step) if each is not None]
+        case tree.Return(value=value) if value is not None:
+            return [value]
+        case tree.InitialValue(value=value):
+            return [value]
+    return []
 
 
 def _warn_unused(unit: Unit, value: tree.Expression) -> None:
