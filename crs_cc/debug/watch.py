@@ -29,6 +29,7 @@ import numpy as np
 from crs_cc.core.arrays import Records
 from crs_cc.core.source import Location
 from crs_cc.debug.errors import DebugError
+from crs_cc.ir.instruction import plain_states
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.codegen.watchpoints import accesses
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -264,7 +265,8 @@ class WatchSet:
     def _content(self, watched: WatchedObject) -> Content:
         part = slice(watched.address, watched.address + watched.size)
         robot = self._robot
-        return self._fleet.memory(robot)[part].tobytes(), self._fleet.shadow(robot)[part].tobytes()
+        states = self._fleet.shadow(robot)[part].tobytes()
+        return self._fleet.memory(robot)[part].tobytes(), plain_states(states)
 
     def _ended(self) -> set[int]:
         """Return the numbers of the variables whose functions have returned."""

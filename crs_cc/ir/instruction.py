@@ -10,7 +10,7 @@ from enum import IntEnum
 from typing import Any, Final, SupportsIndex, TypeAlias
 
 from crs_cc.core.source import Location
-from crs_cc.ir.types import ArrayType, CType
+from crs_cc.ir.types import ArrayType, CType, FunctionType
 from crs_cc.ir.value_type import MemoryType, ValueType
 
 
@@ -85,11 +85,24 @@ Base: TypeAlias = Register | Slot | str
 
 
 class ByteState(IntEnum):
-    """The state of a byte of memory, which checked builds keep in shadow memory."""
+    """The state of a byte of memory, which checked builds keep in shadow memory.
+
+    Bit 0 is set if it is accessible, bit 1 if it may be written, and bit 7 if it has a value.
+    """
 
     INACCESSIBLE = 0
-    WITHOUT_VALUE = 1
+    WITHOUT_VALUE = 3
+    CONSTANT = 0xFD
     WITH_VALUE = 0xFF
+
+
+def plain_states(states: bytes) -> bytes:
+    """Return the states of bytes with constant ones as those of any other value."""
+    return states.replace(_CONSTANT, _WITH_VALUE)
+
+
+_CONSTANT: Final = bytes([ByteState.CONSTANT])
+_WITH_VALUE: Final = bytes([ByteState.WITH_VALUE])
 
 
 @dataclass(slots=True, eq=False)
@@ -143,7 +156,8 @@ class Load(Instruction):
     With a slot or a name as base the access must be inside that object; an access that is not known
     to be uses a register from `Address`, and is checked at run time.
 
-    An `unjudged` load may read uninitialised bytes, which are stored back unchanged.
+    An `unjudged` load may read uninitialised bytes, which are stored back unchanged. `is_const` is
+    set for a const lvalue, whose bytes may be constant.
     """
 
     result: Register
@@ -151,6 +165,7 @@ class Load(Instruction):
     offset: int
     memory: MemoryType
     unjudged: bool = False
+    is_const: bool = False
 
 
 @dataclass(slots=True, eq=False)
@@ -218,6 +233,13 @@ class Lifetime(Instruction):
 
     slot: Slot
     begins: bool
+
+
+@dataclass(slots=True, eq=False)
+class Seal(Instruction):
+    """Makes a slot's object constant, after its initialisation; it costs no fuel."""
+
+    slot: Slot
 
 
 @dataclass(slots=True, eq=False)
@@ -304,13 +326,15 @@ class Call(Instruction):
     """A call of a function by name or through a function pointer; continues at `then`.
 
     `result`, if any, receives the returned value. A struct is returned through a hidden first
-    argument that points to the caller's memory.
+    argument that points to the caller's memory. `prototype` is the type
+    by which a pointer is called, if the function must have it.
     """
 
     callee: str | Register
     arguments: list[Argument]
     result: Register | None
     then: Block
+    prototype: FunctionType | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -382,7 +406,7 @@ class Block:
     def fuel(self) -> int:
         """The cost of the block: one unit, and one for each instruction that generates code."""
         return 1 + sum(
-            not isinstance(each, Statement | Lifetime | Bounds) for each in self.instructions
+            not isinstance(each, Statement | Lifetime | Seal | Bounds) for each in self.instructions
         )
 
     def successors(self) -> list[Block]:

@@ -142,6 +142,11 @@ class Data:
     tentative: bool = False
     variable: Variable | None = None
 
+    @property
+    def is_constant(self) -> bool:
+        """Return whether it must not be written: a string, or a const object."""
+        return ':"' in self.name if self.variable is None else self.variable.ctype.const
+
 
 @dataclass(slots=True, eq=False)
 class Program:

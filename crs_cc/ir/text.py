@@ -197,6 +197,9 @@ class FunctionText:
     def _lifetime(self, lifetime: ir.Lifetime) -> str:
         return f"{'begin' if lifetime.begins else 'end'} {self._slot(lifetime.slot)}"
 
+    def _seal(self, seal: ir.Seal) -> str:
+        return f"seal {self._slot(seal.slot)}"
+
     def _mark(self, mark: ir.Mark) -> str:
         operands = (self._operand(mark.target), self._operand(mark.size))
         return "mark [{}], size {}, ".format(*operands) + ir.ByteState(mark.state).name.lower()
@@ -263,6 +266,7 @@ _RENDER: Final[dict[type[ir.Instruction], Callable[..., str]]] = {
     ir.Copy: FunctionText._copy,
     ir.Fill: FunctionText._fill,
     ir.Lifetime: FunctionText._lifetime,
+    ir.Seal: FunctionText._seal,
     ir.Mark: FunctionText._mark,
     ir.Callers: FunctionText._callers,
     ir.State: FunctionText._state,

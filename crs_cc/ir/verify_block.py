@@ -182,6 +182,9 @@ class BlockVerifier:
     def _lifetime(self, lifetime: ir.Lifetime) -> Faults:
         yield from self._base(lifetime.slot)
 
+    def _seal(self, seal: ir.Seal) -> Faults:
+        yield from self._base(seal.slot)
+
     def _mark(self, mark: ir.Mark) -> Faults:
         yield from self._trusted()
         yield from self._operand("target", mark.target, "i32")
@@ -281,6 +284,7 @@ _RULES: Final[dict[type[ir.Instruction], Callable[..., Faults]]] = {
     ir.Copy: BlockVerifier._copy,
     ir.Fill: BlockVerifier._fill,
     ir.Lifetime: BlockVerifier._lifetime,
+    ir.Seal: BlockVerifier._seal,
     ir.Mark: BlockVerifier._mark,
     ir.Callers: BlockVerifier._callers,
     ir.State: BlockVerifier._state,

@@ -88,12 +88,14 @@ ERROR_KINDS: Final = (
     "pointer outside memory",
     "wild pointer",  # into memory, but to no object
     "out of bounds",
+    "constant memory",  # written
     "use after free",
     "use after scope",
     "use after return",
     "uninitialised read",
     "invalid free",
     "double free",
+    "overlapping copy",  # by `memcpy`, `strcpy`, `sprintf`
     "missing argument",  # `va_arg` after the last argument
     "no value returned",  # but used
     "mismatched call",  # through a pointer to a function with other parameter types

@@ -352,7 +352,7 @@ class Fleet:
         kind, stack, size, found = site.kind, stopped.stack, site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
-        elif kind in {"invalid free", "double free"}:
+        elif kind in {"invalid free", "double free", "overlapping copy"}:
             found = find_object(stopped, value)
         elif site.variable is not None:
             found = of_variable(stopped, site.variable)
@@ -361,7 +361,7 @@ class Fleet:
             array = site.array, int(slot["error_base"])
             found = find_object(stopped, array[1])
         size = size or int(slot["error_size"])
-        access = site.access
+        access = site.access if kind != "constant memory" else "write"
         return Failure(kind, site.location, value, stack, access, size, found, stopped, array)
 
     def stopped(

@@ -373,7 +373,8 @@ class Interpreter:
                 )
                 self._memory.mark(address, size, it.state)
             case _:
-                assert isinstance(it, ir.Statement | ir.Lifetime | ir.Callers | ir.Bounds), it
+                without_effect = ir.Statement | ir.Lifetime | ir.Seal | ir.Callers | ir.Bounds
+                assert isinstance(it, without_effect), it
 
     def _compute(self, op: str, *operands: float) -> Any:
         if ".trunc_f" in op:  # C's conversions saturate to the lowest value here, see `selection`

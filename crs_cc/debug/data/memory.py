@@ -15,7 +15,7 @@ import numpy as np
 
 from crs_cc.core.arrays import ByteArray
 from crs_cc.debug.data.expression_memory import EvaluationError
-from crs_cc.ir.instruction import ByteState
+from crs_cc.ir.instruction import ByteState, plain_states
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE
 from crs_cc.runtime.diagnosis.inspect import Stopped
@@ -128,7 +128,7 @@ class StoppedMemory:
     def states(self, address: int, size: int) -> bytes:
         """Return the states of bytes, fewer at the end of the memory."""
         if len(self._shadow):
-            return self._shadow[address : address + size].tobytes()
+            return plain_states(self._shadow[address : address + size].tobytes())
         inside = min(address + size, MEMORY_BYTES) - max(address, NULL_SIZE)
         return _VALUED * inside if address >= NULL_SIZE else b""
 
@@ -162,7 +162,7 @@ class StoppedMemory:
 
     def state(self, address: int) -> int:
         """Return the state of a byte."""
-        return int(self._shadow[address]) if address < len(self._shadow) else 0
+        return plain_states(self._shadow[address : address + 1].tobytes() or b"\0")[0]
 
     def mark(self, address: int, size: int, state: int) -> None:
         """Set the states of bytes."""

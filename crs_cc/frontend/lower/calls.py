@@ -45,7 +45,8 @@ from crs_cc.ir.instruction import (
     Store,
     Unary,
 )
-from crs_cc.ir.types import INT, UINT, ULLONG, RecordType
+from crs_cc.ir.names import in_library
+from crs_cc.ir.types import INT, UINT, ULLONG, FunctionType, PointerType, RecordType
 from crs_cc.ir.value_type import MEMORY_SIZE
 
 
@@ -113,8 +114,18 @@ def _end_with_call(
     else:
         assert isinstance(pointer, Register)
         called = pointer
-    low.end(Call(location, called, arguments, result, then))
+    low.end(Call(location, called, arguments, result, then, _prototype(expression)))
     low.start(then, location)
+
+
+def _prototype(expression: tree.Call) -> FunctionType | None:
+    """Return the prototype by which a program, not the library, calls a pointer, if any."""
+    pointer = expression.callee.type
+    if not isinstance(pointer, PointerType) or in_library(expression.location):
+        return None
+    ctype = pointer.target
+    is_known = isinstance(ctype, FunctionType) and ctype.parameters is not None
+    return ctype if is_known else None  # type: ignore[return-value]
 
 
 # Variadic functions

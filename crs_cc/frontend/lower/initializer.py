@@ -14,7 +14,7 @@ from crs_cc.frontend.lower.bit_field import write_bits
 from crs_cc.frontend.lower.convert import unnarrowed
 from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, value, value_into
 from crs_cc.frontend.lower.memory import store
-from crs_cc.ir.instruction import Address, Constant, Copy, Fill, Lifetime, Register, Slot
+from crs_cc.ir.instruction import Address, Constant, Copy, Fill, Lifetime, Register, Seal, Slot
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -42,7 +42,12 @@ def _declare(low: Lowering, statement: tree.Declare) -> None:
         for each in statement.initialiser.values:
             value_into(low, each.value, found)
         return
+    if not statement.symbol.type.const:
+        initialise(low, found, statement.symbol.type, statement.initialiser, statement.location)
+        return
+    low.emit(Lifetime(statement.location, found, begins=True))
     initialise(low, found, statement.symbol.type, statement.initialiser, statement.location)
+    low.emit(Seal(statement.location, found))
 
 
 def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:

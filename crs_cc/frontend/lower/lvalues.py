@@ -175,7 +175,18 @@ def _value_of_object(low: Lowering, expression: Expression, into: Register | Non
         return load(low, (found, 0), expression.type, expression.location, into)
     if isinstance(expression, tree.MemberAccess) and expression.member.bit_width is not None:
         return read_bits(low, place(low, expression), expression.member, expression.location)
-    return load(low, place(low, expression), expression.type, expression.location, into)
+    where, is_const = place(low, expression), _is_const(expression)
+    return load(low, where, expression.type, expression.location, into, is_const=is_const)
+
+
+def _is_const(expression: Expression) -> bool:
+    """Return whether an lvalue is const where it is reached through a pointer."""
+    while isinstance(expression, tree.MemberAccess):
+        expression = expression.record
+    if not isinstance(expression, tree.Dereference):
+        return False
+    pointer = expression.pointer.type
+    return isinstance(pointer, PointerType) and pointer.target.const
 
 
 def _value_of_address(low: Lowering, expression: tree.AddressOf, into: Register | None) -> Operand:

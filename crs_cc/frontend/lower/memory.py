@@ -10,13 +10,19 @@ from crs_cc.ir.value_type import MEMORY_SIZE
 
 
 def load(
-    low: Lowering, where: Place, ctype: CType, location: Location, into: Register | None = None
+    low: Lowering,
+    where: Place,
+    ctype: CType,
+    location: Location,
+    into: Register | None = None,
+    *,
+    is_const: bool = False,
 ) -> Register:
     """Read a scalar from a place."""
     memory = memory_type(ctype)
     base, offset = low.access(where, MEMORY_SIZE[memory], location)
     result = low.register(value_type(ctype)) if into is None else into
-    low.emit(Load(location, result, base, offset, memory))
+    low.emit(Load(location, result, base, offset, memory, is_const=is_const))
     return result
 
 

@@ -30,6 +30,7 @@ from crs_cc.ir.instruction import (
     Load,
     Operand,
     Register,
+    Seal,
     Slot,
     Store,
 )
@@ -69,18 +70,21 @@ class Facts:
     Attributes:
         places: which registers hold which addresses.
         proved: the bytes known to be accessible, or initialised.
+        writable: the bytes known to be accessible and not constant.
         indices: the lengths that values are known to be less than, as unsigned numbers.
         ended: the slots whose lifetime has ended.
     """
 
     places: ValueNumbers = field(default_factory=ValueNumbers)
     proved: KnownBytes = field(default_factory=KnownBytes)
+    writable: KnownBytes = field(default_factory=KnownBytes)
     indices: dict[tuple[Root | None, int], int] = field(default_factory=dict)
     ended: set[Slot] = field(default_factory=set)
 
     def copy(self) -> Facts:
         """Return the same facts, to go on from at another point."""
-        return Facts(self.places.copy(), self.proved.copy(), self.indices.copy(), self.ended.copy())
+        places, proved, writable = self.places.copy(), self.proved.copy(), self.writable.copy()
+        return Facts(places, proved, writable, self.indices.copy(), self.ended.copy())
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +111,7 @@ class CheckedMemory(PlainMemory):
     """Writes checked accesses.
 
     Attributes:
+        facts: what is known where code is being written.
         deferred: the loads whose states are copied, and their targets.
         assignments: the variables in registers that may be uninitialised.
         sole: the only predecessor of each block that inherits what is known at the end of that.
@@ -125,22 +130,22 @@ class CheckedMemory(PlainMemory):
         self.sole = sole
         self._inherited = set(sole.values())
         self._at_end: dict[Block, Facts] = {}
-        self._facts = Facts()
+        self.facts = Facts()
         self._taken: set[Register] = set()
 
     @property
     def places(self) -> ValueNumbers:
         """Which registers hold which addresses."""
-        return self._facts.places
+        return self.facts.places
 
     @property
     def proved(self) -> KnownBytes:
         """The bytes known to be accessible, or initialised."""
-        return self._facts.proved
+        return self.facts.proved
 
     def forget(self) -> None:
         """Discard known facts at a join of control flow."""
-        self._facts = Facts()
+        self.facts = Facts()
 
     def begin(self, block: Block) -> None:
         """Recall what is known at the start of a block: all that was at the end of the one before.
@@ -149,12 +154,12 @@ class CheckedMemory(PlainMemory):
         """
         known = self._at_end.get(self.sole.get(block))  # type: ignore[arg-type]
         if known is not None:
-            self._facts = known.copy()
+            self.facts = known.copy()
 
     def end(self, block: Block) -> None:
         """Note what is known at the end of a block."""
         if block in self._inherited:
-            self._at_end[block] = self._facts
+            self._at_end[block] = self.facts
 
     def pass_facts(self, argument: Operand, parameter: Register, callee: CheckedMemory) -> None:
         """Pass on what is known of the bytes at an address to an inlined function."""
@@ -162,17 +167,24 @@ class CheckedMemory(PlainMemory):
             self.places.of(argument, 0) if isinstance(argument, Register) else (None, 0)
         )
         target = callee.places.of(parameter, 0)
-        if isinstance(root, Slot | str) and root not in self._facts.ended:
+        if isinstance(root, Slot | str) and root not in self.facts.ended:
             room = root.size if isinstance(root, Slot) else self.writer.names.sizes.get(root, 0)
             if 0 <= distance < room:
-                callee.proved.add(target, room - distance, valued=isinstance(root, str))
+                callee.proved.add(target, room - distance, valued=False)
+                if self._changes(root):
+                    callee.facts.writable.add(target, room - distance, valued=False)
         if root is not None:
             callee.proved.add_all(target, self.proved, (root, distance))
+            callee.facts.writable.add_all(target, self.facts.writable, (root, distance))
 
-    def learn(self, argument: Operand, place: tuple[Root | None, int], known: KnownBytes) -> None:
+    def learn(
+        self, argument: Operand, place: tuple[Root | None, int], callee: CheckedMemory
+    ) -> None:
         """Add what an inlined function knows of the bytes at an address that it was passed."""
         if isinstance(argument, Register):
-            self.proved.add_all(self.places.of(argument, 0), known, place)
+            where = self.places.of(argument, 0)
+            self.proved.add_all(where, callee.proved, place)
+            self.facts.writable.add_all(where, callee.facts.writable, place)
 
     def follow(self, it: Instruction) -> None:
         """Update known facts after an instruction."""
@@ -196,7 +208,7 @@ class CheckedMemory(PlainMemory):
     def _inside(self, base: Base, offset: int, size: int) -> bool:
         """Return whether an access is known to be inside a named object."""
         match base:
-            case Slot() if base is not VARARGS and base not in self._facts.ended:
+            case Slot() if base is not VARARGS and base not in self.facts.ended:
                 return offset >= 0 and offset + size <= base.size
             case str():
                 known = self.writer.names.sizes.get(base, 0)
@@ -209,10 +221,23 @@ class CheckedMemory(PlainMemory):
             return True
         return self.proved.has((root, distance), size, valued=False)
 
+    def _writable(self, base: Base, offset: int, size: int) -> bool:
+        """Return whether bytes are known to be accessible and not constant."""
+        root, distance = self.places.of(base, offset)
+        if isinstance(root, Slot | str) and self._changes(root):
+            return self._inside(root, distance, size)
+        return self.facts.writable.has((root, distance), size, valued=False)
+
+    def _changes(self, root: Root | None) -> bool:
+        """Return whether a root is an object that is not constant."""
+        if isinstance(root, Slot):
+            return root.variable is None or not root.variable.ctype.const
+        return isinstance(root, str) and not self.writer.names.constants.get(root, 0)
+
     def _valued(self, base: Base, offset: int, size: int) -> bool:
         root, distance = self.places.of(base, offset)
-        if isinstance(root, str) and self._inside(root, distance, size):
-            return True
+        if isinstance(root, str) and self.writer.names.constants.get(root, 0):
+            return self._inside(root, distance, size)
         return self.proved.has((root, distance), size, valued=True)
 
     # -- tests -------------------------------------------------------------------------------
@@ -255,13 +280,15 @@ class CheckedMemory(PlainMemory):
         length = it.array.length or 0
         root, constant = self.places.value(it.index)
         place = root, constant + it.shift
-        if self._facts.indices.get(place, length + 1) > length:
+        if self.facts.indices.get(place, length + 1) > length:
             self._compare_index(it, length)
-            self._facts.indices[place] = length
+            self.facts.indices[place] = length
         if it.element is not None and self._accessible(it.base, it.offset, it.array.size):
             valued = self._valued(it.base, it.offset, it.array.size)
             where = self.places.of(*it.element)
             self.proved.add(where, it.array.element.size, valued=valued)
+            if self._writable(it.base, it.offset, it.array.size):
+                self.facts.writable.add(where, it.array.element.size, valued=False)
 
     def _compare_index(self, it: Bounds, length: int) -> None:
         writer, push = self.writer, [self.writer.value(it.index)]
@@ -296,6 +323,7 @@ class CheckedMemory(PlainMemory):
         if not accessible:
             self._exclude_last_bytes(push, site)
         found = [push, shadow.load(size, offset)]
+        changing = self.deferred.changing.get(it)
         copied, flag = self.deferred.states_of(it), self.deferred.flag_of(it)
         if copied is not None:
             self.writer.code += found
@@ -306,11 +334,45 @@ class CheckedMemory(PlainMemory):
         if flag is not None:
             self._set_flag(flag, found, site, None if accessible else at)
         elif not unjudged:
-            self._test(found, shadow.not_readable(size), site, at)
+            self._test_readable(found, site, at, changing, is_const=it.is_const)
         elif not accessible:
-            self._test(found, shadow.not_accessible(size), site, at)
+            bits = shadow.ACCESSIBLE if changing is None else shadow.WRITABLE
+            self._test(found, shadow.lacks(bits, size), site, at)
+        if changing is not None and flag is None and not (unjudged and accessible):
+            self.facts.writable.add(where, size, valued=False)
         self.proved.add(where, size, valued=flag is None and not unjudged)
         self._load(it, at)
+
+    def _test_readable(
+        self,
+        found: list[Instr],
+        site: Site,
+        at: _At,
+        changing: Store | None,
+        *,
+        is_const: bool,
+    ) -> None:
+        """Stop the program unless the states are those of readable bytes.
+
+        Args:
+            found: code that pushes the states.
+            site: the site to report.
+            at: the address of the bytes.
+            changing: the store to the same bytes that follows; they must be writable for it.
+            is_const: whether they are likely to be constant.
+        """
+        size, code = site.size, self.writer.code
+        if is_const:
+            self._test(found, shadow.lacks(shadow.READABLE, size), site, at)
+            return
+        local = WIDE_STATES if size == 8 else STATES
+        code += [*found, ("local.tee", local), *shadow.not_usual(size), UNLIKELY]
+        states: list[Instr] = [("local.get", local)]
+        self._test(states, shadow.lacks(shadow.READABLE, size), site, at)
+        if changing is not None:
+            written = Site("memory", changing.location, "write", size)
+            self._test(states, shadow.lacks(shadow.WRITABLE, size), written, at)
+        code.append(("end",))
 
     def _set_flag(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
         """Set a flag if the states loaded include an uninitialised byte.
@@ -327,10 +389,12 @@ class CheckedMemory(PlainMemory):
             writer.pop(flag)
             self._taken.add(flag)
         local = WIDE_STATES if site.size == 8 else STATES
-        writer.code += [*found, ("local.tee", local), *shadow.not_readable(site.size), UNLIKELY]
+        writer.code += [*found, ("local.tee", local), *shadow.not_usual(site.size), UNLIKELY]
+        states: list[Instr] = [("local.get", local)]
         if at is not None:
-            self._test([("local.get", local)], shadow.not_accessible(site.size), site, at)
-        writer.push(Constant("i32", 1))
+            self._test(states, shadow.lacks(shadow.ACCESSIBLE, site.size), site, at)
+        writer.code += [writer.value(flag), *states, *shadow.lacks(shadow.READABLE, site.size)]
+        writer.code.append(("i32.or",))
         writer.pop(flag)
         writer.code.append(("end",))
 
@@ -338,7 +402,8 @@ class CheckedMemory(PlainMemory):
         """Write `*(base + offset) = source`."""
         size, code = MEMORY_SIZE[it.memory], self.writer.code
         where = self.places.of(it.base, it.offset)
-        accessible = self._accessible(it.base, it.offset, size)
+        accessible = self._writable(it.base, it.offset, size)
+        accessible |= not isinstance(it.base, Register) and self._inside(it.base, it.offset, size)
         valued = self._valued(it.base, it.offset, size)
         at = push, offset = self.place(it.base, it.offset)
         given = self._stored_states(it, size)
@@ -349,17 +414,18 @@ class CheckedMemory(PlainMemory):
         if not given.is_initialised:
             self.proved.forget_value(where)
         self.proved.add(where, size, valued=given.is_initialised)
+        self.facts.writable.add(where, size, valued=False)
         code += [push, self.writer.value(it.source), (STORES[it.memory], MEMORY, offset)]
 
     def _stored_states(self, it: Store, size: int) -> _StoredStates:
         """Return the states of the stored value."""
         value = shadow.repeated(ByteState.WITH_VALUE, size)
         none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
-        copied, flag = self.deferred.copied_by(it), self.deferred.computed_for(it)
+        copied, flag = self.deferred.copied_by(it), self.deferred.converted_for(it)
         assigned = self.assignments.stored.get(it)
         if copied in self._taken:
-            states = self.writer.value(self._last_use(copied, it))
-            return _StoredStates([states], [states, (f"{shadow.kind(size)}.and",)])
+            states = [self.writer.value(self._last_use(copied, it)), *shadow.unsealing(size)]
+            return _StoredStates(states, [*states, (f"{shadow.kind(size)}.and",)])
         if flag in self._taken:
             push = self.writer.value(self._last_use(flag, it))
             return _StoredStates([none, value, push, ("select",)], [], [push, ("i32.or",)])
@@ -388,43 +454,89 @@ class CheckedMemory(PlainMemory):
         site = Site("memory", it.location, "write", size)
         self._exclude_last_bytes(push, site)
         code += [push, shadow.load(size, offset), ("local.tee", local), *given.joined]
-        code += [*shadow.not_readable(size), *given.doubt, UNLIKELY]
-        self._test([("local.get", local)], shadow.not_accessible(size), site, at)
+        code += [*shadow.not_usual(size), *given.doubt, UNLIKELY]
+        self._test([("local.get", local)], shadow.lacks(shadow.WRITABLE, size), site, at)
         code += [push, *given.states, shadow.store(size, offset), ("end",)]
 
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
         """Check that `size` bytes at `address` are accessible."""
+        writes = access == "write"
         if isinstance(size, Constant) and isinstance(address, Register):
             where, length = self.places.of(address, 0), int(size.value)
-            if length == 0 or self._accessible(address, 0, length):
+            known = self._writable if writes else self._accessible
+            if length == 0 or known(address, 0, length):
                 return
             self.proved.add(where, length, valued=False)
+            if writes:
+                self.facts.writable.add(where, length, valued=False)
+        bits = shadow.WRITABLE if writes else shadow.ACCESSIBLE
         writer = self.writer
         self._exclude_last_bytes(writer.value(address), Site("memory", location, access))
         few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
         if few:
             push = writer.value(address)
-            for test in shadow.some_inaccessible(push, few):
+            for test in shadow.some_lack(bits, push, few):
                 writer.code += test
                 writer.fail_if(Site("memory", location, access, few), [push])
             return
-        writer.code += [writer.value(address), writer.value(size)]
+        self._check_many(address, size, location, access, bits)
+
+    def _check_many(
+        self, address: Operand, size: Operand, location: Location, access: Access, bits: int
+    ) -> None:
+        """Check that each of many bytes has a bit; leave the result in `WIDE_STATES`."""
+        writer = self.writer
+        writer.code += [writer.value(address), writer.value(size), shadow.repeated(bits, 8)]
         writer.code += [("call", indices.INACCESSIBLE), ("local.tee", WIDE_STATES)]
-        writer.code += [("i64.const", shadow.FINE), ("i64.ne",), UNLIKELY]
+        writer.code += [("i64.const", 0), ("i64.ge_s",), UNLIKELY]
         writer.code += [("global.get", SLOT_GLOBAL), writer.value(size)]
         writer.code.append(("i32.store", MAILBOX, slot_offset("error_size")))
         first = [("local.get", WIDE_STATES), ("i32.wrap_i64",)]
         writer.fail(Site("memory", location, access), first)
         writer.code.append(("end",))
 
+    def check_passed(self, address: Register, size: Constant, location: Location) -> None:
+        """Check that a struct that an inlined function is passed is initialised.
+
+        If not all of it is, the call is made: a member may never be used.
+        """
+        few = inline_ranges.short(size, inline_ranges.MOST_COPIED)
+        if not few:
+            self.check_range(address, size, location, "read")
+        elif not self._valued(address, 0, few):
+            writer, site = self.writer, Site("memory", location, "read", few)
+            push = writer.value(address)
+            self._exclude_last_bytes(push, site)
+            for test in shadow.some_lack(shadow.READABLE, push, few):
+                writer.code += test
+                writer.fail_if(site, [push])
+            self.proved.add(self.places.of(address, 0), few, valued=True)
+
     def copy(self, it: Copy) -> None:
         """Write a `memmove`, which copies states too."""
         self.check_range(it.target, it.size, it.location, "write")
-        self.check_range(it.source, it.size, it.location, "read")
-        super().copy(it)
+        if inline_ranges.short(it.size, inline_ranges.MOST_COPIED):
+            self.check_range(it.source, it.size, it.location, "read")
+            super().copy(it)
+        else:
+            self._copy_many(it)
         self.proved.forget_values()
+
+    def _copy_many(self, it: Copy) -> None:
+        """Write a long copy; constant bytes become writable in it."""
+        root = self.places.of(it.source, 0)[0] if isinstance(it.source, Register) else None
+        size = int(it.size.value) if isinstance(it.size, Constant) else 0
+        if size and self._changes(root) and self._accessible(it.source, 0, size):  # type: ignore[arg-type]
+            super().copy(it)
+            return
+        writer = self.writer
+        self._check_many(it.source, it.size, it.location, "read", shadow.ACCESSIBLE)
+        super().copy(it)
+        writer.code += [("local.get", WIDE_STATES), ("i64.const", shadow.SOME_CONSTANT)]
+        writer.code += [("i64.eq",), UNLIKELY, writer.value(it.target), writer.value(it.size)]
+        writer.code += [("call", indices.UNSEALED), ("end",)]
 
     def fill(self, it: Fill) -> None:
         """Write a `memset`."""
@@ -433,12 +545,13 @@ class CheckedMemory(PlainMemory):
         if isinstance(it.size, Constant) and isinstance(it.target, Register):
             where = self.places.of(it.target, 0)
             self.proved.add(where, int(it.size.value), valued=True)
+            self.facts.writable.add(where, int(it.size.value), valued=False)
 
     def check_message(self, address: Operand, location: Location) -> None:
         """Check that the message of a request is accessible, its first word alone as elsewhere."""
         push, size = self.writer.value(address), MESSAGE.itemsize
-        first = [push, shadow.load(8, 0), *shadow.not_accessible(8)]
-        for test in (first, inline_ranges.some_clear(SHADOW, push, size, ByteState.WITHOUT_VALUE)):
+        first = [push, shadow.load(8, 0), *shadow.lacks(shadow.WRITABLE, 8)]
+        for test in (first, inline_ranges.some_clear(SHADOW, push, size, shadow.WRITABLE)):
             self.writer.code += test
             self.writer.fail_if(Site("memory", location, "read", size), [push])
 
@@ -448,8 +561,16 @@ class CheckedMemory(PlainMemory):
         offset = self.writer.frame.offsets[it.slot]
         self.writer.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)
         if it.begins:
-            self._facts.ended.discard(it.slot)
+            self.facts.ended.discard(it.slot)
             self.proved.forget_value((it.slot, 0))
         else:
-            self._facts.ended.add(it.slot)
-            self._facts.proved = KnownBytes()  # also of elements, at computed addresses
+            self.facts.ended.add(it.slot)
+            # also of elements, at computed addresses
+            self.facts.proved, self.facts.writable = KnownBytes(), KnownBytes()
+
+    def seal(self, it: Seal) -> None:
+        """Make an object in a slot constant."""
+        offset = self.writer.frame.offsets[it.slot]
+        state = ByteState.CONSTANT
+        self.writer.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)
+        self.facts.writable.forget(it.slot)

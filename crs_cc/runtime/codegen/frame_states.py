@@ -1,8 +1,9 @@
 """The shadow memory of frames at function entry and exit, in checked builds.
 
-Everything below the stack pointer is inaccessible. A function makes accessible its slots, its
-parameters in memory and, if it is variadic, the variable arguments; at exit it makes them
-inaccessible again. A function that has only registers pays nothing.
+Everything below the stack pointer is inaccessible, but for structs that are passed by value, whose
+states are copied with them. A function makes accessible its slots, its other parameters in memory
+and, if it is variadic, the variable arguments; at exit it makes them all inaccessible again. A
+function that has only registers pays nothing.
 """
 
 from __future__ import annotations
@@ -37,9 +38,19 @@ def enter(function: Function, frame: Frame) -> list[Instr]:
         if slot not in scoped:
             offset = frame.offsets[slot]
             code += shadow.fill(_SP, offset, slot.size, ByteState.WITHOUT_VALUE)
-    for slot in _parameters(function):
-        code += shadow.fill(_SP, frame.offsets[slot], slot.size, ByteState.WITH_VALUE)
+    for parameter in function.parameters:
+        if isinstance(parameter.place, Slot):
+            offset, size = frame.offsets[parameter.place], parameter.size
+            given = shadow.fill(_SP, offset, size, ByteState.WITH_VALUE)
+            code += given if parameter.memory else _unless_copied(offset, given)
     return code + _rest(function, frame, ByteState.WITH_VALUE)
+
+
+def _unless_copied(offset: int, given: list[Instr]) -> list[Instr]:
+    """Return the code for a struct, whose states the caller has copied if it knew the type."""
+    if not given:
+        return []
+    return [_SP, shadow.load(1, offset), ("i32.eqz",), ("if",), *given, ("end",)]
 
 
 def leave(function: Function, frame: Frame) -> list[Instr]:

@@ -372,20 +372,18 @@ class _FunctionCode:
                 self.writer.push(argument.value)
 
     def _fail_again(self, call: Call) -> None:
-        """Make a call that was inlined and has failed; it fails again."""
+        """Make a call that was inlined and has failed; it fails again, or returns."""
         self.pass_arguments(call)
         landing = Landing(Node())
         self.failing.append((landing, call))
         self.calls[len(self.names.call_sites)] = landing
         self.push_arguments(call)
-        callee = str(call.callee)
-        convention = self.names.conventions[callee]
-        code = self.writer.code
+        callee, code = str(call.callee), self.writer.code
         code.append(("call", self.names.functions[callee]))
-        code += [("drop",)] if convention.result else []
-        code += [("local.set", FUEL), *stopping.IS_STOPPED, ("i32.eqz",), ("if",)]
-        code += [("unreachable",), ("end",), *stopping.RESTORE]
-        code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,)]
+        value = self._returned(call, self.names.conventions[callee])
+        code += [("local.set", FUEL), *stopping.IF_STOPPED]
+        code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), *stopping.END]
+        self._take_result(call, value)
 
     def _enter(self, call: Call, after: Node) -> None:
         """Call the callee, fresh or resumed: this is where a suspended caller resumes."""
@@ -409,14 +407,20 @@ class _FunctionCode:
         if call.result is not None:
             if self.shadowed:
                 check_value(self.writer, call)
-            if value is None:
-                self.writer.load_at(SP, RESULT, call.result.type)
-            else:
-                self.writer.push(value)
-                self.writer.release(value)
-            self.writer.pop(call.result)
+            self._take_result(call, value)
             self.selector.follow(call)
         after.jump(self.target(call.then))
+
+    def _take_result(self, call: Call, value: Register | None) -> None:
+        """Move the returned value, which is in memory if it is not given, to the call's result."""
+        if call.result is None:
+            return
+        if value is None:
+            self.writer.load_at(SP, RESULT, call.result.type)
+        else:
+            self.writer.push(value)
+            self.writer.release(value)
+        self.writer.pop(call.result)
 
     def _returned(self, call: Call, convention: Convention | None) -> Register | None:
         """Pop the returned value, which is none yet if the callee has stopped."""

@@ -10,6 +10,7 @@ Ranges are taken in words, the last of which may overlap the one before it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final, NamedTuple
 
 from crs_cc.ir.instruction import Constant, Operand
@@ -49,7 +50,15 @@ def words(size: int) -> tuple[int, list[int]]:
     return step, offsets
 
 
-def copy(memory: int, target: Instr, source: Instr, size: int, offset: int = 0) -> list[Instr]:
+def copy(
+    memory: int,
+    target: Instr,
+    source: Instr,
+    size: int,
+    offset: int = 0,
+    *,
+    change: Callable[[int], list[Instr]] | None = None,
+) -> list[Instr]:
     """Copy a range, which may overlap itself: all of it is loaded first.
 
     Args:
@@ -58,11 +67,13 @@ def copy(memory: int, target: Instr, source: Instr, size: int, offset: int = 0) 
         source: pushes the address to copy from.
         size: number of bytes.
         offset: added to the target's address.
+        change: returns the code that changes a word of some size on its way.
     """
     step, offsets = words(size)
+    changed = change(step) if change else []
     code: list[Instr] = []
     for at in offsets:
-        code += [target, source, (LOADS[step], memory, at)]
+        code += [target, source, (LOADS[step], memory, at), *changed]
     return code + [(STORES[step], memory, offset + at) for at in reversed(offsets)]
 
 

@@ -2,7 +2,8 @@
 
 Where a check in the inlined code fails, control goes to a side exit of the call. It restores the
 fuel and makes the call after all; this fails in the same way, now with a frame on the stack, so
-that reports are the same as without inlining.
+that reports are the same as without inlining. Where a struct that is passed has members without a
+value, the call may succeed.
 """
 
 from __future__ import annotations
@@ -128,14 +129,21 @@ class InlinedCalls:
         if side is not None:
             writer.code.append(("local.get", FUEL))
             writer.pop(self._fuel)
-        self._pass_structs(call, body, memory)
         writer.side_exit = node.side_exit = side
+        before = memory.facts.copy() if isinstance(memory, CheckedMemory) else None
+        self._pass_structs(call, body, memory)
         self._body(node, _Expansion(call, body, then, side), memory)
         writer.side_exit = None
         if side is not None:
             side.code += [writer.value(self._fuel), ("local.set", FUEL)]
             writer.code = side.code
+            if isinstance(memory, CheckedMemory) and before is not None:
+                before, memory.facts = memory.facts, before
             make_call(call)
+            if isinstance(memory, CheckedMemory) and before is not None:
+                memory.facts = before
+            if self.checked and body.may_pass_uninitialised():
+                side.jump(then)
 
     def _pass_structs(self, call: Call, body: Body, memory: PlainMemory) -> None:
         """Load the members of the structs that are passed."""
@@ -143,10 +151,10 @@ class InlinedCalls:
             if parameter.memory is None and isinstance(argument.value, Register):
                 base, location = argument.value, call.location
                 size = Constant("i32", argument.size)
-                memory.check_range(base, size, location, "read")
+                memory.check_passed(base, size, location)
                 self.writer.charge(size)
                 for each in body.members[parameter]:
-                    load = Load(location, each.register, base, each.offset, each.memory, True)
+                    load = Load(location, each.register, base, each.offset, each.memory)
                     memory.load(load)
 
     def _body(self, node: Node, expansion: _Expansion, memory: PlainMemory) -> None:
@@ -173,7 +181,7 @@ class InlinedCalls:
             if body.has_effects:  # it may have stored values that are not there
                 memory.proved.forget_values()
             for (argument, _), known in zip(passed, places, strict=True):
-                memory.learn(argument, known, own.proved)
+                memory.learn(argument, known, own)
 
     def _pass_values(self, call: Call, body: Body) -> None:
         """Move arguments to the registers of parameters."""

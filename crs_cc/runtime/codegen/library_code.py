@@ -181,6 +181,7 @@ class _Recorder(Symbols):
     def __init__(self, names: Symbols) -> None:
         self._sizes, self._parameters = _Answers(names.sizes, 0), _Answers(names.parameters, 0)
         self._conventions = _Answers(names.conventions, None)
+        self._constants = _Answers(names.constants, 0)
         self._tables, self._valueless = _Tables(names.tables), _Valueless(names.without_value)
         self._bodies = _Bodies(names.bodies)
         super().__init__(
@@ -189,6 +190,7 @@ class _Recorder(Symbols):
             general=_Numbers("general"),
             conventions=self._conventions,
             sizes=self._sizes,
+            constants=self._constants,
             parameters=self._parameters,
             pointers=_Unknown(_POINTERS),
             tables=self._tables,
@@ -208,6 +210,7 @@ class _Recorder(Symbols):
             self._sizes.suit(names.sizes)
             and self._parameters.suit(names.parameters)
             and self._conventions.suit(names.conventions)
+            and self._constants.suit(names.constants)
             and self._tables.suit(names.tables)
             and self._valueless.suit(names.without_value)
             and self._bodies.suit(names.bodies)

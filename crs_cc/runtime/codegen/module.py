@@ -84,7 +84,7 @@ def compile_program(
     addresses = _place(program)
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
-    checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
+    checks = [shadow.inaccessible(), shadow.callers(), product_fits(), shadow.unsealed()]
     own = checks if checked else [_outside()]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
     conventions = {name: convention_of(each) for name, each in program.functions.items()}
@@ -97,6 +97,7 @@ def compile_program(
         general,
         conventions,
         {data.name: data.size for data in program.data.values()},
+        {data.name: int(data.is_constant) for data in program.data.values()},
         {
             function.name: argument_offsets([each.size for each in function.parameters])[-1]
             for function in program.functions.values()
@@ -236,7 +237,7 @@ def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> N
             body += _marks(module, run, addresses)
             run = []
         if data is not None:
-            body += [("i32.const", addresses[data.name]), ("i32.const", ByteState.WITH_VALUE)]
+            body += [("i32.const", addresses[data.name]), ("i32.const", _state(data))]
             body += [("i32.const", data.size), ("memory.fill", SHADOW)]
     module.start = len(module.functions)
     module.functions.append(Code("start", ((), ()), [], body))
@@ -248,11 +249,15 @@ def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[I
     states = bytearray()
     for data in run:
         states = states.ljust(addresses[data.name] - start, bytes([ByteState.INACCESSIBLE]))
-        states += bytes([ByteState.WITH_VALUE]) * data.size
+        states += bytes([_state(data)]) * data.size
     segment = len(module.data)
     module.data.append((-1, 0, bytes(states)))
     code: list[Instr] = [("i32.const", start), ("i32.const", 0), ("i32.const", len(states))]
     return [*code, ("memory.init", segment, SHADOW)]
+
+
+def _state(data: Data) -> ByteState:
+    return ByteState.CONSTANT if data.is_constant else ByteState.WITH_VALUE
 
 
 def _outside() -> Code:

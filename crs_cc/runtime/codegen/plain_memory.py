@@ -21,6 +21,8 @@ from crs_cc.ir.instruction import (
     Load,
     Mark,
     Operand,
+    Register,
+    Seal,
     Slot,
     State,
     Store,
@@ -102,7 +104,8 @@ class PlainMemory:
         target, source = writer.value(it.target), writer.value(it.source)
         for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
             if size:
-                writer.code += inline_ranges.copy(memory, target, source, size)
+                change = shadow.unsealing if memory == SHADOW else None
+                writer.code += inline_ranges.copy(memory, target, source, size, change=change)
                 continue
             writer.code += [writer.value(each) for each in (it.target, it.source, it.size)]
             writer.code.append(("memory.copy", memory, memory))
@@ -126,13 +129,14 @@ class PlainMemory:
         self.check_range(value, size, location, "read")
         writer.charge(size)
         few = short(size, inline_ranges.MOST_COPIED)
-        if few:
-            sp, source = ("local.get", SP), writer.value(value)
-            writer.code += inline_ranges.copy(MEMORY, sp, source, few, offset)
-            return
-        writer.code += [("local.get", SP), ("i32.const", offset), ("i32.add",)]
-        writer.code += [writer.value(value), writer.value(size)]
-        writer.code.append(("memory.copy", MEMORY, MEMORY))
+        sp, source = ("local.get", SP), writer.value(value)
+        for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
+            if few:
+                change = shadow.unsealing if memory == SHADOW else None
+                writer.code += inline_ranges.copy(memory, sp, source, few, offset, change=change)
+                continue
+            writer.code += [sp, ("i32.const", offset), ("i32.add",), source, writer.value(size)]
+            writer.code.append(("memory.copy", memory, memory))
 
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
@@ -146,8 +150,11 @@ class PlainMemory:
     def readable(self, it: Readable) -> None:
         """Check that a struct can be passed, and charge for it."""
         size = Constant("i32", it.size)
-        self.check_range(it.target, size, it.location, "read")
+        self.check_passed(it.target, size, it.location)
         self.writer.charge(size)
+
+    def check_passed(self, address: Register, size: Constant, location: Location) -> None:
+        """Check that a struct that an inlined function is passed is initialised."""
 
     def check_message(self, address: Operand, location: Location) -> None:
         """Check that the message of a request is in memory."""
@@ -195,3 +202,6 @@ class PlainMemory:
 
     def lifetime(self, it: Lifetime) -> None:
         """Start or end the lifetime of an object in a slot."""
+
+    def seal(self, it: Seal) -> None:
+        """Make an object in a slot constant."""

@@ -26,6 +26,7 @@ from crs_cc.ir.instruction import (
     Move,
     Operand,
     Register,
+    Seal,
     Slot,
     Store,
     Variable,
@@ -413,7 +414,7 @@ class _Replacement:
         if it in self.places and not isinstance(it, Copy | Fill):
             return self._rewrite_held(it)
         match it:
-            case Lifetime() | Address(base=Slot()):
+            case Lifetime() | Seal() | Address(base=Slot()):
                 return []
             case Move(result=result) if result in self.held:
                 return []

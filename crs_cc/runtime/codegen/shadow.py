@@ -27,6 +27,11 @@ from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
 
 PAGES: Final = 65536
 
+ACCESSIBLE: Final = 1
+WRITABLE: Final = 2
+READABLE: Final = 0x80
+"""Bits of a `ByteState`."""
+
 
 def kind(size: int) -> ValueType:
     """Return the integer type that holds the states of `size` bytes."""
@@ -48,15 +53,22 @@ def repeated(state: int, size: int) -> Instr:
     return (f"{kind(size)}.const", int.from_bytes([state] * size, "little", signed=True))
 
 
-def not_readable(size: int) -> list[Instr]:
-    """Replace states on the stack by whether some byte is inaccessible or uninitialised."""
+def not_usual(size: int) -> list[Instr]:
+    """Replace states on the stack by whether some byte is not writable and initialised."""
     return [repeated(ByteState.WITH_VALUE, size), (f"{kind(size)}.ne",)]
 
 
-def not_accessible(size: int) -> list[Instr]:
-    """Replace states on the stack by whether some byte is inaccessible."""
-    lowest = repeated(ByteState.WITHOUT_VALUE, size)
-    return [lowest, (f"{kind(size)}.and",), lowest, (f"{kind(size)}.ne",)]
+def lacks(bits: int, size: int) -> list[Instr]:
+    """Replace states on the stack by whether some byte lacks some of these bits."""
+    mask = repeated(bits, size)
+    if size == 1 and bits == READABLE:
+        return [("i32.const", 0), ("i32.ge_s",)]
+    return [mask, (f"{kind(size)}.and",), mask, (f"{kind(size)}.ne",)]
+
+
+def unsealing(size: int) -> list[Instr]:
+    """Make the states on the stack those of a copy, which may be written."""
+    return [repeated(WRITABLE, size), (f"{kind(size)}.or",)]
 
 
 def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
@@ -67,51 +79,77 @@ def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
     return inline_ranges.fill(SHADOW, base, offset, size, state) if size else []
 
 
-def some_inaccessible(base: Instr, size: int) -> list[list[Instr]]:
-    """Return tests that push whether some of `size` bytes at an address is inaccessible.
+def some_lack(bits: int, base: Instr, size: int) -> list[list[Instr]]:
+    """Return tests that push whether some of `size` bytes at an address lacks some of these bits.
 
     The first word is tested alone: those after it may be beyond the last address, where looking
     them up is a trap that does not say where.
     """
     step, offsets = inline_ranges.words(size)
-    first = [base, load(step, offsets[0]), *not_accessible(step)]
+    first = [base, load(step, offsets[0]), *lacks(bits, step)]
     if len(offsets) == 1:
         return [first]
     code = [base, load(step, offsets[1])]
     for at in offsets[2:]:
         code += [base, load(step, at), (f"{kind(step)}.and",)]
-    return [first, [*code, *not_accessible(step)]]
+    return [first, [*code, *lacks(bits, step)]]
 
 
 # Runtime functions called by checked code
 
-_RANGE: Final[FuncType] = (("i32", "i32"), ("i64",))
+_RANGE: Final[FuncType] = (("i32", "i32", "i64"), ("i64",))
 FINE: Final = -1
-"""The result of `inaccessible` if all bytes are accessible."""
+SOME_CONSTANT: Final = -2
+"""Results of `inaccessible`, which are negative, if all bytes are accessible."""
 
 
 def inaccessible() -> Code:
-    """`inaccessible(address, size)`: the address of the first inaccessible byte, or `FINE`.
+    """`inaccessible(address, size, bits)`: the address of the first byte that lacks the bit.
 
-    It advances by eight bytes where possible.
+    If there is none, it is `FINE`, or `SOME_CONSTANT` if some may not be written. `bits` has the
+    bit in each byte. It advances by eight bytes where possible.
     """
-    address, left = 0, 1
+    address, left, bits, word, all_states = 0, 1, 2, 3, 4
+    join = [("local.get", all_states), ("i64.and",), ("local.set", all_states)]
     body = [
+        ("i64.const", -1), ("local.set", all_states),
         ("block",), ("loop",),
         ("local.get", left), ("i32.const", 8), ("i32.lt_u",), ("br_if", 1),
-        ("local.get", address), load(8, 0), *not_accessible(8), ("br_if", 1),
+        ("local.get", address), load(8, 0), ("local.tee", word),
+        ("local.get", bits), ("i64.and",), ("local.get", bits), ("i64.ne",), ("br_if", 1),
+        ("local.get", word), *join,
         ("local.get", address), ("i32.const", 8), ("i32.add",), ("local.set", address),
         ("local.get", left), ("i32.const", 8), ("i32.sub",), ("local.set", left),
         ("br", 0), ("end",), ("end",),
         ("loop",),
-        ("local.get", left), ("i32.eqz",), ("if",), ("i64.const", FINE), ("return",), ("end",),
-        ("local.get", address), load(1, 0), ("i32.eqz",), UNLIKELY,
+        ("local.get", left), ("i32.eqz",), ("if",),
+        ("i64.const", FINE), ("i64.const", SOME_CONSTANT),
+        ("local.get", all_states), repeated(WRITABLE, 8), ("i64.and",),
+        repeated(WRITABLE, 8), ("i64.eq",), ("select",), ("return",), ("end",),
+        ("local.get", address), ("i32.load8_u", SHADOW, 0), ("i64.extend_i32_u",),
+        ("local.tee", word), ("local.get", bits), ("i64.const", 255), ("i64.and",), ("i64.and",),
+        ("i64.eqz",), UNLIKELY,
         ("local.get", address), ("i64.extend_i32_u",), ("return",), ("end",),
+        ("local.get", word), ("i64.const", -256), ("i64.or",), *join,
         ("local.get", address), ("i32.const", 1), ("i32.add",), ("local.set", address),
         ("local.get", left), ("i32.const", 1), ("i32.sub",), ("local.set", left),
         ("br", 0), ("end",), ("unreachable",),
     ]  # fmt: skip
-    return Code("inaccessible", _RANGE, [], body)
+    return Code("inaccessible", _RANGE, ["i64", "i64"], body)
+
+
+def unsealed() -> Code:
+    """`unsealed(address, size)`: make constant bytes, which were copied there, writable."""
+    address, left = 0, 1
+    body = [
+        ("loop",),
+        ("local.get", left), ("if",),
+        ("local.get", address), ("local.get", address), load(1, 0), *unsealing(1), store(1, 0),
+        ("local.get", address), ("i32.const", 1), ("i32.add",), ("local.set", address),
+        ("local.get", left), ("i32.const", 1), ("i32.sub",), ("local.set", left),
+        ("br", 1), ("end",), ("end",),
+    ]  # fmt: skip
+    return Code("unsealed", (("i32", "i32"), ()), [], body)
 
 
 def callers() -> Code:

@@ -3,6 +3,9 @@
 A callee reads its arguments as bytes, in the order of its parameters, whatever the caller passed.
 It misreads them if it expects more than was passed, or one of another size or kind at the
 same offset. Excess arguments are harmless, and common in C of the time.
+
+Where a program calls a function by a pointer with a prototype, the function must also have a result
+and parameters of the same kinds, unless it was itself defined without a prototype.
 """
 
 from __future__ import annotations
@@ -11,6 +14,15 @@ from typing import TypeAlias
 
 from crs_cc.ir.instruction import Call, Register, Return
 from crs_cc.ir.program import Function, Program
+from crs_cc.ir.types import (
+    CType,
+    EnumType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    PointerType,
+    RecordType,
+)
 from crs_cc.ir.value_type import MemoryType
 
 Shape: TypeAlias = tuple[str, ...]
@@ -25,8 +37,24 @@ def _kind(memory: MemoryType | None, size: int) -> str:
 
 
 def call_shape(call: Call) -> Shape:
-    """Return the kinds of a call's arguments."""
-    return tuple(_kind(each.memory, each.size) for each in call.arguments)
+    """Return the kinds of a call's arguments; with a prototype, also those that it names."""
+    passed = tuple(_kind(each.memory, each.size) for each in call.arguments)
+    return passed if call.prototype is None else (*passed, "by", *_type_shape(call.prototype))
+
+
+def _type_shape(ctype: FunctionType) -> Shape:
+    """Return the kinds of the result and the parameters of a function with a prototype."""
+    more = ("...",) if ctype.variadic else ()
+    return (*map(_type_kind, (ctype.result, *(ctype.parameters or ()))), *more)
+
+
+def _type_kind(ctype: CType) -> str:
+    """Return the kind of a type: integers up to 4 bytes are alike, and so are pointers."""
+    if isinstance(ctype, PointerType):
+        return "pointer"
+    if isinstance(ctype, IntegerType | FloatType | EnumType):
+        return _kind(ctype.memory, ctype.size)
+    return f"bytes {ctype.size}" if isinstance(ctype, RecordType) else "void"
 
 
 def function_shape(function: Function) -> Shape:
@@ -35,9 +63,14 @@ def function_shape(function: Function) -> Shape:
 
 
 def is_compatible(shape: Shape, callee: Function) -> bool:
-    """Return whether a function is compatible with the arguments passed."""
+    """Return whether a function is compatible with the arguments passed, and has the type."""
     wanted = function_shape(callee)
-    return shape[: len(wanted)] == wanted
+    if shape[: len(wanted)] != wanted:
+        return False
+    ctype = callee.ctype
+    if "by" not in shape or not isinstance(ctype, FunctionType) or ctype.parameters is None:
+        return True
+    return shape[shape.index("by") + 1 :] == _type_shape(ctype)
 
 
 def pointer_tables(program: Program, pointers: list[str]) -> dict[Shape, bytes]:

@@ -149,6 +149,7 @@ class Bodies:
             return None
         registers = Registers(function, liveness, [], inlined=(), debug=False)
         body = Body(function, replaced.fuel, replaced.members, registers, assigned, deferred)
+        body.can_fail = self.checked and any(body.members.values())
         return body if self._leaves_no_trace(body) else None
 
     def _leaves_no_trace(self, body: Body) -> bool:
@@ -156,10 +157,16 @@ class Bodies:
         blocks = _in_order(body.function)
         changed = dict.fromkeys(blocks, False)
         for block in blocks:
-            places, proved = ValueNumbers(), KnownBytes()
+            places, written = ValueNumbers(), KnownBytes()
+            after_load = {
+                store
+                for load, store in body.deferred.changing.items()
+                if body.deferred.flag_of(load) is None
+            }
             has_changed = changed[block]
             for it in all_instructions(block):
-                fails, changes = self._fails(it, places, proved), isinstance(it, Store)
+                fails, changes = self._fails(it, places, written), isinstance(it, Store)
+                fails &= it not in after_load
                 if fails and has_changed:
                     return False
                 body.can_fail |= fails
@@ -170,16 +177,18 @@ class Bodies:
                 changed[target] |= has_changed
         return True
 
-    def _fails(self, it: Instruction, places: ValueNumbers, proved: KnownBytes) -> bool:
-        """Return whether an instruction can fail, given what was accessed before in its block."""
+    def _fails(self, it: Instruction, places: ValueNumbers, written: KnownBytes) -> bool:
+        """Return whether an instruction can fail, given what was written before in its block."""
         match it:
             case Writable(target=target, size=size) | Readable(target=target, size=size):
-                proved.add(places.of(target, 0), size, valued=False)
+                written.add(places.of(target, 0), size, valued=False)
                 return self.checked
-            case Load(base=Register() as base) | Store(base=Register() as base):
+            case Load(base=Register()):
+                return self.checked
+            case Store(base=Register() as base):
                 where, size = places.of(base, it.offset), MEMORY_SIZE[it.memory]
-                known = isinstance(it, Store) and proved.has(where, size, valued=False)
-                proved.add(where, size, valued=False)
+                known = written.has(where, size, valued=False)
+                written.add(where, size, valued=False)
                 return self.checked and not known
             case Bounds():
                 return self.checked

@@ -21,6 +21,7 @@ class Symbols:
         general: index of the general form of each function that has one, see `convention`.
         conventions: how each function is called.
         sizes: size of each global object.
+        constants: 1 for each global object that must not be written, else 0.
         parameters: size of the parameters of each function, as `layout` places them.
         tables: addresses of the tables that `signatures` makes.
         bodies: the functions that can be inlined, and the small ones.
@@ -39,6 +40,7 @@ class Symbols:
     general: dict[str, int]
     conventions: dict[str, Convention]
     sizes: dict[str, int]
+    constants: dict[str, int]
     parameters: dict[str, int]
     pointers: int
     tables: dict[Shape, int]

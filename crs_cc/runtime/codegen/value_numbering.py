@@ -133,6 +133,11 @@ class KnownBytes:
         """Discard the initialised bytes of the object at a location."""
         self._ranges.pop((place[0], True), None)
 
+    def forget(self, root: Root) -> None:
+        """Discard what is known of an object."""
+        for valued in (False, True):
+            self._ranges.pop((root, valued), None)
+
     def add(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> None:
         """Note that `size` bytes at a location are accessible; with `valued`, also initialised."""
         root, start = place

@@ -44,9 +44,13 @@ def diagnose(
         if kind == "use after return":
             found = returned_local(stopped, first)
         return kind, first, found
+    constant = np.flatnonzero(states == ByteState.CONSTANT)
+    if len(constant) and (access == "write" or ByteState.WITHOUT_VALUE not in states):
+        first = address + int(constant[0])  # a read of what is written later is checked for it
+        return "constant memory", first, find_object(stopped, first)
     if len(states) < max(1, size):
         return "pointer outside memory", max(address, MEMORY_BYTES), None
-    without = np.flatnonzero(states != ByteState.WITH_VALUE)
+    without = np.flatnonzero(states == ByteState.WITHOUT_VALUE)
     first = address + (int(without[0]) if len(without) else 0)
     kind = "uninitialised read" if access == "read" else "out of bounds"
     return kind, first, find_object(stopped, first)

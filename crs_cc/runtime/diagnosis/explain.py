@@ -196,6 +196,13 @@ def _index(failure: Failure, array: ArrayType, address: int) -> Explanation:
     return Explanation(f"index {index} is {where} of '{part}'", notes)
 
 
+def _constant(case: Case) -> Explanation:
+    found = case.failure.object
+    is_const = found is not None and found.variable is not None
+    text = f"{case.access} of {object_name(found)}" + (", which is const" if is_const else "")
+    return Explanation(text, object_notes(found))
+
+
 def _freed(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
     offset = failure.value - found.address if found else 0
@@ -253,6 +260,12 @@ def _invalid_free(case: Case) -> Explanation:
     return Explanation(text, object_notes(found, failure.value if offset else None))
 
 
+def _overlap(case: Case) -> Explanation:
+    who = case.callee.function if case.callee else "a copy"
+    text = f"{who} copies within {object_name(case.failure.object)}, to where it reads"
+    return Explanation(text, object_notes(case.failure.object))
+
+
 def _double_free(case: Case) -> Explanation:
     failure = case.failure
     text = f"{object_name(failure.object)} was freed already"
@@ -291,8 +304,8 @@ def _mismatched(case: Case) -> Explanation:
             name = plain_name(each.name)
             who = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
             note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
-            return Explanation(f"{who} takes other arguments", (note,), shows_values=False)
-    return Explanation("the function called takes other arguments than it is passed")
+            return Explanation(f"{who} has another type", (note,), shows_values=False)
+    return Explanation("the function called has another type than the pointer")
 
 
 def _bad_function(case: Case) -> Explanation:
@@ -345,12 +358,14 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "pointer outside memory": _outside,
     "wild pointer": _wild,
     "out of bounds": _out_of_bounds,
+    "constant memory": _constant,
     "use after free": _freed,
     "use after scope": _scope,
     "use after return": _returned,
     "uninitialised read": _uninitialised,
     "invalid free": _invalid_free,
     "double free": _double_free,
+    "overlapping copy": _overlap,
     "missing argument": _missing_argument,
     "no value returned": _no_value,
     "mismatched call": _mismatched,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from crs_cc.ir.instruction import Slot, Variable
+from crs_cc.ir.instruction import Slot, Variable, plain_states
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.types import ArrayType, CType, VoidType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
@@ -51,7 +51,7 @@ class Variables:
 
     def states(self, address: int, size: int) -> bytes:
         """Return the states of these bytes; empty in unchecked builds."""
-        return self._stopped.shadow[address : address + size].tobytes()
+        return plain_states(self._stopped.shadow[address : address + size].tobytes())
 
     def show(self, found: Content) -> str:
         """Return a variable's value as text."""

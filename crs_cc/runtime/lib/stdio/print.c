@@ -27,6 +27,8 @@ void __crs_emit(struct __crs_sink *sink, const char *text, int size)
         size = sink->room;
     if (size == 0)
         return;
+    if (text < sink->text + size && sink->start < text + size)
+        __crs_stop("overlapping copy", text);
     __builtin_memcpy(sink->text, text, size);
     sink->text += size;
     sink->room -= size;

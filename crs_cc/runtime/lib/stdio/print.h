@@ -8,7 +8,7 @@ enum { LEFT = 1, PLUS = 2, SPACE = 4, ALTERNATE = 8, ZERO = 16 };
 
 struct __crs_sink {
     FILE *stream;         /* null when the output goes to a string */
-    char *text;
+    char *text, *start;   /* where the next character goes, and the first went */
     unsigned int room;    /* bytes left in the string, without its final null character */
     unsigned int count;   /* characters printed so far, including those that did not fit */
     int failed;           /* errno of the first error, 0 for none */

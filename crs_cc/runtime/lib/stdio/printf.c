@@ -226,7 +226,7 @@ static int print(struct __crs_sink *sink, const char *format, va_list list)
 
 int __crs_print_to_string(char *text, unsigned int room, const char *format, va_list arguments)
 {
-    struct __crs_sink sink = {NULL, text, room, 0, 0};
+    struct __crs_sink sink = {NULL, text, text, room, 0, 0};
     int result = print(&sink, format, arguments);
 
     *sink.text = 0;
@@ -235,7 +235,7 @@ int __crs_print_to_string(char *text, unsigned int room, const char *format, va_
 
 int vfprintf(FILE *stream, const char *format, va_list arguments)
 {
-    struct __crs_sink sink = {stream, NULL, 0, 0, 0};
+    struct __crs_sink sink = {stream, NULL, NULL, 0, 0, 0};
     int result = print(&sink, format, arguments);
 
     return __crs_settle(stream) < 0 ? -1 : result;

@@ -35,6 +35,7 @@
 #define SMALL 512u
 #define BINS 128
 #define QUARANTINE 0x40000u
+#define STAYING 0x10000u        /* blocks up to this size always move when they are reallocated */
 
 struct chunk {
     unsigned int size;          /* of this chunk, and its flags */
@@ -415,10 +416,19 @@ static void ask(struct chunk *chunk, unsigned int size)
     chunk->asked = size;
 }
 
+/* Returns whether a block gets a new address with its new size, so that every use of the old one
+   is found. Only large blocks that change little may stay, or programs that grow them by small
+   steps would take forever. */
+static int moves(struct chunk *chunk, size_t size)
+{
+    return size <= STAYING || size / 5 > chunk->asked / 4 || size < chunk->asked / 2;
+}
+
 void *realloc(void *block, size_t size)
 {
     unsigned int wanted = chunk_size(size);
-    struct chunk *chunk = CHUNK(block), *copy;
+    struct chunk *chunk = CHUNK(block), *copy = NULL;
+    int before = errno;
 
     if (block == NULL)
         return malloc(size);
@@ -427,16 +437,20 @@ void *realloc(void *block, size_t size)
         free(block);
         return NULL;
     }
-    if (wanted != 0 && (SIZE(chunk) >= wanted || grow(chunk, wanted))) {
+    if (moves(chunk, size))
+        copy = allocate(size);
+    if (copy == NULL && wanted != 0 && (SIZE(chunk) >= wanted || grow(chunk, wanted))) {
         ask(chunk, size);
         cut(chunk, wanted);
+        errno = before;
         return block;
     }
-    copy = allocate(size);
+    if (copy == NULL)
+        copy = allocate(size);
     if (copy == NULL)
         return NULL;
     __crs_callers(copy->allocated, SITES);
-    __builtin_memcpy(BLOCK(copy), block, chunk->asked);
+    __builtin_memcpy(BLOCK(copy), block, size < chunk->asked ? size : chunk->asked);
     free(block);
     return BLOCK(copy);
 }

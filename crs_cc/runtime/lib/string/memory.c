@@ -1,8 +1,12 @@
 /* Bytes (C17 7.24; bcmp, bcopy, bzero: BSD). */
 #include <string.h>
 
+#include <crs/overlap.h>
+
 void *memcpy(void *to, const void *from, size_t size)
 {
+    if (to != from)
+        CRS_KEEP_APART(to, from, size);
     __builtin_memcpy(to, from, size);
     return to;
 }

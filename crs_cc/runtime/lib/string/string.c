@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <crs/overlap.h>
+
 size_t strlen(const char *text)
 {
     const char *end = text;
@@ -24,17 +26,18 @@ size_t strnlen(const char *text, size_t size)
 char *strcpy(char *to, const char *from)
 {
     char *at = to;
+    const char *start = from;
 
     while ((*at++ = *from++) != 0)
-        ;
+        if (from == to)
+            __crs_stop("overlapping copy", to);
+    CRS_KEEP_APART(to, start, at - to);
     return to;
 }
 
 char *stpcpy(char *to, const char *from)
 {
-    while ((*to = *from++) != 0)
-        to++;
-    return to;
+    return strcpy(to, from) + strlen(from);
 }
 
 char *strncpy(char *to, const char *from, size_t size)
@@ -43,6 +46,7 @@ char *strncpy(char *to, const char *from, size_t size)
 
     for (; i < size && from[i]; i++)
         to[i] = from[i];
+    CRS_KEEP_APART(to, from, i < size ? i + 1 : i);
     for (; i < size; i++)
         to[i] = 0;
     return to;
@@ -56,10 +60,13 @@ char *strcat(char *to, const char *from)
 
 char *strncat(char *to, const char *from, size_t size)
 {
-    char *at = to + strlen(to);
+    char *end = to + strlen(to), *at = end;
 
-    while (size-- > 0 && *from)
+    while (size-- > 0 && *from) {
         *at++ = *from++;
+        if (from == end)
+            __crs_stop("overlapping copy", to);
+    }
     *at = 0;
     return to;
 }

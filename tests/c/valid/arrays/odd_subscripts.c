@@ -19,7 +19,7 @@ int main(void)
     printf("%c %c\n", digits[c], "xyz"[c - 1]);
     printf("%d %d\n", middle[far], *(middle - far));
     printf("%d %d\n", (&a[1])[2], *&*&a[4]);
-    printf("%d\n", table[0][5]);
+    printf("%d\n", ((int *)table)[5]);
     printf("%d\n", a[a[0] / 10 + a[1] % 3]);
     printf("%d %d\n", (int) (&a[5] - a), (int) (&table[3] - table));
     (i == 2 ? a : middle)[1] = 99;

@@ -4,7 +4,7 @@
 #define CRS_SHADOW_H
 
 #define CRS_INACCESSIBLE 0
-#define CRS_WITHOUT_VALUE 1
+#define CRS_WITHOUT_VALUE 3
 
 /* Sets the state of some bytes; the state is a constant. */
 void __crs_mark(void *address, unsigned int size, int state);

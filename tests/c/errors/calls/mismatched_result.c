@@ -1,0 +1,9 @@
+/* The result has another type than the pointer says. */
+static double half(int n) { return n / 2.0; }
+
+int main(void)
+{
+    int (*f)(int) = (int (*)(int)) half;
+
+    return f(5); // error: mismatched call
+}

@@ -1,0 +1,19 @@
+/* Example: a string literal is no place to write to. */
+#include <ctype.h>
+#include <stdio.h>
+
+static void capitalise(char *word)
+{
+    word[0] = toupper(word[0]); // error: constant memory
+}
+
+int main(void)
+{
+    char mine[] = "left", *theirs = "right";
+
+    capitalise(mine);
+    puts(mine);
+    capitalise(theirs);
+    puts(theirs);
+    return 0;
+}
