@@ -31,6 +31,7 @@ from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import MOST_SHARDS, SLOTS
 from crs_cc.runtime.executable import Driver, Executable, compile_driver
 from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_demanded
+from crs_cc.runtime.sites import Access
 from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
 from crs_cc.runtime.workers import available_cores, run_all
@@ -361,7 +362,7 @@ class Fleet:
             array = site.array, int(slot["error_base"])
             found = find_object(stopped, array[1])
         size = size or int(slot["error_size"])
-        access = site.access if kind != "constant memory" else "write"
+        access: Access = "write" if kind == "constant memory" else site.access
         return Failure(kind, site.location, value, stack, access, size, found, stopped, array)
 
     def stopped(
