@@ -270,8 +270,8 @@ class Recorder:
             robots = np.flatnonzero(state.presence.present)
             clock_s = np.full(len(robots), environment.time_s)
             states = environment.last_readings(robots)
-            rows = Readings(np.zeros(len(robots), np.int64), robots, clock_s, states)
-            self._note_readings(_ns(environment.time_s), rows)
+            unasked = Readings(np.zeros(len(robots), np.int64), robots, clock_s, states)
+            self._note_readings(_ns(environment.time_s), unasked)
 
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()
