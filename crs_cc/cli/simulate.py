@@ -168,7 +168,7 @@ class Runner:
             self._output.flush()
             if self._pace.is_limited:
                 self._pace.wait(self.session.time_s, lambda: self._interrupt.requested)
-            if end_s is None and not self._options.quiet:
+            if end_s is None and not self._options.quiet and is_terminal(sys.stderr):
                 self._hint_at_silence()
             if self._progress.is_due():
                 self._progress.draw(self._progress_text())
