@@ -1,4 +1,4 @@
-/* Copies between overlapping objects have no defined result (C17 7.24.2). For the library itself. */
+/* Copies between overlapping objects have no defined result (C17 7.24.2); the library only. */
 #ifndef CRS_OVERLAP_H
 #define CRS_OVERLAP_H
 
