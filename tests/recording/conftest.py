@@ -53,7 +53,11 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "room.xml").write_text(WORLD)
     path = folder / "run.mcap"
     files = [str(folder / name) for name in ("drive.c", "room.xml")]
-    with mock.patch.object(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"go\nmore\n"))):
+    printed = io.TextIOWrapper(io.BytesIO(), errors="surrogateescape")  # not all of it is text
+    with (
+        mock.patch.object(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"go\nmore\n"))),
+        mock.patch.object(sys, "stdout", printed),
+    ):
         assert main(["run", *files, "--record", str(path), "--quiet", "--max-time", "8"]) == 3
     for name in ("speed.h", "drive.c", "room.xml"):
         (folder / name).unlink()  # the recording is all that is left
