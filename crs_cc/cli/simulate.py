@@ -6,6 +6,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -228,19 +229,26 @@ class Runner:
             _write(self._options.plot, picture)
 
     def _read(self, robot: int, size: int) -> bytes:
-        self._progress.clear()
-        self._output.flush()
-        with self._interrupt.waiting():
+        with self._waiting_for_input():
             content = self._input.read(robot, size)
         if self._recorder is not None:
             self._recorder.read(robot, content)
         return content
 
     def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        answer = self._input.waiting(robot, clock_s)
+        with self._waiting_for_input():  # a pipe may have nothing yet
+            answer = self._input.waiting(robot, clock_s)
         if self._recorder is not None:
             self._recorder.waiting(robot, clock_s, answer)
         return answer
+
+    @contextmanager
+    def _waiting_for_input(self) -> Iterator[None]:
+        """Show what was printed, and let Ctrl-C end the run."""
+        self._progress.clear()
+        self._output.flush()
+        with self._interrupt.waiting():
+            yield
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         self._output.write(robot, stream, content)
