@@ -5,7 +5,7 @@
 >>> Pace(2.0).behind_s(5.0, 0.1)
 2.4
 >>> progress_text(3.0, 12.0, 1.5, "1 of 1 running")
-'3.0 of 12.0 s simulated (25 %), 2.0 x real time, 4 s left, 1 of 1 running'
+'3.0 of 12.0 s simulated (25 %), 2.0 x real time, 5 s left, 1 of 1 running'
 >>> progress_text(3.0, None, 1.5, "1 of 1 running")
 '3.0 s simulated, 2.0 x real time, 1 of 1 running'
 """

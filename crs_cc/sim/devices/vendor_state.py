@@ -3,8 +3,6 @@
 Indices and units are those of the vendor header `Nclient.h` 1.29. What a robot does not
 have is 0. `sensor_board` fills it in.
 
->>> from crs_cc.sim.kernels.program import ROBOTS_AT_ONCE, kernels
-from crs_cc.sim.state.env_state import EnvState
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> world = empty_world()
 >>> configuration(EnvState.at_start(world), RobotConstants.of(world), np.array([0])).tolist()
