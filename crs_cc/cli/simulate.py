@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import tempfile
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -66,6 +65,8 @@ def simulate(options: RunOptions) -> int:
 def _simulate(options: RunOptions) -> int:
     if options.tables is None or options.record is not None:
         return _run(options)
+    import tempfile
+
     with tempfile.TemporaryDirectory(prefix="crs-run-") as folder:
         return _run(replace(options, record=Path(folder, "run.mcap")))
 

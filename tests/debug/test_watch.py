@@ -19,7 +19,7 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet, Snapshot
 from crs_cc.session.build import build_executable, build_watching
 from crs_cc.session.host import Host, HostRequest
-from tests.c.execution import cases, sources
+from tests.c.execution import build, cases
 from tests.c.execution import name as case_name
 
 PROGRAM = """\
@@ -471,7 +471,7 @@ def test_hits_are_the_changes_of_memory(program: Executable) -> None:
 
 @pytest.mark.parametrize("path", cases("valid")[::7], ids=case_name)
 def test_hits_are_the_changes_of_memory_in_every_kind_of_program(path: Path) -> None:
-    compare(build_executable(sources(path), Diagnostics(), debug=True))
+    compare(build(path, debug=True))
 
 
 def test_unchecked_builds_find_the_same_accesses(

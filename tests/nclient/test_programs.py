@@ -144,7 +144,7 @@ def test_writing_past_end_of_mask_is_reported():
     done = drive("int i; connect_robot(1); for (i = 0; i <= NUM_MASK; i++) Smask[i] = 1;")
     error = done.session.result().robots[0].error
     assert error is not None
-    assert "right after the end of 'Smask'" in error.text
+    assert "past the end of 'Smask'" in error.text
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ static volatile unsigned sum;
 
 int main(void)
 {
-    int here;
+    int here = 0;
     const int *p;
 
     for (p = &here;; p--)

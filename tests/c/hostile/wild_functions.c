@@ -5,7 +5,7 @@ static volatile unsigned sum;
 
 int main(void)
 {
-    unsigned start = (unsigned) mine, i;
+    unsigned start = (unsigned) mine + 1, i;
 
     for (i = 0; i < 100000; i++)
         sum += ((int (*)(void *, double, int, int, int)) (start + i))((void *) i, 1.5, -1, 0, i);
