@@ -10,7 +10,7 @@ import pytest
 from tests.c.execution import cases, name
 from tests.frontend.fuzzing import damaged, survive
 
-DAMAGES = 6
+DAMAGES = 3
 """Damaged versions of each program."""
 
 
