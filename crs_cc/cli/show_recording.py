@@ -105,7 +105,7 @@ def _write_columnar(form: Form) -> Export:
 
 def _write_page(recording: Recording, path: Path) -> None:
     from crs_cc.cli.recording_plot import world_of
-    from crs_cc.recording.viewer.page import html_page
+    from crs_cc.workbench.page import html_page
 
     path.write_text(html_page(recording, world_of(recording)), "utf-8", errors="replace")
 

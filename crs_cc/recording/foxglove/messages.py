@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.recording.mcap_records import NS, Channel
-from crs_cc.recording.viewer.shapes import robot_data, shape_data
+from crs_cc.recording.shapes import robot_data, shape_data
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray

@@ -15,10 +15,10 @@ import pytest
 from crs_cc.cli.main import main
 from crs_cc.cli.recording_plot import world_of
 from crs_cc.recording.recording import Recording
-from crs_cc.recording.viewer import page
-from crs_cc.recording.viewer.page import html_page
+from crs_cc.workbench import page
+from crs_cc.workbench.page import html_page
 
-VIEWER = Path(page.__file__).parent
+VIEWER = Path(page.__file__).parent / "static"
 DECODE = """
 const { unpack, decodeBlock } = await import(process.argv[1]);
 for (const [, , text] of JSON.parse(process.argv[2]))

@@ -23,7 +23,7 @@ from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
 from crs_cc.recording.frames import encode
 from crs_cc.recording.mcap_records import NS
-from crs_cc.recording.viewer.shapes import area_data, robot_data, shape_data
+from crs_cc.recording.shapes import area_data, robot_data, shape_data
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -38,7 +38,7 @@ MAX_OUTPUT: Final = 4 * 2**20
 MAX_PATHS: Final = 50
 MAX_POINTS: Final = 1000
 
-_HERE: Final = Path(__file__).parent
+_HERE: Final = Path(__file__).parent / "static"
 _MODULES: Final = ("app", "camera", "frames", "scene", "timeline", "view2d", "view3d")
 _PART: Final = struct.Struct("<dI")
 _SHARE: Final = 0.9 * 0.75  # for frames, before base 64
