@@ -15,12 +15,15 @@ from crs_cc import __version__
 from crs_cc.cli.cache import cache
 from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
+from crs_cc.cli.completion import completion
 from crs_cc.cli.debug import debug
+from crs_cc.cli.docs import docs
 from crs_cc.cli.exit_status import BROKEN_PIPE, INTERRUPTED, SYSTEM
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.replay import replay
 from crs_cc.cli.run import run
+from crs_cc.cli.samples import samples
 from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.core.errors import CrsError, InternalError
 
@@ -34,6 +37,8 @@ Examples:
   crs replay run.mcap                            show a run that was recorded
   crs check wander.c room.xml                    report errors, run nothing
   crs new world room                             write a commented template
+  crs samples copy wander.c room.xml .           copy a sample program and a world
+  crs docs sensors                               read a page of the documentation
   crs compile --emit wat wander.c                show the WebAssembly
 
 \b
@@ -91,7 +96,7 @@ def crs() -> None:
     """Run unmodified C control programs for Nomadic robots in a simulated world."""
 
 
-for command in (run, debug, replay, check, compile_, new, cache):
+for command in (run, debug, replay, check, compile_, new, samples, docs, cache, completion):
     crs.add_command(command)
 
 

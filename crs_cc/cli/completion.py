@@ -1,0 +1,31 @@
+"""`crs completion`: scripts with which shells complete the command line of crs."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import click
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs completion bash >> ~/.bashrc
+  crs completion zsh >> ~/.zshrc
+  crs completion fish > ~/.config/fish/completions/crs.fish
+"""
+VARIABLE: Final = "_CRS_COMPLETE"
+"""Where such a script says what it wants, as click expects it of a command `crs`."""
+
+
+@click.command(epilog=_EXAMPLES, short_help="Print a script for completion in a shell.")
+@click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
+@click.pass_context
+def completion(context: click.Context, shell: str) -> int:
+    """Print the script with which a shell completes commands, options and file names of crs."""
+    from click.shell_completion import get_completion_class
+
+    made = get_completion_class(shell)
+    assert made is not None
+    script = made(context.find_root().command, {}, "crs", VARIABLE)
+    click.echo(script.source_template % script.source_vars())
+    return 0
