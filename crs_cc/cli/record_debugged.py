@@ -1,7 +1,7 @@
 """Record the run of a debugger: it is run once more, from the start to where it stands.
 
 A run that went back and forth is at each instant what it would have been otherwise, so it is the
-same run. What the user changed by hand is not repeated; such a run is not recorded.
+same run. What the user changed by hand is done again, and recorded as input.
 """
 
 from __future__ import annotations
@@ -9,34 +9,31 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING
 
+from crs_cc.cli.changed_run import ChangedRun
+from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import show
 from crs_cc.cli.start_recording import start_recording
 from crs_cc.core.source import Diagnostic, Location
-from crs_cc.debug.timeline.position import BEGINNING
-from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.cli.load import Loaded
     from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.timeline.change import Change
     from crs_cc.session.host import Waiting
 
 
 def record_debugged(
     debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: Waiting
 ) -> None:
-    """Record a run up to the timestep that the debugger is in, or say why it cannot be.
+    """Record a run up to the timestep that the debugger is in, and up to the last change in it.
 
     Raises:
         OSError: the recording cannot be written.
     """
-    place = Location(str(options.record))
     run = debugger.run
-    if run.history.next_edit(BEGINNING) is not None:
-        text = "the run is not recorded: it was changed by hand"
-        show([Diagnostic("warning", place, text, hint="only runs of programs are recorded")])
-        return
     pieces = {robot: deque(given) for robot, given in run.console.given().items()}
+    changes = run.history.changes_until(run.position)
     seed = options.seed if options.seed is not None else loaded.world.seed or 0
     recorder = start_recording(loaded, options, seed)
 
@@ -51,23 +48,18 @@ def record_debugged(
         recorder.waiting(robot, clock_s, answer)
         return answer
 
-    session = Session(
-        loaded.world,
-        loaded.executables,
-        seed,
-        arguments=loaded.arguments,
-        output=recorder.write,
-        read=read,
-        files=loaded.files,
-        client=options.client,
-        waiting=waits,
-        observer=recorder,
-    )
-    recorder.begin(session)
-    while session.timesteps < run.position.timestep and session.advance(1):
+    def note(change: Change) -> None:
+        recorder.change(change.as_data())
+
+    again = make_debugger(loaded, options, recorder.write, read, observer=recorder, waiting=waits)
+    again.run.console.shows_new = True
+    recorder.begin(again.session)
+    changed = ChangedRun(again, changes, note)
+    end = max([run.position.timestep, *(each.position.timestep + 1 for each in changes)])
+    while again.session.timesteps < end and again.run.can_advance:
+        changed.advance_to(again.session.timesteps + 1)
         recorder.sample()
-    recorder.sample()
-    recorder.finish(session.result())
+    recorder.finish(again.session.result())
     if recorder.failed is not None:
         text = f"the recording ends at {recorder.written_s:.2f} s: {recorder.failed.strerror}"
-        show([Diagnostic("warning", place, text)])
+        show([Diagnostic("warning", Location(str(options.record)), text)])

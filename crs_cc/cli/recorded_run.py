@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from crs_cc.cli.changed_run import ChangedRun, recorded_changes
 from crs_cc.cli.messages import show
 from crs_cc.cli.rerun import RecordedInput
 from crs_cc.core.source import Diagnostic, Location
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.position import BEGINNING
 from crs_cc.recording import topics
 from crs_cc.recording.digest import digest
 
 if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
     from crs_cc.recording.recording import Recording
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
@@ -23,6 +27,7 @@ class RecordedRunCheck:
         """Read input and hashes; raise RecordingError if they are damaged."""
         self._path = recording.path
         self._input = RecordedInput(recording)
+        self._changes = recorded_changes(recording)
         self._expected: dict[int, object] = {}
         for _, data in recording.data(topics.HASH.topic):
             with recording.errors():
@@ -30,9 +35,17 @@ class RecordedRunCheck:
         self._session: Session | None = None
         self._has_warned = False
 
-    def begin(self, session: Session) -> None:
-        """Compare this session."""
-        self._session = session
+    def begin(self, debugger: Debugger) -> None:
+        """Compare the run of this debugger, and make the changes that were made by hand."""
+        self._session = debugger.session
+        if not self._changes:
+            return
+        changed = ChangedRun(debugger, self._changes)
+        try:
+            changed.finish()
+        except DebugError as error:
+            self._warn(f"a change by hand cannot be made again: {error}")
+        debugger.goto(BEGINNING)
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Return a piece of a program's recorded input."""
@@ -49,7 +62,9 @@ class RecordedRunCheck:
             return
         expected = self._expected.get(session.timesteps)
         if expected is not None and expected != digest(session):
-            self._has_warned = True
-            text = f"the run differs from its recording at {session.time_s:.2f} s"
-            hint = "it has been changed, or was recorded by another version: see crs replay"
-            show([Diagnostic("warning", Location(str(self._path)), text, hint=hint)])
+            self._warn(f"the run differs from its recording at {session.time_s:.2f} s")
+
+    def _warn(self, text: str) -> None:
+        self._has_warned = True
+        hint = "it has been changed, or was recorded by another version: see crs replay"
+        show([Diagnostic("warning", Location(str(self._path)), text, hint=hint)])

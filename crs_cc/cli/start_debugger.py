@@ -5,27 +5,21 @@ from __future__ import annotations
 import functools
 import io
 import sys
-from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crs_cc.cli import full_screen
-from crs_cc.cli.compiler_options import CompilerOptions
 from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.load import Loaded, load
+from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import is_coloured, show_before_run
 from crs_cc.cli.save_files import save_all
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
-from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.preprocess.options import Dialect, Options
 from crs_cc.session.host import Input, Output, never_waits, no_input
-from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
@@ -50,7 +44,7 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
         given = None if options.input is None else file_input(options.input)
         if recorded is not None:
             given = recorded.read
-        make = functools.partial(make_debugger, loaded, options, recorded)
+        make = functools.partial(_made, loaded, options, recorded)
         debugger = full_screen.show(options, make, given)
         _record(debugger, loaded, options, recorded)
         return 0 if _save_files(debugger, options) else SYSTEM
@@ -58,7 +52,7 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)
     given = _input(options, keyboard) if recorded is None else recorded.read
-    debugger = make_debugger(loaded, options, recorded, terminal.program, given)
+    debugger = _made(loaded, options, recorded, terminal.program, given)
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
     _record(debugger, loaded, options, recorded)
@@ -112,59 +106,18 @@ def _load(options: DebugOptions) -> Loaded:
     return loaded
 
 
-def make_debugger(
+def _made(
     loaded: Loaded,
     options: DebugOptions,
     recorded: RecordedRunCheck | None,
     output: Output,
     read: Input,
 ) -> Debugger:
-    """Return a debugger of loaded programs.
-
-    Args:
-        loaded: the world and the programs, in their debug builds.
-        options: how to run them.
-        recorded: compares the run with its recording, if there is one.
-        output: receives what they write.
-        read: returns what they read.
-    """
-    debugger = Debugger(
-        loaded.world,
-        _programs(loaded, options),
-        options.seed if options.seed is not None else loaded.world.seed or 0,
-        arguments=loaded.arguments,
-        output=output,
-        read=read,
-        files=loaded.files,
-        client=options.client,
-        observer=recorded,
-        waiting=never_waits if recorded is None else recorded.waiting,
+    """Return a debugger of a new run, or of a recorded one, whose changes it knows."""
+    if recorded is None:
+        return make_debugger(loaded, options, output, read)
+    debugger = make_debugger(
+        loaded, options, output, read, observer=recorded, waiting=recorded.waiting
     )
-    if recorded is not None:
-        recorded.begin(debugger.session)
+    recorded.begin(debugger)
     return debugger
-
-
-def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:
-    """Return each robot's program; robots with the same program share it."""
-    made: dict[int, DebugProgram] = {}
-    rows = zip(loaded.executables, loaded.sources, loaded.dialects, strict=True)
-    for executable, sources, dialect in rows:
-        if id(executable) not in made:
-            front_end = _front_end(options.compiler, sources, dialect)
-            made[id(executable)] = DebugProgram(executable, sources, front_end)
-    return [made[id(executable)] for executable in loaded.executables]
-
-
-def _front_end(
-    compiler: CompilerOptions, sources: Sequence[Path], dialect: Dialect | None
-) -> Options:
-    """Return the options that the files were compiled with, for parsing expressions."""
-    options = library_options(
-        compiler.include_paths,
-        compiler.defines,
-        compiler.undefines,
-        compiler.standard,
-        compiler.root,
-    )
-    return replace(options, dialect=dialect or dialect_of(sources, options))

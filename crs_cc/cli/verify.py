@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import zlib
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from crs_cc.cli.load import load
+from crs_cc.cli.changed_run import ChangedRun, recorded_changes
+from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.rerun import RecordedInput, unpacked
 from crs_cc.cli.run_options import RunOptions
 from crs_cc.core.errors import ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.debug.errors import DebugError
 from crs_cc.recording import topics
 from crs_cc.recording.description import versions
 from crs_cc.recording.digest import digest
@@ -18,6 +21,7 @@ from crs_cc.recording.mcap_records import NS
 from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
+    from crs_cc.debug.timeline.change import Change
     from crs_cc.recording.recording import Recording
 
 
@@ -44,16 +48,30 @@ def verify(recording: Recording) -> Verified:
         RecordingError: the recording is not valid.
         CrsError: the programs or the world cannot be loaded.
     """
+    changes = recorded_changes(recording)
     with unpacked(recording, RunOptions) as options:
-        loaded = load(options, Diagnostics())
-        return _Rerun(recording, loaded, options).compare()
+        loaded = load(options, Diagnostics(), debug=bool(changes))
+        return _Rerun(recording, loaded, options, changes).compare()
 
 
 class _Rerun:
-    def __init__(self, recording: Recording, loaded: Any, options: RunOptions) -> None:
+    def __init__(
+        self, recording: Recording, loaded: Loaded, options: RunOptions, changes: Sequence[Change]
+    ) -> None:
         self._recording = recording
         self._output_crc = 0
         given = RecordedInput(recording)
+        self._changed: ChangedRun | None = None
+        if changes:  # which can be anywhere in a program, so the debugger makes them
+            from crs_cc.cli.make_debugger import make_debugger
+
+            debugger = make_debugger(
+                loaded, options, self._write, given.read, waiting=given.waiting
+            )
+            debugger.run.console.shows_new = True
+            self._changed = ChangedRun(debugger, changes)
+            self._session = debugger.session
+            return
         self._session = Session(
             loaded.world,
             loaded.executables,
@@ -73,7 +91,10 @@ class _Rerun:
                 timesteps = int(data["timesteps"])
                 if timesteps < self._session.timesteps:
                     raise ValueError("the hashes are not in order")
-            self._run_to(timesteps)
+            try:
+                self._run_to(timesteps)
+            except DebugError as error:
+                raise self._mismatch(time_ns, str(error)) from None
             expected = data.get("digest"), data.get("output")
             found = digest(self._session), self._output_crc
             if self._session.timesteps != timesteps or expected[0] != found[0]:
@@ -89,6 +110,9 @@ class _Rerun:
 
     def _run_to(self, timesteps: int) -> None:
         session = self._session
+        if self._changed is not None:
+            self._changed.advance_to(timesteps)
+            return
         while session.timesteps < timesteps and session.advance(timesteps - session.timesteps):
             pass
 

@@ -31,6 +31,7 @@ from crs_cc.debug.step_conditions import (
 )
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.stop_points import StopPoints
+from crs_cc.debug.timeline.change import Change, MemoryPatch
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
@@ -368,7 +369,7 @@ class Debugger:
         robot = self.view.robot if robot is None else robot
         found = self.view.evaluator(robot).evaluate(text, self.view.active_frame(robot, frame))
         if found.changed:
-            self._changed()
+            self._changed(text, robot, found.patches)
         return found.value
 
     def edit_world(self, text: str) -> str:
@@ -381,12 +382,30 @@ class Debugger:
             DebugError: it is invalid or impossible; nothing has changed.
         """
         done = edit(self.session.environment, text)
-        self._changed()
+        self._changed(text)
         return done
 
-    def _changed(self) -> None:
-        """Discard the recorded future after a change."""
-        self.run.changed()
+    def repeat(self, change: Change) -> None:
+        """Go to the position of a change of the same run, and make it again.
+
+        Raises:
+            DebugError: the run does not get there, or the change is not possible there.
+        """
+        self.run.seek(change.position)
+        if self.position != change.position:
+            raise DebugError(f"the run does not get to where {change.text[:40]!r} changed it")
+        if change.robot < 0:
+            edit(self.session.environment, change.text)
+        else:
+            try:
+                self.run.patch(change.robot, change.patches)
+            except ValueError as wrong:
+                raise DebugError(str(wrong)) from None
+        self._changed(change.text, change.robot, change.patches)
+
+    def _changed(self, text: str, robot: int = -1, patches: tuple[MemoryPatch, ...] = ()) -> None:
+        """Record a change, and discard the future."""
+        self.run.changed(Change(self.position, text, robot, patches))
         self.branches.changed()
 
     # -- branches ------------------------------------------------------------------------------

@@ -170,6 +170,12 @@ class Recorder:
         data = {"kind": "waiting", "robot": robot, "clock_s": clock_s, "ready": ready}
         self._add_json(topics.INPUT, _ns(clock_s), {**data, "wait_s": wait_s})
 
+    def change(self, data: Mapping[str, Any]) -> None:
+        """Record what the user has just changed in the run, as plain data."""
+        self._moved = True
+        if self.failed is None:
+            self._add_json(topics.INPUT, _ns(self._session.time_s), data)
+
     def seconds_left(self) -> float:
         """Return how much time may be simulated before the next call of `sample` [s]."""
         left = self._next_hash - self._session.timesteps

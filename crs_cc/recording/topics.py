@@ -42,8 +42,9 @@ OUTPUT: Final = _json(
     "/crs/output", "crs.Output", robot="integer", stream="integer", text="string", base64="string"
 )
 INPUT: Final = _json(
-    "/crs/input", "crs.Input", kind="string", robot="integer", text="string", base64="string"
-)
+    "/crs/input", "crs.Input", kind="string", robot="integer", text="string", base64="string",
+    position="array", patches="array",
+)  # fmt: skip
 HASH: Final = _json("/crs/hash", "crs.Hash", timesteps="integer", digest="string", state="string")
 
 TOPICS: Final = {

@@ -36,6 +36,25 @@ def rewritten(source: Path, target: Path, *, run: dict[str, str] | None = None) 
     reader.close()
 
 
+def rewritten_input(source: Path, target: Path, values: dict[str, object]) -> None:
+    """Copy a recording with other values in changes of a program."""
+    reader = McapReader(source)
+    with target.open("wb") as file:
+        writer = McapWriter(file)
+        for name, known in reader.metadata.items():
+            writer.metadata(name, known)
+        for name in reader.attachments:
+            writer.attachment(name, "", reader.attachment(name))
+        for chunk in reader.chunks:
+            for message in reader.messages(chunk):
+                data = message.data
+                if message.topic == "/crs/input" and json.loads(data).get("patches"):
+                    data = json.dumps({**json.loads(data), **values}).encode()
+                writer.add(TOPICS[message.topic], message.time_ns, data)
+        writer.finish()
+    reader.close()
+
+
 def test_without_options_it_summarises(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["replay", str(recorded)]) == 0
     said = capfd.readouterr().out
@@ -224,8 +243,42 @@ def test_a_debugged_run_is_recorded_as_it_stands(
     assert all((own.values == other.values).all() for own, other in pairs)
     mine.close()
     theirs.close()
-    path.unlink()
-    edit = ["-ex", "goto 1", "-ex", "move robot0 to 1 2"]
-    assert main(["debug", "--batch", str(recorded), *edit, "--record", str(path)]) == 0
-    assert "not recorded: it was changed by hand" in capfd.readouterr().err
-    assert not path.exists()
+
+
+def test_what_was_changed_by_hand_is_recorded_and_done_again(
+    recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path, again = tmp_path / "changed.mcap", tmp_path / "again.mcap"
+    lines = [
+        "goto 1", "move robot0 to 1 2 90", "degrade robot0 sonar.0 dead", "break 19 if i == 4",
+        "continue", "print 30 + 4", "print i = $ - 27", "delete", "goto 3", "move crate to 2 1",
+        "goto 2.9", "print i", "goto 3.5",
+    ]  # fmt: skip
+    commands = [part for line in lines for part in ("-ex", line)]
+    assert main(["debug", "--batch", str(recorded), *commands, "--record", str(path)]) == 0
+    first = capfd.readouterr().out
+    assert "= 7" in first
+    recording = Recording(path)
+    given = [data for _, data in recording.data("/crs/input") if data["kind"] == "change"]
+    assert [each["text"] for each in given] == [
+        "move robot0 to 1 2 90", "degrade robot0 sonar.0 dead", "i = $ - 27", "move crate to 2 1"
+    ]  # fmt: skip
+    assert len(given[2]["patches"]) == 1
+    last = list(recording.frames())[-1]
+    assert last.values[0].tolist() == pytest.approx([1.0, 2.0], abs=0.01)
+    recording.close()
+    assert main(["replay", str(path), "--verify"]) == 0
+    assert "the same run: 5 hashes agree" in capfd.readouterr().out
+    look = ["-ex", "print i", "-ex", "info robots", "-ex", "goto 0.5", "-ex", "info robots"]
+    options = ["--at", "3", *look, "-ex", "goto 3.5", "--record", str(again)]
+    assert main(["debug", "--batch", str(path), *options]) == 0
+    said = capfd.readouterr()
+    assert said.err == ""
+    assert main(["replay", str(again), "--verify"]) == 0
+    rewritten_input(path, again, {"robot": 9})
+    assert main(["replay", str(again), "--verify"]) == 125
+    assert "memory of a robot that does not exist" in capfd.readouterr().err
+    assert main(["debug", "--batch", str(again), "--at", "3"]) == 0
+    assert "a change by hand cannot be made again" in capfd.readouterr().err
+    rewritten_input(path, again, {"position": [1, 2]})
+    assert main(["replay", str(again), "--verify"]) == 120

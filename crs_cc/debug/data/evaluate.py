@@ -34,6 +34,7 @@ from crs_cc.debug.data.scope import FrameAddresses, Scopes
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.change import MemoryPatch
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import LIBRARY, in_library, plain_name
@@ -61,11 +62,16 @@ class Evaluation:
     """The result of an evaluation.
 
     Attributes:
-        changed: whether the program's memory has changed.
+        patches: what has changed in the program's memory; empty if nothing has.
     """
 
     value: Value
-    changed: bool
+    patches: tuple[MemoryPatch, ...] = ()
+
+    @property
+    def changed(self) -> bool:
+        """Return whether the program's memory has changed."""
+        return bool(self.patches)
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,14 +148,14 @@ class Evaluator:
         frame = frame or _innermost(stopped)
         wanted = slice_in(text)
         if wanted is not None:
-            return Evaluation(self._slice(wanted, frame), changed=False)
+            return Evaluation(self._slice(wanted, frame))
         prepared, result = self._run(text, stopped, frame)
         try:
             value = self._value(prepared.compiled, result)
         except EvaluationError as wrong:
             self._memory.undo()
             raise DebugError(str(wrong)) from None
-        return Evaluation(value, self._memory.has_changed())
+        return Evaluation(value, self._memory.patches() if self._memory.has_changed() else ())
 
     def undo(self) -> None:
         """Undo the side effects of the last expression, on convenience variables, too."""

@@ -15,6 +15,7 @@ import numpy as np
 
 from crs_cc.core.arrays import ByteArray
 from crs_cc.debug.data.expression_memory import EvaluationError
+from crs_cc.debug.timeline.change import MemoryPatch
 from crs_cc.ir.instruction import ByteState, plain_states
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE
@@ -101,6 +102,20 @@ class StoppedMemory:
         return any(
             (int(self._memory[at]), int(self._shadow[at]) if len(self._shadow) else 255) != pair
             for at, pair in before.items()
+        )
+
+    def patches(self) -> tuple[MemoryPatch, ...]:
+        """Return what has been written since `begin`, with its values now."""
+        spans = {
+            (address, len(content), bool(states)) for address, content, states in self._journal
+        }
+        return tuple(
+            MemoryPatch(
+                address,
+                self._memory[address : address + size].tobytes(),
+                self._shadow[address : address + size].tobytes() if has_states else b"",
+            )
+            for address, size, has_states in sorted(spans)
         )
 
     def read(self, address: int, size: int, *, judged: bool = True) -> bytes:

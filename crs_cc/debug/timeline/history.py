@@ -22,6 +22,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.chunk_store import ChunkStore
 from crs_cc.debug.timeline.console import ConsolePosition
 from crs_cc.debug.timeline.position import Position
@@ -55,7 +56,11 @@ class RunSnapshot:
 
 
 class History:
-    """The snapshots of one run, and the positions of the user's changes."""
+    """The snapshots of one run, and the user's changes.
+
+    Attributes:
+        changes: the changes, in their order.
+    """
 
     def __init__(self, most_bytes: int = MAX_BYTES, robots: int = 1) -> None:
         """Create an empty history; the first snapshot kept is the start.
@@ -71,6 +76,7 @@ class History:
         self._positions: list[Position] = []
         self._kept: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
+        self.changes: tuple[Change, ...] = ()
         self._user: Position | None = None  # the last position that the user went back to
         self._here = Position(0, 0)
 
@@ -103,8 +109,10 @@ class History:
         if self.size > self._store.most_bytes:
             self._thin()
 
-    def branch(self, position: Position, kept: RunSnapshot) -> None:
-        """Store the snapshot after a change; discard all later ones."""
+    def branch(self, change: Change, kept: RunSnapshot) -> None:
+        """Store a change and the snapshot after it; discard all later ones."""
+        position = change.position
+        self.changes = (*self.changes_until(position), change)
         first = bisect_left(self._positions, position)
         for each in self._positions[first:]:
             self._store.drop(self._kept.pop(each))
@@ -123,8 +131,13 @@ class History:
         self._store.most_bytes += self._more_bytes
         other._positions = self._positions[: bisect_right(self._positions, position)]
         other._edits = [each for each in self._edits if each <= position]
+        other.changes = self.changes_until(position)
         other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
         return other
+
+    def changes_until(self, position: Position) -> tuple[Change, ...]:
+        """Return the changes up to a position."""
+        return tuple(each for each in self.changes if each.position <= position)
 
     def at(self, position: Position) -> RunSnapshot:
         """Return the snapshot at a position that has one."""

@@ -20,6 +20,7 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.timeline.change import Change, MemoryPatch
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
@@ -393,13 +394,33 @@ class RecordedRun:
         self.input_log = InputLog()
         self.is_off_timeline = True
 
-    def changed(self) -> None:
-        """Record a change by the user: discard the future of the history."""
+    def changed(self, change: Change) -> None:
+        """Record a change that the user has made here: discard the future of the history."""
         self._look_anew()
         self.console.truncate()
         self.event_history.forget(self.position.timestep)
         self.input_log.forget(self.position)
-        self.history.branch(self.position, self._kept())
+        self.history.branch(change, self._kept())
+
+    def patch(self, robot: int, patches: Sequence[MemoryPatch]) -> None:
+        """Write bytes to a program's memory.
+
+        Raises:
+            ValueError: there is no such program or memory; nothing is written.
+        """
+        if not 0 <= robot < len(self.programs):
+            raise ValueError("a change of the memory of a robot that does not exist")
+        stopped = self.stopped(robot)
+        parts = [
+            (memory, each.address, np.frombuffer(content, np.uint8))
+            for each in patches
+            for memory, content in ((stopped.memory, each.content), (stopped.shadow, each.states))
+            if content
+        ]
+        if any(not 0 <= at <= len(memory) - len(content) for memory, at, content in parts):
+            raise ValueError("a change outside of the memory")
+        for memory, at, content in parts:
+            memory[at : at + len(content)] = content
 
     def _look_anew(self) -> None:
         """Reset the watched values: they were not changed by the programs."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.console import ConsolePosition
 from crs_cc.debug.timeline.history import INTERVAL, History, RunSnapshot
 from crs_cc.debug.timeline.position import BEGINNING, Position
@@ -106,7 +107,7 @@ def test_snapshots_of_changes_are_never_thinned() -> None:
     history = begun(most_bytes=30 * CHUNK)
     forward(history, 0, 12, CHUNK)
     edit = Position(11, 3, 0, 99)
-    history.branch(edit, moment(-1 % 1000, CHUNK))
+    history.branch(Change(edit, ""), moment(-1 % 1000, CHUNK))
     forward(history, 12, 2000, CHUNK)
     assert history.before(Position(12, 0))[0] >= edit
     assert np.array_equal(history.at(edit).session, moment(999, CHUNK).session)
@@ -117,10 +118,10 @@ def test_snapshots_of_changes_are_never_thinned() -> None:
 def test_a_change_drops_later_snapshots() -> None:
     history = begun()
     forward(history, 0, 31)
-    history.branch(at(20), moment(777))
+    history.branch(Change(at(20), ""), moment(777))
     assert timesteps(history, 100) == [0, 5, 10, 15, 20]
     assert history.at(at(20)).console.written == 777
-    history.branch(at(10), moment(778))
+    history.branch(Change(at(10), ""), moment(778))
     assert history.next_edit(BEGINNING) == at(10)
     assert history.next_edit(at(10)) is None
 
@@ -128,7 +129,7 @@ def test_a_change_drops_later_snapshots() -> None:
 def test_changes_may_exceed_the_limit() -> None:
     history = begun(most_bytes=3 * CHUNK)
     for timestep in range(1, 9):
-        history.branch(at(timestep), moment(timestep, CHUNK))
+        history.branch(Change(at(timestep), ""), moment(timestep, CHUNK))
     assert timesteps(history, 9) == list(range(9))
 
 
@@ -149,7 +150,7 @@ def test_a_branch_shares_common_snapshots() -> None:
     other = history.fork(at(50))
     assert other.size - before < CHUNK
     assert timesteps(other, 100)[-1] == 50
-    other.branch(at(20), moment(1, CHUNK))
+    other.branch(Change(at(20), ""), moment(1, CHUNK))
     assert np.array_equal(history.at(at(50)).session, moment(50, 10 * CHUNK).session)
     assert history.places(at(20)) == [at(0), at(5), at(10), at(15)]
 
@@ -158,6 +159,6 @@ def test_a_branch_has_memory_for_its_own_snapshots() -> None:
     history = begun(most_bytes=40 * CHUNK)
     forward(history, 0, 1000, CHUNK)
     other = history.fork(at(500))
-    other.branch(at(500), moment(1, CHUNK))
+    other.branch(Change(at(500), ""), moment(1, CHUNK))
     forward(other, 501, 1000, CHUNK)
     assert sum(place > at(500) for place in other.places(at(1000))) > 5

@@ -7,6 +7,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.world.event_history import EventHistory
 from crs_cc.debug.world.events import WorldEvent
 from crs_cc.sim.engine.environment import Environment
@@ -89,7 +90,7 @@ def test_a_change_discards_later_events_but_not_those_of_branches(
     assert crashed.run.event_history.timesteps == 3
     crashed.branches.switch("main")
     assert crashed.run.event_history.world_events() == known
-    crashed.run.changed()
+    crashed.run.changed(Change(crashed.position, ""))
     assert kinds(crashed) == []
 
 

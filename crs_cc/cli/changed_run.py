@@ -1,0 +1,66 @@
+"""A run that its user changed in the debugger, run again with the same changes."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.timeline.change import Change
+from crs_cc.debug.timeline.position import Position
+from crs_cc.recording import topics
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.recording.recording import Recording
+
+
+class ChangedRun:
+    """Moves a debugger forward, and makes the changes on the way."""
+
+    def __init__(
+        self,
+        debugger: Debugger,
+        changes: Iterable[Change],
+        changed: Callable[[Change], None] = lambda _change: None,
+    ) -> None:
+        """Start at the beginning.
+
+        Args:
+            debugger: has the programs and the world of the run.
+            changes: all changes, in their order.
+            changed: is told of each change that has been made.
+        """
+        self._debugger = debugger
+        self._left = deque(changes)
+        self._changed = changed
+
+    def advance_to(self, timestep: int) -> None:
+        """Run to the start of a timestep; what was changed right there is not yet.
+
+        Raises:
+            DebugError: a change cannot be made again.
+        """
+        target = Position(timestep, 0)
+        while self._left and self._left[0].position < target:
+            self._repeat(self._left.popleft())
+        self._debugger.run.seek(target)
+
+    def finish(self) -> None:
+        """Run to the last change and make it; raise DebugError if one cannot be made again."""
+        while self._left:
+            self._repeat(self._left.popleft())
+
+    def _repeat(self, change: Change) -> None:
+        self._debugger.repeat(change)
+        self._changed(change)
+
+
+def recorded_changes(recording: Recording) -> list[Change]:
+    """Return what the user changed in a recorded run; raise RecordingError if it is not valid."""
+    found = []
+    for _, data in recording.data(topics.INPUT.topic):
+        if data.get("kind") == "change":
+            with recording.errors():
+                found.append(Change.of(data))
+    return found

@@ -1,0 +1,96 @@
+r"""Changes of a run by its user, as data: kept in the history, and written to recordings.
+
+A change of a program is the bytes that it changed, whatever expression did it: expressions may use
+what the user has printed before, which is no part of the run.
+
+>>> patch = MemoryPatch(4096, b"\x07", b"\xff")
+>>> change = Change(Position(3, 0, 1, 40), "speed = 7", 1, (patch,))
+>>> change.as_data()["patches"]
+[[4096, 'Bw==', '/w==']]
+>>> Change.of(change.as_data()) == change
+True
+"""
+
+from __future__ import annotations
+
+from base64 import b64decode, b64encode
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Self
+
+from crs_cc.debug.timeline.position import Position
+
+Data = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class MemoryPatch:
+    """Bytes that a change has written.
+
+    Attributes:
+        address: the first one's.
+        content: the bytes.
+        states: their states in the shadow memory; empty if it did not change.
+    """
+
+    address: int
+    content: bytes
+    states: bytes = b""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A change.
+
+    Attributes:
+        position: where the run was.
+        text: what the user asked for: a change of the world, or an expression.
+        robot: the robot whose program was changed; -1 for the world.
+        patches: what was changed in the program's memory, in this order.
+    """
+
+    position: Position
+    text: str
+    robot: int = -1
+    patches: tuple[MemoryPatch, ...] = ()
+
+    def as_data(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        place = self.position
+        return {
+            "kind": "change",
+            "robot": self.robot,
+            "text": self.text,
+            "position": [place.timestep, place.round, place.robot, place.statements],
+            "patches": [
+                [each.address, _encoded(each.content), _encoded(each.states)]
+                for each in self.patches
+            ],
+        }
+
+    @classmethod
+    def of(cls, data: Data) -> Self:
+        """Return it from plain data.
+
+        Raises:
+            ValueError: it is not valid.
+            KeyError: something is missing.
+            TypeError: something has another type.
+        """
+        timestep, round_, halted, statements = map(int, data["position"])
+        if min(timestep, round_, statements, halted + 1) < 0:
+            raise ValueError("a change has an invalid position")
+        patches = tuple(
+            MemoryPatch(int(address), _decoded(content), _decoded(states))
+            for address, content, states in data["patches"]
+        )
+        place = Position(timestep, round_, halted, statements)
+        return cls(place, str(data["text"]), int(data["robot"]), patches)
+
+
+def _encoded(content: bytes) -> str:
+    return b64encode(content).decode("ascii")
+
+
+def _decoded(text: str) -> bytes:
+    return b64decode(text, validate=True)
