@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
@@ -13,6 +14,7 @@ from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import Definitions
 from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import Degradation, described
+from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Robot, WorldModel, is_pushable
@@ -54,6 +56,8 @@ def _world(world: WorldModel) -> Iterator[str]:
         yield _robot(robot)
     if len(world.robots) > _MOST:
         yield f"... and {counted(len(world.robots) - _MOST, 'more robot')}"
+    for goal in world.goals:
+        yield _goal(goal)
     for degradation in world.degradations[:_MOST]:
         yield _degradation(degradation, world)
     if len(world.degradations) > _MOST:
@@ -126,6 +130,22 @@ def _robot(robot: Robot) -> str:
         line += f", joins at {robot.join_s:g} s"
     if math.isfinite(robot.leave_s):
         line += f", leaves at {robot.leave_s:g} s"
+    return line
+
+
+def _goal(goal: Goal) -> str:
+    kind = re.sub("(?<=[a-z])(?=[A-Z])", "-", type(goal.condition).__name__).lower()
+    line = (
+        f"goal '{goal.title}': {kind}, {goal.points:g} {'point' if goal.points == 1 else 'points'}"
+    )
+    if goal.robots:
+        line += f", of {', '.join(goal.robots)}"
+    if goal.after:
+        line += f", after '{goal.after}'"
+    if goal.until:
+        line += f", until '{goal.until}'"
+    if math.isfinite(goal.within_s):
+        line += f", within {goal.within_s:g} s"
     return line
 
 

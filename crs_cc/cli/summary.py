@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
@@ -17,6 +17,7 @@ from crs_cc.core.source import Diagnostic
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.result import Pose, RobotResult, RunResult
+    from crs_cc.sim.engine.goals import GoalResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,11 +79,20 @@ def as_json(run: Run, warned: Sequence[Diagnostic]) -> str:
             {**_robot_data(robot, call), **(run.printed.fields(number) if run.printed else {})}
             for number, (robot, call) in enumerate(zip(result.robots, run.calls, strict=True))
         ],
+        **_goals_data(result.goals),
         "timing": {"wall_s": run.wall_s, "real_time_factor": run.real_time_factor},
     }
     import json
 
     return json.dumps(data, indent=2)
+
+
+def _goals_data(goals: Sequence[GoalResult]) -> dict[str, Any]:
+    """Return the goals and their points, nothing for a world without goals."""
+    if not goals:
+        return {}
+    points = {"earned": sum(goal.earned for goal in goals), "of": sum(g.points for g in goals)}
+    return {"goals": [asdict(goal) for goal in goals], "points": points}
 
 
 def _robot_data(robot: RobotResult, call: ActiveCall | None) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Literal
 
 from rich.console import Console
 from rich.markup import escape
@@ -18,10 +18,14 @@ if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.result import Pose, RobotResult
+    from crs_cc.sim.engine.goals import GoalResult
 
 MAX_ROWS: Final = 20
 _WIDTH_ELSEWHERE: Final = 120
 _UNBOUNDED: Final = 1000
+_GOAL_COLUMNS: Final[tuple[tuple[str, Literal["left", "right"]], ...]] = (
+    ("goal", "left"), ("", "left"), ("at", "right"), ("points", "right"), ("progress", "left"),
+)  # fmt: skip
 _DISPENSABLE: Final = ("fuel", "commands", "odometry", "collisions")
 """The columns dropped on a narrow terminal, in this order."""
 
@@ -33,11 +37,27 @@ def print_summary(run: Run) -> None:
     robots = run.result.robots
     with console.capture() as captured:  # rich would exit the process at a broken pipe
         console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
+        if run.result.goals:
+            console.print(_goal_table(run.result.goals))
         for line in running_programs(run):
             console.print(line, markup=False)
         console.print(_closing_line(run), style="dim")
     sys.stderr.write(captured.get())
     sys.stderr.flush()
+
+
+def _goal_table(goals: Sequence[GoalResult]) -> Table:
+    """Return a table of the goals, with their sum of points."""
+    table = Table(box=None, pad_edge=False)
+    for name, justify in _GOAL_COLUMNS:
+        table.add_column(name, justify=justify)
+    for goal in goals:
+        at = "" if goal.at_s is None else f"{goal.at_s:.2f} s"
+        row = goal.status, at, f"{goal.earned:g} of {goal.points:g}", goal.progress
+        table.add_row(escape(printable(goal.title)), *row)
+    earned, total = sum(goal.earned for goal in goals), sum(goal.points for goal in goals)
+    table.add_row("in all", "", "", f"{earned:g} of {total:g}", "")
+    return table
 
 
 def _closing_line(run: Run) -> str:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal, Self
 
@@ -412,12 +412,15 @@ def _block(frames: Sequence[RawFrame]) -> FloatArray:
 def _result_values(result: RunResult) -> dict[str, str]:
     """Return the results as named strings."""
     ends = [[robot.outcome, robot.exit_status] for robot in result.robots]
-    return {
+    values = {
         "timesteps": str(result.timesteps),
         "simulated_s": repr(result.simulated_s),
         "state_hash": result.state_hash,
         "robots": json.dumps(ends),
     }
+    if result.goals:
+        values["goals"] = json.dumps([asdict(goal) for goal in result.goals])
+    return values
 
 
 def _ns(time_s: float) -> int:

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Snapshot
+from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot
 from crs_cc.sim.state.env_state import EnvState
 
@@ -78,12 +79,14 @@ class RunResult:
             what it wrote to them, its clock, its fuel, when its request arrives,
             its last robot call and its exit status.
             Standard output and standard input are not part of it.
+        goals: what has become of the world's goals, in the world's order.
     """
 
     robots: tuple[RobotResult, ...]
     timesteps: int
     simulated_s: float
     state_hash: str
+    goals: tuple[GoalResult, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

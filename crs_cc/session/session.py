@@ -49,6 +49,7 @@ from crs_cc.session.host import (
 )
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session_state import NEVER_S, SessionState
+from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import Robot, WorldModel
 
@@ -156,6 +157,11 @@ class Session:
     def remove_robot(self, robot: int | str) -> None:
         """Remove a robot, see `SessionState.remove_robot`."""
         self.state.remove_robot(robot)
+
+    @property
+    def goals(self) -> tuple[GoalResult, ...]:
+        """What has become of the world's goals so far."""
+        return self.environment.goals
 
     def result(self) -> RunResult:
         """Return the result of the run so far."""

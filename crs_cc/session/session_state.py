@@ -165,7 +165,8 @@ class SessionState:
     def result(self) -> RunResult:
         """Return the result of the run so far."""
         robots = tuple(map(self.robot_result, range(len(self.fleet))))
-        return RunResult(robots, self.timesteps, self.time_s, self.state_hash())
+        goals = self.environment.goals
+        return RunResult(robots, self.timesteps, self.time_s, self.state_hash(), goals)
 
     def robot_result(self, robot: int) -> RobotResult:
         """Return the result of one robot so far."""

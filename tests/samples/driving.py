@@ -33,6 +33,7 @@ class Drive:
         files: what it wrote, by name.
         paths: x and y of the robots after each timestep [m], shape (timesteps, robots, 2).
         robots: the results.
+        goals: what has become of the world's goals.
         state_hash: of the state in which it ends.
         hints: what is doubtful about its robot calls.
         things: x, y [m] and heading [rad] of what can be pushed, at the end, by name.
@@ -88,6 +89,7 @@ class Drive:
         self.state_hash = session.state_hash()
         self.hints = session.hints
         self.robots: tuple[RobotResult, ...] = session.result().robots
+        self.goals = session.goals
         self.output = b"".join(self._outputs)
         bodies, pushables = session.environment.state.bodies, Scene(world).pushables
         poses = np.column_stack([bodies.position_m, bodies.angle_rad])[len(world.robots) :]

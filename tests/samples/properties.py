@@ -15,6 +15,10 @@ def touches_nothing(drive: Drive) -> None:
     assert [robot.collisions for robot in drive.robots] == [0] * len(drive.robots)
 
 
+def meets_all_goals(drive: Drive) -> None:
+    assert [goal.status for goal in drive.goals] == ["met"] * 3
+
+
 def gets_about(drive: Drive) -> None:
     touches_nothing(drive)
     assert drive.robot.distance_m > 5

@@ -138,6 +138,8 @@ RUNS = [
     Run("call", "call", properties.finds_who_calls),
     Run("lantern", "lantern", properties.follows_the_lamp),
     Run("push", "push", properties.pushes_the_crate_together),
+    Run("mow", "mowing", properties.meets_all_goals),
+    Run("deliver", "delivery", properties.meets_all_goals),
 ]
 
 

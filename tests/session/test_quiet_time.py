@@ -140,6 +140,11 @@ WORLDS = {
     "sonars fail": HALL + ROBOTS.format('setup="noisy"')
     + '<degradation robot="a" device="sonar" element="3" onset="2.2s" duration="3s" noise="0.2m"/>'
     '<degradation robot="c" device="sonar" dropouts="0.3"/>',
+    "goals": HALL + ROBOTS.format("") + '<goal><reach x="1m" y="2m" radius="9cm" stay="3s"/></goal>'
+    '<goal id="b0" robots="b"><reach x="3m" y="3.2m" radius="1m" stay="2.3s"/></goal>'
+    '<goal after="b0"><follow target="a" most="3m" share="0.4"/></goal>'
+    '<goal within="4.1s"><follow target="c" most="4m" share="0.8"/></goal>'
+    '<goal within="5s"><reach x="6m" y="4m" radius="10cm"/></goal><goal><no-collision/></goal>',
     "wheels fail": HALL + ROBOTS.format("")
     + '<degradation robot="b" device="drive" element="right" gain="0.5" onset="3s" bias="1cm/s"/>',
 }  # fmt: skip

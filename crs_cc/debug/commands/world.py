@@ -12,6 +12,7 @@ from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import EDITS
+from crs_cc.debug.world.goal_rows import goal_rows
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
 from crs_cc.debug.world.run_map import run_map
@@ -51,6 +52,13 @@ def _info_robot(context: CommandContext, text: str) -> Answer:
 
 def _info_world(context: CommandContext, _text: str) -> Answer:
     yield from lines(world_rows(context.debugger.session.environment))
+
+
+def _info_goals(context: CommandContext, _text: str) -> Answer:
+    rows = goal_rows(context.debugger.session.goals)
+    if not rows:
+        raise DebugError("the world has no goals")
+    yield from lines(rows)
 
 
 def _info_state(context: CommandContext, text: str) -> Answer:
@@ -119,6 +127,11 @@ WORLD: Final = Group(
         ),
         Command("info world", "", "Describe the world: its time and its objects.",
                 _info_world),
+        Command(
+            "info goals", "", "Show the goals of the world, and when each was met.", _info_goals,
+            text="A goal that holds would be met if the run ended now. catch goal stops when one"
+            " is met or fails.",
+        ),
         Command(
             "map", "[NAME [METRES]]", "Draw a map of the world, or around a robot.", _map,
             text="Around a robot, its last sonar echoes are drawn too; METRES is the height"

@@ -38,6 +38,7 @@ from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.devices.sensor_board import state_vector
 from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import log_falls
+from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
 from crs_cc.sim.engine.step import Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
@@ -144,6 +145,7 @@ class Environment:
         if state.degradation.next_s < end_s:
             self.degradations.log_changes(end_s)
         data.devices.end_cycle(state, data.constants, time_s, end_s)
+        data.goals.judge(state, began, end_s, data.log)
         traffic = take(state.messages)
         self._begin_cycle()
         # Part of the next cycle: waits that end in it, and robots that join or leave at its start.
@@ -265,6 +267,11 @@ class Environment:
     def degradations(self) -> DegradationControl:
         """The degradations of devices, to be read and changed between two steps."""
         return DegradationControl(self._data, self._data.log)
+
+    @property
+    def goals(self) -> tuple[GoalResult, ...]:
+        """What has become of the goals so far."""
+        return self._data.goals.results(self.state)
 
     @property
     def communication(self) -> CommunicationControl:

@@ -8,7 +8,8 @@ looks at the state, with the same result to the last bit.
 A world is at rest if no body and no axis moves, nothing is touched, held or pressed, no message is
 on its way, and no degradation acts on a drive. It stays so until the next event whose time is
 known: a measurement by a timer, the end of a wait or of a command timeout, the onset or end of a
-degradation or an outage, a robot that joins or leaves. Requests come from outside.
+degradation or an outage, a robot that joins or leaves, a time of a goal. Requests come from
+outside.
 """
 
 from __future__ import annotations
@@ -54,6 +55,7 @@ def catch_up(data: WorldData, cycles: int) -> None:
     data.devices.sonars.catch_up(state, constants, data.rays, present, until_s)
     state.drive.clock_s[present] = data.time_s
     data.physics.skip(state.bodies, cycles)
+    data.goals.skip(state, cycles)
 
 
 def _is_at_rest(data: WorldData) -> bool:
@@ -89,5 +91,5 @@ def _next_event_s(data: WorldData) -> float:
         when(data.waits, state, waiting),
         data.devices.messenger.outages_s(state),
     ]
-    known_s = min(state.degradation.next_s, data.due_s)
+    known_s = min(state.degradation.next_s, data.due_s, data.goals.due_s(state))
     return min(float(known_s), *(float(each.min(initial=np.inf)) for each in times))

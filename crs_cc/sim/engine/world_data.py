@@ -34,6 +34,8 @@ from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.serial_link import SerialLine
 from crs_cc.sim.engine.device_board import DeviceBoard
+from crs_cc.sim.engine.goal_floor import Floor
+from crs_cc.sim.engine.goals import GoalJudge
 from crs_cc.sim.engine.handlers import handlers_of, waits_of
 from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.engine.step import Served
@@ -79,6 +81,7 @@ class WorldData:
         names: the names of all objects: contacts refer to objects by index into them.
         physics: moves the bodies.
         rays: casts the rays of all sensors.
+        goals: judges the goals.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -96,6 +99,7 @@ class WorldData:
         self._seed = seed
         self.log = EventLog()
         self._packed: Packed | None = None
+        self._floor = Floor(world)
         self.state = EnvState.at_start(world)
         self._equip(world)
         self._begin(np.flatnonzero(self.state.presence.present))
@@ -307,6 +311,7 @@ class WorldData:
         self.constants = replace(self.constants, scene=scene, shapes=ShapeTable.of(scene))
         self.physics = Physics(scene.world, scene, self.state.bodies)
         self.rays = RayCaster(scene, self.devices.fans)
+        self.goals = GoalJudge(self.world, self.names, self.constants, self._floor)
 
     def refurnish(self, moved: bool) -> None:
         """Rebuild it if objects were added or removed, or a robot was moved."""

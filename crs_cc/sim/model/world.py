@@ -1,10 +1,10 @@
 """World models: the constant data of a world.
 
 A `WorldModel` has the initial state of everything: walls, boxes, cylinders, polygons, lights,
-sounds, and robots, each with its `RobotModel`; the ground, the communication channels, and the
-degradations of devices. `files.world_xml` reads it from a file; an `engine.environment.Environment`
-is made from it and never changes it. All of it is frozen, compares and hashes by content, and
-pickles.
+sounds, and robots, each with its `RobotModel`; the ground, the communication channels, the
+degradations of devices, and the goals. `files.world_xml` reads it from a file; an
+`engine.environment.Environment` is made from it and never changes it. All of it is frozen, compares
+and hashes by content, and pickles.
 
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
@@ -36,6 +36,7 @@ from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.beacons import Light, Sound
 from crs_cc.sim.model.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.model.degradation import Degradation
+from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.ground import FLAT, Ground
 from crs_cc.sim.model.polygon import area_m2, centroid_m
 from crs_cc.sim.model.robot import IDEAL_LINK, RobotModel
@@ -282,6 +283,7 @@ class WorldModel:
     sounds: tuple[Sound, ...] = ()
     degradations: tuple[Degradation, ...] = ()
     communication: Communication = PLAIN_COMMUNICATION
+    goals: tuple[Goal, ...] = ()
 
     def with_ideal_link(self) -> WorldModel:
         """Return a copy in which commands have no delay on the link to the robot."""

@@ -31,6 +31,7 @@ from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
+from crs_cc.sim.state.goals import GoalState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.link import LinkState
 from crs_cc.sim.state.mask import first_mask
@@ -79,6 +80,7 @@ class EnvState:
         distance_m: true distance that each robot has moved.
         collisions: number of contacts that began.
         commands: number of requests served.
+        goals: how far the goals are met; None in a world without goals.
     """
 
     cycle: int
@@ -105,6 +107,7 @@ class EnvState:
     distance_m: FloatArray
     collisions: Int64Array
     commands: Int64Array
+    goals: GoalState | None
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -138,6 +141,7 @@ class EnvState:
             distance_m=np.zeros(count),
             collisions=_whole(count),
             commands=_whole(count),
+            goals=GoalState.at_start(world),
         )
 
     @property
@@ -190,5 +194,5 @@ def _leaves(value: Any, name: str) -> Iterator[tuple[str, Any]]:
     if is_dataclass(value):
         for field in fields(value):
             yield from _leaves(getattr(value, field.name), f"{name}.{field.name}")
-    else:
+    elif value is not None:
         yield name, value

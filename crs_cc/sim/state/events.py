@@ -23,6 +23,7 @@ KINDS: Final = {
     "grip": "a gripper or a hand took hold of an object",
     "release": "a gripper or a hand released an object",
     "lost": "an object was torn from a gripper",
+    "goal": "a goal was met or failed",
 }
 """The kinds of events, with descriptions."""
 
