@@ -1,8 +1,9 @@
 """Run real C control programs of the Nomadic Scout in a simulated, shared world.
 
-The public names: `compile_c` returns a program, `load_world` a world, `Session` runs programs in a
-world, `Degradation` describes a device fault, and the error classes tell C, world and run-time
-errors apart. README.md has an example.
+The public names, which docs/python.md describes: `load_world` and `load_robot` return worlds and
+kinds of robots, `compile_c` a program, `Session` runs programs in a world, `Robot`, `Wall`, `Box`
+and so on make worlds in Python, `Degradation` describes a device fault, and the error classes tell
+C, world and run-time errors apart.
 """
 
 from __future__ import annotations
@@ -11,57 +12,80 @@ import importlib
 from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
+    from crs_cc.api.programs import compile_c
+    from crs_cc.api.robots import RobotView
+    from crs_cc.api.session import Session
+    from crs_cc.api.worlds import load_robot, load_world
     from crs_cc.core.errors import CompileError, CrsError, InternalError, ProgramError, WorldError
-    from crs_cc.frontend.preprocess.options import Dialect
+    from crs_cc.debug.world.events import WorldEvent
     from crs_cc.runtime.executable import Executable
-    from crs_cc.session.session import Session
-    from crs_cc.sim.files.world_xml import load_world
+    from crs_cc.session.result import RobotResult, RunResult
+    from crs_cc.sim.model.beacons import Light, Sound
     from crs_cc.sim.model.degradation import Degradation
+    from crs_cc.sim.model.robot import RobotModel
+    from crs_cc.sim.model.world import (
+        Area,
+        Box,
+        Cylinder,
+        Material,
+        Polygon,
+        Pose,
+        Robot,
+        Wall,
+        WorldModel,
+    )
 
 __version__ = "0.1.0"
 
+_HOMES: Final = {
+    name: home
+    for home, names in {
+        "crs_cc.api.programs": "compile_c",
+        "crs_cc.api.robots": "RobotView",
+        "crs_cc.api.session": "Session",
+        "crs_cc.api.worlds": "load_robot load_world",
+        "crs_cc.core.errors": "CompileError CrsError InternalError ProgramError WorldError",
+        "crs_cc.debug.world.events": "WorldEvent",
+        "crs_cc.runtime.executable": "Executable",
+        "crs_cc.session.result": "RobotResult RunResult",
+        "crs_cc.sim.model.beacons": "Light Sound",
+        "crs_cc.sim.model.degradation": "Degradation",
+        "crs_cc.sim.model.robot": "RobotModel",
+        "crs_cc.sim.model.world": "Area Box Cylinder Material Polygon Pose Robot Wall WorldModel",
+    }.items()
+    for name in names.split()
+}
+"""The module of each public name."""
+
 __all__ = [
+    "Area",
+    "Box",
     "CompileError",
     "CrsError",
+    "Cylinder",
     "Degradation",
+    "Executable",
     "InternalError",
+    "Light",
+    "Material",
+    "Polygon",
+    "Pose",
     "ProgramError",
+    "Robot",
+    "RobotModel",
+    "RobotResult",
+    "RobotView",
+    "RunResult",
     "Session",
+    "Sound",
+    "Wall",
     "WorldError",
+    "WorldEvent",
+    "WorldModel",
     "compile_c",
+    "load_robot",
     "load_world",
 ]
-
-_HOMES: Final = {
-    "Degradation": "crs_cc.sim.model.degradation",
-    "Session": "crs_cc.session.session",
-    "load_world": "crs_cc.sim.files.world_xml",
-    **dict.fromkeys(
-        ("CompileError", "CrsError", "InternalError", "ProgramError", "WorldError"),
-        "crs_cc.core.errors",
-    ),
-}
-
-
-def compile_c(*paths: str | Path, dialect: Dialect | None = None) -> Executable:
-    """Compile C files to a program; `crs check` shows the warnings.
-
-    Args:
-        paths: the C files.
-        dialect: the API that they call, the vendor's (`nomad`) or that of the CRS report
-            (`report`); by default it is detected.
-
-    Raises:
-        CompileError: the files are not a valid program.
-    """
-    from pathlib import Path
-
-    from crs_cc.core.source import Diagnostics
-    from crs_cc.session.build import build_executable
-
-    return build_executable([Path(path) for path in paths], Diagnostics(), dialect=dialect)
 
 
 def __getattr__(name: str) -> object:
@@ -69,3 +93,7 @@ def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

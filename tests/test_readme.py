@@ -68,7 +68,7 @@ def test_the_readmes_own_program_does_what_its_text_says(
 
 def test_the_readmes_lines_of_python_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     exec("".join(blocks("python")), {})
-    assert re.match(r"\(\d+\.\d+, \d+\.\d+, \d+\.\d+\)\n", capsys.readouterr().out)
+    assert re.match(r"\[\d+\.\d+ \d+\.\d+ \d+\.\d+\]\n", capsys.readouterr().out)
 
 
 def exit_statuses() -> set[int]:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.cli.load import load_world_of
-from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.rerun import unpacked
 from crs_cc.cli.run_options import RunOptions
-from crs_cc.cli.tracks import Tracks
+from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.tracks import Tracks
 from crs_cc.recording import topics
 from crs_cc.sim.model.world import Pose
 

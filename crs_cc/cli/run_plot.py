@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.cli.plot import Picture, Trip
-from crs_cc.cli.tracks import Tracks
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import round_length
+from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.tracks import Tracks
 from crs_cc.sim.engine.drawings import drawings_in
 from crs_cc.sim.engine.sensor_overlay import sights
 from crs_cc.sim.geometry.scene import Scene

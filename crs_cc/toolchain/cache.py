@@ -86,15 +86,42 @@ def store(name: str, entry: object) -> None:
 
     The least recently used entries are evicted to make room for it.
     """
+    pickled = pickle.dumps(entry, pickle.HIGHEST_PROTOCOL)
+    _store(name, hashlib.sha256(pickled).digest() + pickled)
+
+
+def file_of(text: str) -> Path:
+    """Return a file that holds a text: an entry, or without a cache a temporary file.
+
+    The compiler reads files only. The same text is always in the same file, so that the program
+    is found in the cache.
+
+    >>> file_of("int x;").read_text()
+    'int x;'
+    """
+    import tempfile
+
+    content = text.encode("utf-8", "surrogatepass")
+    name = hashlib.sha256(b"text " + content).hexdigest()[:32]
+    stored = _store(name, content)
+    if stored is not None:
+        return stored
+    path = Path(tempfile.mkdtemp(prefix="crs-"), name)
+    path.write_bytes(content)
+    return path
+
+
+def _store(name: str, content: bytes) -> Path | None:
+    """Write a file of the cache, and return its path; None if that is impossible."""
     place = folder()
     if place is None:
-        return
-    pickled = pickle.dumps(entry, pickle.HIGHEST_PROTOCOL)
-    content = hashlib.sha256(pickled).digest() + pickled
+        return None
     with contextlib.suppress(OSError):
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
         if is_private(place) and _quota.make(place, len(content)):
             _write(place / name, content)
+            return place / name
+    return None
 
 
 def is_private(place: Path) -> bool:

@@ -54,7 +54,7 @@ SLOW = {
     "statistics",
     "tempfile",
     "textual",
-    "crs_cc.cli.plot",
+    "crs_cc.plot.picture",
 }
 """What only some runs need."""
 

@@ -116,4 +116,4 @@ def test_command_line_and_python_come_to_the_same_state(
         pass
     assert told["seed"] == 7
     assert told["state_hash"] == session.state_hash()
-    assert told["robots"][0]["fuel"] == int(session.state.fuel[0])
+    assert told["robots"][0]["fuel"] == int(session.inner.state.fuel[0])

@@ -18,7 +18,7 @@ from crs_cc.core.quantity import ANGLE, LENGTH, Kind
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import LARGEST, Field, device_request
 from crs_cc.robot_api.row import OURS, Function
-from crs_cc.sim.devices.sensor import Measure, Readings, Sensor
+from crs_cc.sim.devices.sensor import Measure, Readings, Sensor, last_values
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import NAME, Device
 
@@ -167,6 +167,7 @@ def number_sensor(
             ),
         ),
         inspect=inspect,
+        reading=last_values(name),
         number=number,
         stream=stream,
         source=source,

@@ -13,7 +13,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, Self, TypeAlias
 
 import numpy as np
 
@@ -87,6 +87,11 @@ class Readings:
     def never(cls, count: int, width: int) -> Self:
         """Return the readings of `count` sensors that have not measured yet."""
         return cls(np.zeros((count, width)), np.full(count, -1.0), np.zeros(count, dtype=np.int64))
+
+    def last(self, number: int, width: int | None = None) -> FloatArray:
+        """Return the first values of one sensor's last measurement, NaN if it has not measured."""
+        values = self.value[number, :width]
+        return values if self.at_s[number] >= 0.0 else np.full_like(values, np.nan)
 
 
 class Sensor:
@@ -216,6 +221,11 @@ class Sensor:
         has = np.asarray(numbers >= 0)
         read_on_request(context, self.read, self.row.number, has)
         return has, numbers[has]
+
+
+def last_values(device: str) -> Callable[[EnvState, Any, int], FloatArray]:
+    """Return the `reading` of a device whose state is `Readings`."""
+    return lambda state, _model, number: state.device(device, Readings).last(number)
 
 
 def listed(device: str, width: int) -> Callable[[EnvState, int], str]:

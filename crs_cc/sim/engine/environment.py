@@ -43,7 +43,7 @@ from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
 from crs_cc.sim.engine.step import Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
-from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.registry import device, devices
 from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
 from crs_cc.sim.state.bodies import Contacts
 from crs_cc.sim.state.env_state import EnvState
@@ -325,6 +325,46 @@ class Environment:
             for row in devices()
             if row.inspect is not None and numbers[row.name][number] >= 0
         ]
+
+    # -- robots without a program --------------------------------------------------------------
+
+    def drive(self, robots: IndexArray, speed: FloatArray) -> None:
+        """Set the speeds of robots' axes now, as `vm` does, with no resolution and no link.
+
+        Args:
+            robots: the robots, in ascending order, k of them.
+            speed: of each axis [m/s or rad/s], clipped to its limit, (k, 3).
+        """
+        data, state = self._data, self.state
+        at_s = np.full(len(robots), self.time_s)
+        data.advance_to(robots, at_s)
+        drive.renew_deadline(state, robots)
+        drive.run_at(state, data.constants, robots, speed)
+        state.commands[robots] += 1
+        data.let_go_if_empty(robots, at_s)
+
+    def measure(self, device: str, robots: IndexArray) -> None:
+        """Measure with a device of robots now, at most at its rate; sonars measure by themselves.
+
+        Args:
+            device: its name.
+            robots: robots that have it, in ascending order.
+        """
+        data, timed = self._data, self._running.devices.installed[device].timed
+        if timed is not None:
+            at_s = np.full(len(robots), self.time_s)
+            timed.read(self.state, data.constants, data.rays, robots, at_s)
+
+    def reading(self, name: str, robot: int) -> npt.NDArray[np.generic] | None:
+        """Return the last reading of a robot's device [SI unit], see `Device.reading`.
+
+        None if the robot has no such device.
+        """
+        row, number = device(name), int(self._data.constants.numbers[name][robot])
+        if row.reading is None or number < 0:
+            return None
+        model = self.world.robots[robot].model.device(name)
+        return row.reading(self.state, model, robot if row.dense else number)
 
     # -- changes between two steps: see `WorldData` --------------------------------------------
 

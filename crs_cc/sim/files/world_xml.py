@@ -67,13 +67,22 @@ def load_world(path: Path, setup: str = "", robot: str = SCOUT) -> WorldModel:
     return _World(path.stem, str(path), path.parent, setup, robot).parse(read_file(path))
 
 
-def parse_world(text: bytes, name: str, setup: str = "", robot: str = SCOUT) -> WorldModel:
-    """Return the world that a text describes; `name` is its file name in messages.
+def parse_world(
+    text: bytes, name: str, setup: str = "", robot: str = SCOUT, folder: Path | None = None
+) -> WorldModel:
+    """Return the world that a text describes.
+
+    Args:
+        text: the text.
+        name: its file name in messages.
+        setup: the setup of all robots, see `load_world`.
+        robot: the default kind of robot.
+        folder: the folder of definitions, images and programs; None if it may not use any.
 
     Raises:
         WorldError: the text is invalid; all errors are reported at once.
     """
-    return _World(name, name, None, setup, robot).parse(text)
+    return _World(name, name, folder, setup, robot).parse(text)
 
 
 def empty_world(setup: str = "", robot: str = SCOUT) -> WorldModel:

@@ -17,6 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+import numpy.typing as npt
+
 from crs_cc.requests import Request
 from crs_cc.robot_api.row import Function
 from crs_cc.sim.model.degradable import Degradable
@@ -53,6 +55,9 @@ class Device:
         code: the C source of its functions, unless there is a file `<name>.c` in its folder.
         degradables: what of it can be degraded.
         inspect: returns what inspectors show of one, given the state and its number.
+        reading: returns its last reading [SI unit] without measuring, given the state, its model
+            and its number: a row of the state where possible; NaN before the first measurement.
+            None if it measures nothing.
         number: its number in `crs.h` as a sensor that can have a timer; None for others, negative
             for the next free one.
         stream: the number of its noise stream; negative to derive it from its name.
@@ -73,6 +78,7 @@ class Device:
     code: str = ""
     degradables: tuple[Degradable, ...] = ()
     inspect: Callable[[Any, int], str] | None = None
+    reading: Callable[[Any, Any, int], npt.NDArray[Any]] | None = None
     dense: bool = False
     number: int | None = None
     stream: int = -1

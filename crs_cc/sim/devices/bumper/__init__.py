@@ -152,6 +152,11 @@ def get_bp(context: RequestContext) -> BoolArray:
     return np.asarray(context.constants.numbers["bumper"][context.rows] >= 0)
 
 
+def _reading(state: EnvState, _model: Switches, robot: int) -> BoolArray:
+    """Return which switches of a robot are pressed, by their bits in `State[33]`, (24,)."""
+    return np.asarray(bumper_state(state).pressed[robot] >> np.arange(BUMPER_BITS) & 1 > 0)
+
+
 def install(_row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
     """Return the bumpers of a world's robots."""
     return Installed(handlers={"GET_BP": get_bp}, device=Bumpers(world))
@@ -174,5 +179,6 @@ DEVICE = Device(
             BUMPER_BITS, "not pressed",
         ),
     ),
+    reading=_reading,
     source=__file__,
 )  # fmt: skip

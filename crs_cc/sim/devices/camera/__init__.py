@@ -337,6 +337,7 @@ struct crs_blob {
             "background colour",
         ),
     ),
+    reading=lambda state, model, number: camera_state(state).readings.last(number, model.columns),
     inspect=lambda state, number: range_scan.nearest_text(
         camera_state(state).readings, number, MAX_COLUMNS
     ),

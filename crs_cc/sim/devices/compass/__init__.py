@@ -27,7 +27,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.quantity import ANGLE, TIME
-from crs_cc.core.units import rad_to_tenths_deg
+from crs_cc.core.units import rad_to_tenths_deg, tenths_deg_to_rad
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.mount import mount_poses
@@ -199,6 +199,11 @@ def inspect(state: EnvState, number: int) -> str:
     return f"{compass.reading[number] / 10:.1f} deg{off}"
 
 
+def _reading(state: EnvState, _model: Compass, number: int) -> FloatArray:
+    """Return the direction that a compass last read [rad], (1,)."""
+    return tenths_deg_to_rad(compasses(state).reading[number : number + 1].astype(np.float64))
+
+
 DEVICE = Device(
     name="compass",
     title="Compass",
@@ -214,6 +219,7 @@ DEVICE = Device(
         ),
     ),
     inspect=inspect,
+    reading=_reading,
     number=5,
     stream=2,
     source=__file__,

@@ -337,9 +337,28 @@ def _run_at(
     values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
+    run_at(state, constants, rows, values * take(constants.drives.unit, rows), which)
+
+
+def run_at(
+    state: EnvState,
+    constants: RobotConstants,
+    rows: IndexArray,
+    speed: FloatArray,
+    which: BoolArray | bool = True,
+) -> None:
+    """Set the speeds of axes, as `vm` does.
+
+    Args:
+        state: changed in place; the axes have been turned to the time of the command.
+        constants: the robots' constants.
+        rows: the robots, k of them.
+        speed: of each axis [m/s or rad/s], clipped to its limit, (k, 3).
+        which: which axes, (k, 3).
+    """
     _take_up(state, constants, rows, which)
     limit = take(constants.drives.speed_limit, rows)
-    target = np.clip(values.astype(np.float64) * take(constants.drives.unit, rows), -limit, limit)
+    target = np.clip(speed, -limit, limit)
     ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     motion_profile.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
 

@@ -23,7 +23,7 @@ from crs_cc.core.quantity import HEAT, LENGTH
 from crs_cc.requests import LARGEST, device_request
 from crs_cc.requests.request import fields
 from crs_cc.robot_api.row import OURS, Function
-from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor, listed
+from crs_cc.sim.devices.sensor import Measurement, Readings, Sensor, last_values, listed
 from crs_cc.sim.files.device_elements import read_attributes
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.model.attribute import attribute, period
@@ -138,6 +138,7 @@ DEVICE = Device(
         Degradable("heat", "heat", HEAT, elements_of("heat", lambda _model: ("0",)), 1, "0"),
     ),
     inspect=listed("heat", 1),
+    reading=last_values("heat"),
     number=2,
     source=__file__,
 )  # fmt: skip

@@ -323,6 +323,7 @@ DEVICE = Device(
         ),
     ),
     inspect=inspect,
+    reading=lambda state, _model, number: rings(state).level[number],
     number=4,
     stream=1,
     source=__file__,

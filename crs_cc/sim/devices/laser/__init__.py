@@ -70,6 +70,7 @@ DEVICE = Device(
     inspect=lambda state, number: range_scan.nearest_text(
         laser_state(state).readings, number, NUM_LASER
     ),
+    reading=lambda state, model, number: laser_state(state).readings.last(number, model.points),
     number=3,
     stream=3,
     source=__file__,

@@ -142,6 +142,7 @@ DEVICE = Device(
         ),
     ),
     inspect=listed("light", _MAX),
+    reading=lambda state, model, number: state.device("light", Readings).last(number, model.number),
     number=7,
     stream=22,
     source=__file__,

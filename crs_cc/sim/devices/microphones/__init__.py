@@ -142,6 +142,7 @@ DEVICE = Device(
         ),
     ),
     inspect=listed("sound", TONES),
+    reading=lambda state, _model, number: state.device("sound", Readings).last(number, TONES),
     number=8,
     stream=23,
     source=__file__,

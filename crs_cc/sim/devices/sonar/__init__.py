@@ -448,6 +448,7 @@ DEVICE = Device(
             MAX_SONARS, "no echo",
         ),
     ),
+    reading=lambda state, _model, robot: sonar_state(state).echo_m[robot],
     stream=0,
     source=__file__,
 )  # fmt: skip

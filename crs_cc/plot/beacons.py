@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from crs_cc.cli.svg import Page, Point, View
+from crs_cc.plot.svg import Page, Point, View
 from crs_cc.sim.devices.gripper.model import Gripper
 from crs_cc.sim.model.world import WorldModel
 

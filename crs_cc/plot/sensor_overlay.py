@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from crs_cc.cli.svg import Page, View
+from crs_cc.plot.svg import Page, View
 from crs_cc.sim.engine.sensor_overlay import Beam
 
 _SOUND: Final = "#56b4e9"

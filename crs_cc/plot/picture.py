@@ -13,14 +13,14 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.cli.beacons import draw_beacons, draw_fingers
-from crs_cc.cli.sensor_overlay import draw_sights
-from crs_cc.cli.svg import Page, Point, View
-from crs_cc.cli.terrain_layer import PAPER, draw_terrain, terrain_corners_m
-from crs_cc.cli.tracks import simplified
-from crs_cc.cli.x11_colours import HEX
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import round_length
+from crs_cc.plot.beacons import draw_beacons, draw_fingers
+from crs_cc.plot.sensor_overlay import draw_sights
+from crs_cc.plot.svg import Page, Point, View
+from crs_cc.plot.terrain_layer import PAPER, draw_terrain, terrain_corners_m
+from crs_cc.plot.tracks import simplified
+from crs_cc.plot.x11_colours import HEX
 from crs_cc.sim.engine.drawings import Drawing
 from crs_cc.sim.engine.robot_colours import colour
 from crs_cc.sim.engine.sensor_overlay import Beam

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crs_cc.cli.plot import Picture
+from crs_cc.plot.picture import Picture
 from crs_cc.sim.engine.sensor_overlay import sights
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from crs_cc.cli.plot import Picture, Trip
-from crs_cc.cli.tracks import Tracks, simplified
+from crs_cc.plot.picture import Picture, Trip
+from crs_cc.plot.tracks import Tracks, simplified
 from crs_cc.sim.engine.drawings import LINE, ROBOT, Drawing
 from crs_cc.sim.engine.robot_colours import colour
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch

@@ -7,8 +7,8 @@ from itertools import groupby
 
 import numpy as np
 
-from crs_cc.cli.svg import Page, View
 from crs_cc.core.arrays import FloatArray
+from crs_cc.plot.svg import Page, View
 from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 

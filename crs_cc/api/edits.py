@@ -1,0 +1,213 @@
+"""Changes of a running world from Python: what the debugger's `world` edits do, and more."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.api.program_choice import Program, executable_of
+from crs_cc.core.suggest import unknown
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.edits import edit
+from crs_cc.requests import CODES, DATA_SIZE, MESSAGE
+from crs_cc.runtime.executable import Executable
+from crs_cc.sim.model.degradation import Degradation, degradables, element_of
+from crs_cc.sim.model.world import Pose, Robot
+
+if TYPE_CHECKING:
+    from crs_cc.session.session import Session as InnerSession
+    from crs_cc.sim.devices.degradation.control import DegradationControl
+
+_EVERYBODY: Final = -1
+_NO_GROUP: Final = -1
+_FAULTS: Final = frozenset(each.name for each in fields(Degradation)) - {
+    "robot",
+    "device",
+    "element",
+}
+
+
+class Edits:
+    """The changes that a session offers, between two timesteps.
+
+    Each is checked before anything changes, and raises ValueError if it is invalid.
+
+    Attributes:
+        inner: the session.
+    """
+
+    inner: InnerSession
+
+    # -- robots and objects --------------------------------------------------------------------
+
+    def add(self, robot: Robot, program: Program = None, arguments: Sequence[str] = ()) -> int:
+        """Add a robot to the world; return its number.
+
+        Args:
+            robot: the robot; it joins now, or at its join time if that is later.
+            program: what it runs; by default what its `program` names, else Python steers it.
+            arguments: `argv` without its first element; by default those of the robot.
+        """
+        if not isinstance(program, Executable):
+            program = executable_of(program or robot.program or None, robot)
+        argv = [program.command, *(arguments or robot.arguments)]
+        return self.inner.add_robot(robot, program, argv)
+
+    def remove(self, name: str) -> None:
+        """Remove a robot, whose program ends, or an object."""
+        if name in self._robot_names:
+            self.inner.remove_robot(name)
+        else:
+            self.inner.environment.take_away(name)
+
+    def move(self, name: str, x_m: float, y_m: float, heading_rad: float | None = None) -> None:
+        """Move a robot or a movable object to a free place, as if by hand.
+
+        A robot's odometry does not notice, its motors keep running, and what it holds stays behind.
+
+        Args:
+            name: the robot or object.
+            x_m: where to.
+            y_m: where to.
+            heading_rad: its new heading; by default it keeps its own.
+        """
+        environment = self.inner.environment
+        known = (*self._robot_names, *environment.pushables)
+        if name not in known:
+            raise ValueError(unknown("robot or movable object", name, known))
+        if heading_rad is None:
+            state, body = environment.state, environment.names.index(name)
+            is_robot = body < len(self._robot_names)
+            heading_rad = float((state.heading_rad if is_robot else state.bodies.angle_rad)[body])
+        place = tuple(_finite(value, "a coordinate") for value in (x_m, y_m, heading_rad))
+        environment.carry(name, Pose(*place))
+
+    def edit(self, text: str) -> str:
+        """Make a change given as a command of the debugger: `move robot0 to 1 2 90`.
+
+        Returns:
+            what has changed, in words.
+        """
+        try:
+            return edit(self.inner.environment, text)
+        except DebugError as error:
+            raise ValueError(str(error)) from None
+
+    # -- faults, energy, heat ------------------------------------------------------------------
+
+    @property
+    def degradations(self) -> DegradationControl:
+        """All degradations, to be listed, added, changed and removed."""
+        return self.inner.environment.degradations
+
+    def degrade(
+        self, robot: str, device: str, element: int | str | None = None, **faults: Any
+    ) -> str:
+        """Degrade a device of a robot; return the degradation's name.
+
+        Args:
+            robot: the robot's name.
+            device: the device, such as `sonar`.
+            element: one of its elements by number or name, such as `left`; by default all.
+            faults: the fields of `Degradation`: `bias`, `gain`, `noise`, `step`, `stuck`,
+                `delay_s`, `dropouts`, `dead`, `onset_s`, `duration_s`, `recovery_s`.
+        """
+        model = self.inner.environment.world.robots[self._number(robot)].model
+        if wrong := sorted(faults.keys() - _FAULTS):
+            raise ValueError(unknown("fault", wrong[0], sorted(_FAULTS)))
+        if isinstance(element, str):
+            row = degradables().get(device)
+            number = None if row is None else element_of(row, model, element)
+            if row is not None and number is None:
+                raise ValueError(unknown("element", element, row.elements(model)))
+            element = number
+        return self.degradations.add(Degradation(robot, device, element, **faults))
+
+    def heal(self, robot: str, device: str = "") -> None:
+        """Remove the degradations of a robot or of one of its devices, or one by its name."""
+        self.edit(f"heal {robot} {device}")
+
+    def set_charge(self, robot: str, share: float) -> None:
+        """Set the state of charge of a robot's motor battery, 0 to 1."""
+        if not 0.0 <= share <= 1.0:
+            raise ValueError(f"invalid state of charge {share!r} (expected 0 to 1)")
+        self.inner.environment.charge(self._number(robot), float(share))
+
+    def set_heat(self, name: str, heat: float) -> None:
+        """Set the heat of a robot or an object, 0 or more."""
+        environment = self.inner.environment
+        if name not in environment.names:
+            raise ValueError(unknown("object", name, environment.names))
+        if not 0.0 <= heat < math.inf:
+            raise ValueError(f"invalid heat {heat!r} (expected 0 or more)")
+        environment.warm(name, float(heat))
+
+    # -- messages ------------------------------------------------------------------------------
+
+    def shut(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
+        """Block the messages of a channel, a sender, a receiver, or a combination of these."""
+        self.inner.environment.communication.shut(channel=channel, sender=sender, receiver=receiver)
+
+    def open(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
+        """Unblock what was shut with the same arguments."""
+        self.inner.environment.communication.open(channel=channel, sender=sender, receiver=receiver)
+
+    def message(
+        self,
+        sender: str,
+        content: bytes | str,
+        receiver: str | None = None,
+        *,
+        channel: str = "radio",
+        kind: int = 0,
+    ) -> None:
+        """Send a message now, as if the program of a robot had sent it.
+
+        Args:
+            sender: the sending robot.
+            content: at most 248 bytes.
+            receiver: the receiving robot; by default all others.
+            channel: the channel.
+            kind: the message's type, a number that the programs agree on.
+        """
+        data = content.encode() if isinstance(content, str) else content
+        if len(data) > DATA_SIZE:
+            raise ValueError(f"the message has {len(data)} bytes (maximum: {DATA_SIZE})")
+        environment = self.inner.environment
+        channels = [each.name for each in environment.world.communication.channels]
+        if channel not in channels:
+            raise ValueError(unknown("channel", channel, channels))
+        number, to = self._number(sender), _EVERYBODY
+        if receiver is not None:
+            to = self._number(receiver)
+        if to == number:
+            raise ValueError(f"{sender!r} cannot send a message to itself")
+        request = np.zeros(1, MESSAGE)
+        request["i"][0, :4] = to, _NO_GROUP, kind, channels.index(channel)
+        request["size"] = len(data)
+        request["data"][0, : len(data)] = np.frombuffer(data, np.uint8)
+        environment.serve(
+            CODES["SEND"], np.array([number]), request, np.array([environment.time_s])
+        )
+        if not request["result"][0]:
+            raise ValueError(f"{sender!r} cannot send the message")
+
+    @property
+    def _robot_names(self) -> list[str]:
+        return [robot.id for robot in self.inner.environment.world.robots]
+
+    def _number(self, robot: str) -> int:
+        names = self._robot_names
+        if robot not in names:
+            raise ValueError(unknown("robot", robot, names))
+        return names.index(robot)
+
+
+def _finite(value: float, what: str) -> float:
+    if not math.isfinite(value):
+        raise ValueError(f"{what} must be finite, not {value!r}")
+    return float(value)

@@ -1,0 +1,69 @@
+"""C programs from files and from text."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.runtime.executable import Executable, command_name
+from crs_cc.session.build import build_executable
+from crs_cc.toolchain.cache import file_of
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.preprocess.options import Dialect
+
+ProgramSource = str | os.PathLike[str]
+
+_NAME: Final = "program.c"
+"""The name of source text in messages."""
+
+_TEXT: Final = frozenset("\n;{")
+
+
+def compile_c(
+    *sources: ProgramSource, dialect: Dialect | None = None, **options: Any
+) -> Executable:
+    """Compile C files or text to one program; `crs check` shows the warnings.
+
+    Args:
+        sources: paths of C files; or a single string with C source text, which contains a line
+            break, `;` or `{`.
+        dialect: the API that they call, the vendor's (`nomad`) or that of the CRS report
+            (`report`); by default it is detected.
+        options: further options of `build_executable`, such as `include_paths` and `defines`.
+
+    Raises:
+        CompileError: it is not a valid program.
+    """
+    texts = [each for each in sources if is_text(each)]
+    if texts and len(sources) > 1:
+        raise ValueError("source text must be the only argument (several files are given by paths)")
+    if not texts:
+        paths = [Path(each) for each in sources]
+        return build_executable(paths, Diagnostics(), dialect=dialect, **options)
+    path = file_of(str(texts[0]))
+    try:
+        found = build_executable([path], Diagnostics(), dialect=dialect, **options)
+    except CompileError as error:
+        raise CompileError([_named(each, str(path)) for each in error.diagnostics]) from None
+    return replace(found, name=_NAME, command=command_name(_NAME))
+
+
+def _named(message: Diagnostic, file: str) -> Diagnostic:
+    """Return a message about a text with the text's name instead of its file's."""
+    if message.location.file != file:
+        return message
+    return replace(message, location=replace(message.location, file=_NAME))
+
+
+def is_text(source: ProgramSource) -> bool:
+    """Return whether a program is given as source text, not as a path.
+
+    >>> is_text("wander.c"), is_text("int main(void) { return 0; }")
+    (False, True)
+    """
+    return isinstance(source, str) and not _TEXT.isdisjoint(source)

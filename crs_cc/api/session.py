@@ -1,0 +1,229 @@
+"""Sessions: runs of programs in a world, stepped, read and changed from Python.
+
+>>> from crs_cc.api.worlds import load_world
+>>> session = Session(load_world(), "int main(void) { return 7; }")
+>>> session.run().robots[0].exit_status
+7
+>>> session
+<Session of empty: 1 robot, 0.05 s>
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Final
+
+import numpy as np
+
+from crs_cc.api.edits import Edits
+from crs_cc.api.events import EventCallbacks
+from crs_cc.api.output import Streams
+from crs_cc.api.program_choice import Programs, executables_of
+from crs_cc.api.robots import Robots
+from crs_cc.api.run_picture import Paths, picture_of
+from crs_cc.api.worlds import WorldSource, load_world
+from crs_cc.core.arrays import FloatArray, read_only
+from crs_cc.debug.world.events import WorldEvent
+from crs_cc.session.host import Client
+from crs_cc.session.result import RunResult, SessionSnapshot
+from crs_cc.session.session import Session as InnerSession
+from crs_cc.sim.model.world import WorldModel
+
+_ROUNDING: Final = 1e-6  # [timesteps]
+_ROUNDING_S: Final = 1e-9
+
+
+class Session(Edits):
+    """A run of programs in a world.
+
+    Attributes:
+        world: the world at the start.
+        robots: the robots, by name: poses, readings, output.
+        duration_s: when `run` ends [s]; None for when all programs have ended.
+        seed: the random seed.
+        streams: what the programs have written.
+        inner: the session behind this one, for what is not public.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel | WorldSource | None = None,
+        programs: Programs = None,
+        *,
+        seed: int | None = None,
+        duration_s: float | None = None,
+        arguments: Sequence[str] = (),
+        files: Mapping[str, bytes] | None = None,
+        stdin: bytes = b"",
+        client: Client = "nclient",
+        threads: int | None = None,
+    ) -> None:
+        """Load programs into the robots of a world.
+
+        Args:
+            world: the world, or what `load_world` takes.
+            programs: what the robots run: one program for all to which the world gives none; a
+                program for each in the world's order; or programs by the robots' names. A
+                program is what `compile_c` returns or takes. Robots without one stand still
+                until `session.robots[name].drive(...)` steers them.
+            seed: the random seed; by default the world's, or 0 if it has none.
+            duration_s: when `run` ends [s]; by default the world's duration.
+            arguments: `argv` without its first element, for robots to which the world gives
+                neither a program nor arguments.
+            files: the initial contents of every program's disk, by file name.
+            stdin: the standard input of each program.
+            client: which of the vendor's client libraries to emulate.
+            threads: how many threads may run programs; results do not depend on it.
+
+        Raises:
+            ValueError: an argument is invalid.
+            CompileError: a program is invalid.
+            WorldError: the world is invalid.
+        """
+        self.world = world if isinstance(world, WorldModel) else load_world(world)
+        if seed is not None and seed < 0:
+            raise ValueError(f"seed must be 0 or more, not {seed!r}")
+        if duration_s is not None and not 0.0 < duration_s < math.inf:
+            raise ValueError(f"duration_s must be a positive number, not {duration_s!r}")
+        self.duration_s = self.world.duration_s if duration_s is None else duration_s
+        self.seed = self.world.seed or 0 if seed is None else seed
+        self._events = EventCallbacks()
+        self.streams = Streams(stdin)
+        executables, argv = executables_of(self.world, programs, arguments)
+        self.inner = InnerSession(
+            self.world,
+            executables,
+            self.seed,
+            arguments=argv,
+            output=self.streams.write,
+            read=self.streams.read,
+            files=files,
+            client=client,
+            threads=threads,
+            observer=self._events,
+        )
+        self.robots = Robots(self.inner, self.streams)
+        self._paths = Paths(self.positions_m)
+
+    # -- time ----------------------------------------------------------------------------------
+
+    @property
+    def time_s(self) -> float:
+        """The simulated time [s]."""
+        return self.inner.time_s
+
+    @property
+    def timesteps(self) -> int:
+        """Number of timesteps run."""
+        return self.inner.timesteps
+
+    @property
+    def timestep_s(self) -> float:
+        """The length of a timestep [s]."""
+        return self.world.timestep_s
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the duration has been reached, or all programs have ended and no robot joins."""
+        state = self.inner.state
+        return self._is_late(self.duration_s) or not (state.running or state.environment.awaits)
+
+    def step(self, timesteps: int = 1) -> bool:
+        """Run some timesteps; return whether the run goes on: `while session.step(): ...`."""
+        end = self.timesteps + timesteps
+        while self.timesteps < end and not self._is_late(self.duration_s):
+            if not self._advance(end - self.timesteps):
+                return False
+        return not self._is_late(self.duration_s)
+
+    def run(self, until_s: float | None = None) -> RunResult:
+        """Run until a time, the duration, or the end of all programs; return the result.
+
+        Args:
+            until_s: the time [s]; by default the duration of the session. Without either, a
+                program that never ends runs until it is interrupted.
+        """
+        end_s = self.duration_s if until_s is None else until_s
+        while not self._is_late(end_s) and self._advance(self._timesteps_to(end_s)):
+            pass
+        return self.result()
+
+    def _advance(self, most: int) -> bool:
+        goes_on = self.inner.advance(most)
+        if self._paths.is_due(self.timesteps):
+            self._paths.add(self.timesteps, self.positions_m)
+        self._events.report(self.inner.state)
+        return goes_on
+
+    def _is_late(self, end_s: float | None) -> bool:
+        return end_s is not None and self.time_s >= end_s - _ROUNDING_S
+
+    def _timesteps_to(self, end_s: float | None) -> int:
+        if end_s is None or not math.isfinite(end_s):
+            return 2**31
+        return max(1, int((end_s - self.time_s) / self.timestep_s + _ROUNDING))
+
+    # -- contents ------------------------------------------------------------------------------
+
+    @property
+    def positions_m(self) -> FloatArray:
+        """X and y of all robots now [m], (robots, 2): a read-only view."""
+        state = self.inner.environment.last_state
+        return read_only(state.bodies.position_m[: len(state.heading_rad)])
+
+    @property
+    def headings_rad(self) -> FloatArray:
+        """The headings of all robots now [rad], (robots,): a read-only view."""
+        return read_only(self.inner.environment.last_state.heading_rad)
+
+    @property
+    def poses(self) -> FloatArray:
+        """X [m], y [m] and heading [rad] of all robots now, (robots, 3)."""
+        return np.column_stack([self.positions_m, self.headings_rad])
+
+    def result(self) -> RunResult:
+        """Return the result of the run so far; nothing is prepared for it while it runs."""
+        return self.inner.result()
+
+    def state_hash(self) -> str:
+        """Return the SHA-256 of the whole state, see `RunResult`."""
+        return self.inner.state_hash()
+
+    def snapshot(self) -> SessionSnapshot:
+        """Return the whole state, apart from the standard streams."""
+        return self.inner.snapshot()
+
+    def restore(self, snapshot: SessionSnapshot) -> None:
+        """Go back, or forward, to a snapshot of a session of the same programs, world and seed."""
+        self.inner.restore(snapshot)
+
+    # -- events --------------------------------------------------------------------------------
+
+    def on(self, kind: str, function: Callable[[WorldEvent], Any]) -> None:
+        """Call a function at each event of a kind, at the end of the timestep.
+
+        Args:
+            kind: such as `collision`, `message`, `exit`; docs/python.md has a list. A part of
+                one is enough: `bumper` for `bumper-pressed` and `bumper-released`.
+            function: receives the event; it may read and change the session.
+
+        Raises:
+            ValueError: there is no such kind.
+        """
+        self._events.add(kind, function, self.inner.state)
+
+    # -- pictures ------------------------------------------------------------------------------
+
+    def svg(self) -> str:
+        """Return a picture of the run so far: the world from above and the robots' paths."""
+        return picture_of(self.inner, self._paths)
+
+    def _repr_html_(self) -> str:
+        picture = self.svg().partition("?>")[2].strip()
+        return f'<div style="max-width: 480px">{picture}</div>'
+
+    def __repr__(self) -> str:
+        robots = len(self.robots)
+        plural = "" if robots == 1 else "s"
+        return f"<Session of {self.world.name}: {robots} robot{plural}, {self.time_s:g} s>"

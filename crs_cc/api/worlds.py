@@ -1,0 +1,62 @@
+"""Worlds from files, from text, and built in Python.
+
+>>> world = load_world("<world version='1'><area length='6m' width='5m'/>"
+...                    "<robot x='1m' y='1m'/></world>")
+>>> world.robots[0].id, world.area.length_m
+('robot0', 6.0)
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from crs_cc.sim.files import world_xml
+from crs_cc.sim.files.known_robots import ROBOTS, SCOUT, known_robots
+from crs_cc.sim.model.robot import RobotModel
+from crs_cc.sim.model.world import WorldModel
+
+WorldSource = str | os.PathLike[str] | bytes
+
+
+def load_world(
+    source: WorldSource | None = None,
+    *,
+    setup: str = "",
+    robot: str = SCOUT,
+    folder: str | os.PathLike[str] | None = None,
+) -> WorldModel:
+    """Return a world.
+
+    Args:
+        source: the path of a world file, or XML text, which contains `<`; None for the built-in
+            world, one robot in a large empty area.
+        setup: the setup of all robots, such as `noisy`; by default that of the file.
+        robot: the default kind of robot: a built-in name, or the path of a definition file.
+        folder: the folder of the files to which a text refers; by default it may not refer to any.
+
+    Raises:
+        WorldError: the world cannot be read or is invalid; all errors are reported at once.
+    """
+    if source is None:
+        return world_xml.empty_world(setup, robot)
+    if isinstance(source, str) and "<" in source:
+        source = source.encode()
+    if isinstance(source, bytes):
+        where = None if folder is None else Path(folder)
+        return world_xml.parse_world(source, "world", setup, robot, where)
+    return world_xml.load_world(Path(source), setup, robot)
+
+
+def load_robot(name: str | os.PathLike[str], *, setup: str = "") -> RobotModel:
+    """Return a robot model.
+
+    Args:
+        name: the name of a built-in definition, such as `scout`, or the path of a file.
+        setup: one of its setups, such as `noisy`; by default, and for `ideal`, none.
+
+    Raises:
+        WorldError: the file cannot be read or is invalid; all errors are reported at once.
+    """
+    path = ROBOTS / f"{name}.xml" if name in known_robots() else Path(name)
+    return world_xml.load_robot(path, setup)
