@@ -11,8 +11,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from crs_cc.sim.files import world_xml
+from crs_cc.sim.files import world_xml as files
 from crs_cc.sim.files.known_robots import ROBOTS, SCOUT, known_robots
+from crs_cc.sim.files.world_writer import world_text
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
@@ -39,13 +40,13 @@ def load_world(
         WorldError: the world cannot be read or is invalid; all errors are reported at once.
     """
     if source is None:
-        return world_xml.empty_world(setup, robot)
+        return files.empty_world(setup, robot)
     if isinstance(source, str) and "<" in source:
         source = source.encode()
     if isinstance(source, bytes):
         where = None if folder is None else Path(folder)
-        return world_xml.parse_world(source, "world", setup, robot, where)
-    return world_xml.load_world(Path(source), setup, robot)
+        return files.parse_world(source, "world", setup, robot, where)
+    return files.load_world(Path(source), setup, robot)
 
 
 def load_robot(name: str | os.PathLike[str], *, setup: str = "") -> RobotModel:
@@ -59,4 +60,31 @@ def load_robot(name: str | os.PathLike[str], *, setup: str = "") -> RobotModel:
         WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
     path = ROBOTS / f"{name}.xml" if name in known_robots() else Path(name)
-    return world_xml.load_robot(path, setup)
+    return files.load_robot(path, setup)
+
+
+def world_xml(world: WorldModel, folder: str | os.PathLike[str] | None = None) -> str:
+    """Return a world as the text of a world file, which `load_world` reads with equal values.
+
+    Args:
+        world: the world.
+        folder: the folder where the file will be: programs and robot definitions must be there
+            or below. None for a text without files of its own.
+
+    Raises:
+        ValueError: something in the world cannot be written.
+        WorldError: the world is invalid; all errors are reported at once.
+    """
+    return world_text(world, None if folder is None else Path(folder)).decode()
+
+
+def write_world(world: WorldModel, path: str | os.PathLike[str]) -> None:
+    """Write a world to a file, see `world_xml`.
+
+    Raises:
+        ValueError: something in the world cannot be written.
+        WorldError: the world is invalid; all errors are reported at once.
+        OSError: the file cannot be written.
+    """
+    text = world_xml(world, Path(path).parent)
+    Path(path).write_text(text, encoding="utf-8")

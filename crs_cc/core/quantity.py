@@ -74,6 +74,20 @@ class Kind:
         """
         return f"{value / dict(self.units)[self.default]:g}{self.default}"
 
+    def exact(self, value: float) -> str:
+        """Return a short text that `parse` turns into exactly this value [SI unit].
+
+        >>> LENGTH.exact(0.3), ANGLE.exact(math.pi / 2), ANGLE.exact(1.2), TIME.exact(1 / 3)
+        ('0.3m', '90deg', '1.2rad', '0.3333333333333333s')
+        """
+        value = float(value) + 0.0  # no negative zero
+        for unit, factor in sorted(self.units, key=lambda each: each[0] != self.default):
+            text = f"{value / factor:.12g}"
+            if float(text) * factor == value:
+                return text + unit
+        unit = next(unit for unit, factor in self.units if factor == 1.0)
+        return f"{value!r}{unit}"
+
 
 LENGTH: Final = Kind(
     "a length",

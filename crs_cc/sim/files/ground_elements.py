@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
+import numpy as np
+
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.sim.files.document import Element, Reader
@@ -53,7 +55,13 @@ def _heightmap(
     element: Element, area: Area, folder: Path | None, reader: Reader
 ) -> HeightMap | None:
     pixel_m = _size(element, "resolution", reader)
+    if "heights" in element.attributes:
+        return _table(element, area, pixel_m, reader)
     height_m = _height(element, "height", reader)
+    for name in ("image", "height"):
+        if name not in element.attributes:
+            reader.error(element, f"missing attribute {name!r} in <heightmap> (or give heights)")
+            return None
     x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
     y_m = reader.quantity(element, "y", LENGTH, area.y_min_m)
     try:
@@ -65,6 +73,27 @@ def _heightmap(
         return None
     heights_m = (grey[::-1] * height_m).ravel().tolist()
     return HeightMap(x_m, y_m, pixel_m, grey.shape[1], tuple(heights_m))
+
+
+def _table(element: Element, area: Area, pixel_m: float, reader: Reader) -> HeightMap | None:
+    """Return the ground whose heights are given as numbers."""
+    columns = reader.whole(element, "columns", _LEAST_PIXELS, MOST_PIXELS, _LEAST_PIXELS)
+    words = element.attributes["heights"].split()[: MOST_PIXELS**2 + 1]
+    rows, rest = divmod(len(words), columns)
+    if rest or not _LEAST_PIXELS <= rows <= MOST_PIXELS:
+        form = f"{_LEAST_PIXELS} to {MOST_PIXELS} rows of {columns}"
+        reader.refuse(element, f"heights: {len(words)} numbers (expected {form})")
+        return None
+    x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
+    y_m = reader.quantity(element, "y", LENGTH, area.y_min_m)
+    try:
+        heights_m = np.array([LENGTH.parse(word) for word in words]).reshape(rows, columns)
+    except ValueError as wrong:
+        reader.refuse(element, f"heights: {wrong}")
+        return None
+    if not 0.0 <= heights_m.min() <= heights_m.max() <= HIGHEST_M:
+        reader.refuse(element, f"heights: must be 0 to {HIGHEST_M:g}m")
+    return HeightMap(x_m, y_m, pixel_m, columns, tuple(heights_m[::-1].ravel().tolist()))
 
 
 def _grey(image: str, folder: Path | None) -> FloatArray:

@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.core.quantity import ANGLE, HEAT, LENGTH, MASS
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.material_elements import Materials
-from crs_cc.sim.model.polygon import complaint
+from crs_cc.sim.model.polygon import area_m2, complaint
 from crs_cc.sim.model.world import (
     EVERYWHERE_M,
     FIXED_KG,
@@ -27,6 +27,9 @@ from crs_cc.sim.model.world import (
 MAX_CORNERS: Final = 250
 SHORTEST_M: Final = 0.001
 """Minimum size of objects."""
+
+_FRAME: Final = frozenset({"x", "y", "heading"})
+_ROUNDING_M: Final = 1e-9
 
 _POINTS_FORM: Final = "expected x,y of each corner, separated by spaces: 1m,0 2m,0 2m,50cm"
 _STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
@@ -107,6 +110,8 @@ class SolidElements:
         if element.broken:
             corners = _STAND_IN
         polygon = Polygon.of(name, corners, self._mass(element))
+        if not _FRAME.isdisjoint(element.attributes):
+            polygon = _placed(polygon, corners, pose(element, self.reader))
         return replace(polygon, **self.common(element))
 
     def _corners(self, element: Element) -> list[tuple[float, float]]:
@@ -146,6 +151,15 @@ class SolidElements:
         if value_m < SHORTEST_M:
             self.reader.refuse(element, f"{name}: must be 1mm or more")
         return value_m
+
+
+def _placed(polygon: Polygon, corners: list[tuple[float, float]], frame: Pose) -> Polygon:
+    """Return a polygon in a frame; if that is at its centroid, with exactly these corners."""
+    if max(abs(polygon.pose.x_m), abs(polygon.pose.y_m)) > _ROUNDING_M:
+        return replace(polygon, pose=polygon.pose.within(frame))
+    if area_m2(np.array(corners)) < 0.0:
+        corners.reverse()
+    return replace(polygon, pose=frame, corners_m=tuple(corners))
 
 
 def spread(element: Element, reader: Reader) -> float:

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import Final
 
@@ -108,7 +108,8 @@ def _robot(text: bytes, file: str, setup: str) -> RobotModel:
     root = elements(text, "robot.xsd", file, diagnostics, outermost="robot-definition", setup=setup)
     model = robot_model(root, Reader(file, diagnostics))
     raise_errors(diagnostics)
-    return model
+    definition = Path(file).stem if Path(file).parent == ROBOTS else file
+    return replace(model, definition=definition, setup=setup)
 
 
 @dataclass(frozen=True, slots=True)

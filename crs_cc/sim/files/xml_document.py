@@ -208,6 +208,31 @@ def _plain(node: etree._Element) -> Element:
     )
 
 
+def document_of(root: Element) -> bytes:
+    """Return an XML document.
+
+    >>> print(document_of(Element("world", 0, {"name": "a & b"})).decode(), end="")
+    <?xml version='1.0' encoding='UTF-8'?>
+    <world name="a &amp; b"/>
+    """
+    node = _node(root)
+    etree.indent(node)
+    text: bytes = etree.tostring(node, encoding="UTF-8", xml_declaration=True)
+    return text + b"\n"
+
+
+def _node(element: Element) -> etree._Element:
+    """Return an element of lxml.
+
+    Raises:
+        ValueError: a value has a character that XML does not allow.
+    """
+    node = etree.Element(element.tag, element.attributes)
+    node.text = element.text or None
+    node.extend([_node(child) for child in element.children])
+    return node
+
+
 def lines_of(text: bytes) -> list[str]:
     """Return the lines of a file, for messages."""
     return text.decode("utf-8", errors="replace").splitlines()

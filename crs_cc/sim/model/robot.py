@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Final, Self
 
 from crs_cc.core.distinct import for_each
@@ -137,6 +137,9 @@ class RobotModel:
             a Nomad 150, 2 for a Scout.
         height_m: its height; infinite for one that is visible at any height.
         devices: names and models of its devices of `registry.devices()`.
+        definition: where it is from: the name of a built-in definition, or the path of a file;
+            empty for a model made in Python. It does not count when models are compared.
+        setup: the setup of the definition; empty for none. It does not count either.
     """
 
     name: str
@@ -150,6 +153,8 @@ class RobotModel:
     vendor_model: int = 2
     height_m: float = math.inf
     devices: tuple[tuple[str, Any], ...] = ()
+    definition: str = field(default="", compare=False, repr=False)
+    setup: str = field(default="", compare=False, repr=False)
 
     def __hash__(self) -> int:
         return hash(self.name)  # for speed: models are dictionary keys in inner loops
