@@ -63,7 +63,7 @@ CONFINED = {
         "recording/mcap_writer.py",
         "session/snapshot_file.py",
     ),
-    "PIL": ("sim/files/image.py",),
+    "PIL": ("sim/files/image.py", "plot/raster.py"),
     "lxml": ("sim/files/xml_document.py", "sim/files/device_schema.py", "plot/svg.py"),
     "pyarrow": ("cli/columnar.py",),
     "rich": ("cli/", "debug/"),

@@ -132,10 +132,16 @@ def check_plot_path(path: Path) -> None:
     """
     _check_writable(path)
     device = path.exists() and not path.is_file()
-    if path.suffix.lower() != ".svg" and not device:
+    if path.suffix.lower() != ".svg" and not is_animation(path) and not device:
         raise click.UsageError(
-            f"'{path}' is not an SVG file: the plot is written as SVG, name it {path.stem}.svg."
+            f"'{path}' is not an SVG file: the plot is written as SVG, name it {path.stem}.svg, or"
+            f" {path.stem}.gif or {path.stem}.apng for an animation."
         )
+
+
+def is_animation(path: Path) -> bool:
+    """Return whether a plot is to be an animation."""
+    return path.suffix.lower() in (".gif", ".apng")
 
 
 def check_recording_path(path: Path) -> None:

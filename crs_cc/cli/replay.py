@@ -33,8 +33,9 @@ Examples:
 @click.option(
     "--plot",
     type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE.svg",
-    help="Plot the world from above with each robot's path.",
+    metavar="FILE",
+    help="Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif "
+    "or FILE.apng.",
 )
 @click.option(
     "--csv",

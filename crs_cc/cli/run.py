@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import click
 
-from crs_cc.cli.inputs import check_plot_path, check_recording_path, make_folder
+from crs_cc.cli.inputs import check_plot_path, check_recording_path, is_animation, make_folder
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.run_options import RunOptions
@@ -64,8 +64,9 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
 @click.option(
     "--plot",
     type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE.svg",
-    help="Plot the world from above with each robot's path.",
+    metavar="FILE",
+    help="Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif "
+    "or FILE.apng.",
 )
 @click.option(
     "--plot-sensors",
@@ -130,6 +131,8 @@ def run(**options: Any) -> int:
     run_options = RunOptions(**options)
     if run_options.plot is not None:
         check_plot_path(run_options.plot)
+        if run_options.plot_sensors and is_animation(run_options.plot):
+            raise click.UsageError("--plot-sensors is for SVG plots.")
     if run_options.tables is not None:
         make_folder(run_options.tables)
     if run_options.record is not None:

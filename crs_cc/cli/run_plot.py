@@ -25,10 +25,11 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Step
 
 _MOVED_M: Final = 0.005
-_MARKED: Final = 3
+MARKED: Final = 3
 """Robots whose times are marked."""
 
-_MARKS: Final = 10
+MARKS: Final = 10
+"""How many times are marked, about."""
 
 
 class RunPlot:
@@ -60,13 +61,15 @@ class RunPlot:
         self._tracks.end(*_positions_m(session))
         self._believed.end(*_believed_m(session))
         gone = np.isfinite(state.presence.left_s)
+        paths = [(self._tracks.path(n), self._believed.path(n)) for n in range(len(world.robots))]
         trips = [
             Trip(
                 robot,
-                self._tracks.path(n),
+                paths[n][0],
                 float(state.heading_rad[n]),
                 left=bool(gone[n]),
-                believed=self._believed.path(n),
+                believed=paths[n][1],
+                misled_m=apart_m(*paths[n]),
                 marks=time_marks(self._tracks, n, session.timesteps, world.timestep_s),
             )
             for n, robot in enumerate(world.robots)
@@ -92,9 +95,9 @@ def time_marks(
     tracks: Tracks, robot: int, timesteps: int, timestep_s: float
 ) -> list[tuple[float, float, str]]:
     """Return where one of the first robots was at round times, about ten of them."""
-    if robot >= _MARKED or timesteps < _MARKS:
+    if robot >= MARKED or timesteps < MARKS:
         return []
-    every = max(1, round(round_length(timesteps * timestep_s / _MARKS) / timestep_s))
+    every = max(1, round(round_length(timesteps * timestep_s / MARKS) / timestep_s))
     places = tracks.places_at(robot, every)
     return [(x_m, y_m, f"{at * timestep_s:g} s") for at, x_m, y_m in places]
 
@@ -102,14 +105,33 @@ def time_marks(
 def _believed_m(session: Session) -> tuple[FloatArray, FloatArray]:
     """Return x and y by odometry [m] in the world frame, NaN as for `_positions_m`."""
     state, robots = session.environment.state, session.environment.world.robots
-    turn_rad = np.array([robot.start.heading_rad for robot in robots])
-    x_m = np.array([robot.start.x_m for robot in robots])
-    y_m = np.array([robot.start.y_m for robot in robots])
     own, present = state.odometry, state.presence.present
-    cos, sin = np.cos(turn_rad), np.sin(turn_rad)
-    x_m += own.x_m * cos - own.y_m * sin
-    y_m += own.x_m * sin + own.y_m * cos
+    x_m, y_m = in_world_m([robot.start for robot in robots], own.x_m, own.y_m)
     return np.where(present, x_m, np.nan), np.where(present, y_m, np.nan)
+
+
+def in_world_m(
+    starts: Sequence[Pose], own_x_m: FloatArray, own_y_m: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return where robots are by their odometry, in the world frame.
+
+    Args:
+        starts: where each had the odometry 0, 0.
+        own_x_m: x by its odometry.
+        own_y_m: y by its odometry.
+    """
+    turn_rad = np.array([start.heading_rad for start in starts])
+    cos, sin = np.cos(turn_rad), np.sin(turn_rad)
+    x_m = np.array([start.x_m for start in starts]) + own_x_m * cos - own_y_m * sin
+    y_m = np.array([start.y_m for start in starts]) + own_x_m * sin + own_y_m * cos
+    return x_m, y_m
+
+
+def apart_m(path: FloatArray, believed: FloatArray) -> float:
+    """Return the greatest distance between two paths of the same instants, along an axis."""
+    if len(path) != len(believed) or not len(path):
+        return 0.0
+    return float(np.abs(believed - path).max())
 
 
 def _positions_m(session: Session) -> tuple[FloatArray, FloatArray]:

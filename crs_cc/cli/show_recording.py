@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
+from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.messages import printable, show
 from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Diagnostic, Location
@@ -83,9 +84,14 @@ def _print(lines: Iterator[str]) -> None:
 
 
 def _write_plot(recording: Recording, path: Path) -> None:
-    from crs_cc.cli.recording_plot import recording_plot
+    if is_animation(path):
+        from crs_cc.cli.animation import write_animation
 
-    path.write_bytes(recording_plot(recording))
+        write_animation(recording, path)
+        return
+    from crs_cc.cli.recording_plot import recorded_picture
+
+    path.write_bytes(recorded_picture(recording).render())
 
 
 def _write_tables(recording: Recording, folder: Path) -> None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.exit_status import SYSTEM
+from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.load import Loaded, load
@@ -63,7 +64,8 @@ def simulate(options: RunOptions) -> int:
 
 
 def _simulate(options: RunOptions) -> int:
-    if options.tables is None or options.record is not None:
+    is_needed = options.tables is not None or _animates(options)
+    if not is_needed or options.record is not None:
         return _run(options)
     import tempfile
 
@@ -84,8 +86,8 @@ def _run(options: RunOptions) -> int:
     is_kept = _save_files(runner.session, run, options)
     runner.report_recording()
     runner.draw(run)
-    if options.tables is not None:
-        _write_tables(options)
+    if options.tables is not None or _animates(options):
+        _export(options)
     return exit_status(run) if is_kept else SYSTEM
 
 
@@ -272,7 +274,7 @@ def shows_summary(options: RunOptions) -> bool:
 
 
 def _plot(options: RunOptions) -> RunPlot | None:
-    if options.plot is None:
+    if options.plot is None or _animates(options):
         return None
     from crs_cc.cli.run_plot import RunPlot
 
@@ -296,16 +298,25 @@ def _trace(what: str, world: WorldModel) -> Listener:
     return MessageTrace(say, names, [channel.name for channel in world.communication.channels])
 
 
-def _write_tables(options: RunOptions) -> None:
-    """Write the tables of the run, from its recording."""
-    from crs_cc.cli.tables import write_tables
+def _animates(options: RunOptions) -> bool:
+    return options.plot is not None and is_animation(options.plot)
+
+
+def _export(options: RunOptions) -> None:
+    """Write the tables and the animation of the run, from its recording."""
     from crs_cc.recording.recording import Recording
 
     assert options.record is not None
-    assert options.tables is not None
     recording = Recording(options.record)
     try:
-        write_tables(recording, options.tables)
+        if options.tables is not None:
+            from crs_cc.cli.tables import write_tables
+
+            write_tables(recording, options.tables)
+        if options.plot is not None and _animates(options):
+            from crs_cc.cli.animation import write_animation
+
+            write_animation(recording, options.plot)
     finally:
         recording.close()
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -68,6 +69,7 @@ class Trip:
         heading_rad: its heading at the end.
         left: whether it has left the world.
         believed: the path by its odometry [m], in the world frame, shape (samples, 2).
+        misled_m: the greatest distance between that and the true path.
         marks: positions on the path [m], with the time at which it was there, as text.
     """
 
@@ -76,6 +78,7 @@ class Trip:
     heading_rad: float
     left: bool = False
     believed: FloatArray = field(default_factory=lambda: np.zeros((0, 2)))
+    misled_m: float = 0.0
     marks: Sequence[tuple[float, float, str]] = ()
 
 
@@ -104,15 +107,17 @@ class Picture:
 
     def render(self) -> bytes:
         """Return the picture as SVG."""
-        return _Drawing(self).render()
+        return PlotDrawing(self).render()
 
 
-class _Drawing:
-    def __init__(self, picture: Picture) -> None:
+class PlotDrawing:
+    """Draws a picture, all of it or in layers."""
+
+    def __init__(self, picture: Picture, long_side_px: float = _LONG_SIDE_PX) -> None:
         self.picture = picture
         low, high = _bounds(picture)
         extent = high - low
-        scale = _LONG_SIDE_PX / float(extent.max())
+        scale = long_side_px / float(extent.max())
         width, height = (max(_SHORT_SIDE_PX, float(side) * scale) for side in extent)
         self.size = (width, height)
         centre = (low + high) / 2
@@ -124,14 +129,10 @@ class _Drawing:
         self.page = Page(self.width, self.height, picture.title)
 
     def render(self) -> bytes:
+        """Return all of it as SVG."""
         self.page.rectangle((0, 0), (self.width, self.height), fill="#ffffff")
-        with self.page.group(font_family=_FONT, font_size=12.0, fill=_INK):
-            self._heading()
-            self._grid()
-            draw_terrain(self.page, self.view, self.picture.world.surface)
-            draw_sights(self.page, self.view, self.picture.sights)
-            self._solids()
-            draw_beacons(self.page, self.view, self.picture.world)
+        with self._style():
+            self._scenery(is_still=False)
             self._strokes()
             self._starts()
             self._paths()
@@ -140,8 +141,63 @@ class _Drawing:
             self._ends()
             self._contacts()
             self._scale_bar()
-            self._legend()
+            self._legend(is_still=False)
         return self.page.render()
+
+    def scenery(self) -> Page:
+        """Return what does not move: the ground, all that is fixed, the legend."""
+        with self._style():
+            self._scenery(is_still=True)
+            self._starts()
+            self._scale_bar()
+            self._legend(is_still=True)
+        return self.page
+
+    @contextmanager
+    def layer(self) -> Iterator[Page]:
+        """Start a page of the same size for a part of the picture; it is drawn on until the end."""
+        self.page = Page(self.width, self.height, "")
+        with self._style():
+            yield self.page
+
+    def path(self, number: int, points_m: FloatArray, width_px: float = 1.5) -> None:
+        """Draw a piece of a robot's path."""
+        points = [self.view.point(*place) for place in points_m.tolist()]
+        self.page.polyline(points, stroke=colour(number), stroke_width=width_px)
+
+    def robot(self, number: int, place_m: tuple[float, float], heading_rad: float) -> None:
+        """Draw a robot."""
+        radius_px = self._radius_px(self.picture.trips[number])
+        self._robot(self.view.point(*place_m), radius_px, heading_rad, colour(number))
+
+    def movable(self) -> list[Thing]:
+        """Return the objects that can be moved, at their start."""
+        solids = self.picture.world.solids()
+        return [each for each in solids if not isinstance(each, Wall) and is_pushable(each)]
+
+    def standing(self, thing: Thing) -> None:
+        """Draw an object that can be moved."""
+        self._standing(thing)
+
+    def contact(self, x_m: float, y_m: float) -> None:
+        """Mark a contact."""
+        self._cross(self.view.point(x_m, y_m))
+
+    def clock(self, text: str) -> None:
+        """Write the time above the picture."""
+        place = (_LEFT_PX + self.size[0], _HEAD_PX - 8)
+        self.page.text(place, text, text_anchor="end", font_size=14.0)
+
+    def _style(self) -> AbstractContextManager[None]:
+        return self.page.group(font_family=_FONT, font_size=12.0, fill=_INK)
+
+    def _scenery(self, *, is_still: bool) -> None:
+        self._heading()
+        self._grid()
+        draw_terrain(self.page, self.view, self.picture.world.surface)
+        draw_sights(self.page, self.view, self.picture.sights)
+        self._solids(is_still=is_still)
+        draw_beacons(self.page, self.view, self.picture.world)
 
     def _heading(self) -> None:
         title = self.picture.title
@@ -182,9 +238,12 @@ class _Drawing:
         place = (start[0] - 8, end[1] + 4)
         self.page.text(place, f"{length_m:g} m", font_size=11.0, text_anchor="end")
 
-    def _solids(self) -> None:
+    def _solids(self, *, is_still: bool) -> None:
+        """Draw walls and objects, with what can be moved or without."""
         pushed = {thing.id for thing in self.picture.pushed}
         solids = self.picture.world.solids()
+        if is_still:
+            solids = tuple(each for each in solids if each not in self.movable())
         walls = [solid for solid in solids if isinstance(solid, Wall)]
         for wall in walls:  # outlines first, so that there are none where two walls meet
             if wall.material != PLAIN:
@@ -199,7 +258,7 @@ class _Drawing:
                     self._thing(solid)
             else:
                 self._standing(solid)
-        for thing in self.picture.pushed:
+        for thing in () if is_still else self.picture.pushed:
             self._standing(thing)
 
     def _standing(self, thing: Thing) -> None:
@@ -248,19 +307,18 @@ class _Drawing:
         """Draw where odometry believed the robots to be, if that differs from where they were."""
         style: dict[str, str | float] = {"stroke_width": 1.2, "stroke_dasharray": "4 3"}
         with self.page.group(fill="none", stroke_opacity=0.9, **style):
-            for number, trip in self._misled():
+            for number, trip in self.misled():
                 path = simplified(trip.believed, _TOLERANCE_PX / self.view.scale)
                 points = [self.view.point(*place) for place in path.tolist()]
                 self.page.polyline(points, stroke=colour(number))
 
-    def _misled(self) -> list[tuple[int, Trip]]:
+    def misled(self) -> list[tuple[int, Trip]]:
         """Return the robots that believed to be elsewhere, with their numbers."""
         least_m = _DIFFERS_PX / self.view.scale
         return [
             (number, trip)
             for number, trip in self._there()
-            if len(trip.believed) == len(trip.path)
-            and float(np.abs(trip.believed - trip.path).max()) > least_m
+            if len(trip.believed) and trip.misled_m > least_m
         ]
 
     def _times(self) -> None:
@@ -321,7 +379,7 @@ class _Drawing:
 
     # The legend
 
-    def _legend(self) -> None:
+    def _legend(self, *, is_still: bool) -> None:
         left = _LEFT_PX + self.size[0] + 24
         rows = int((self.size[1] - 4 * _ROW_PX) // _ROW_PX)
         trips = self.picture.trips
@@ -335,19 +393,21 @@ class _Drawing:
             text = f"... and {len(trips) - shown} more"
             self.page.text((left + 16, y_px + 4), text, fill=_FAINT_INK)
             y_px += _ROW_PX
-        self._symbols(left, y_px + 10)
+        self._symbols(left, y_px + 10, is_still=is_still)
 
-    def _symbols(self, left: float, y_px: float) -> None:
+    def _symbols(self, left: float, y_px: float, *, is_still: bool) -> None:
         self._hollow((left, y_px), 7.0, 0.0, _FAINT_INK)
         self.page.text((left + 16, y_px + 4), "start", fill=_FAINT_INK)
-        self._robot((left, y_px + _ROW_PX), 7.0, 0.0, _FAINT_INK)
-        self.page.text((left + 16, y_px + _ROW_PX + 4), "end", fill=_FAINT_INK)
-        y_px += 2 * _ROW_PX
+        y_px += _ROW_PX
+        if not is_still:
+            self._robot((left, y_px), 7.0, 0.0, _FAINT_INK)
+            self.page.text((left + 16, y_px + 4), "end", fill=_FAINT_INK)
+            y_px += _ROW_PX
         if self.picture.contacts:
             self._cross((left, y_px))
             self.page.text((left + 16, y_px + 4), "contact", fill=_FAINT_INK)
             y_px += _ROW_PX
-        if self._misled():
+        if self.misled():
             dashes: dict[str, str | float] = {"stroke": _FAINT_INK, "stroke_dasharray": "4 3"}
             self.page.line((left - 7, y_px), (left + 7, y_px), **dashes)
             self.page.text((left + 16, y_px + 4), "by odometry", fill=_FAINT_INK)

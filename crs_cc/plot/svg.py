@@ -21,6 +21,7 @@ from lxml import etree
 
 from crs_cc.core.file_names import displayed
 
+Element = etree._Element
 Point = tuple[float, float]
 Points = Sequence[Point]
 Attributes = Mapping[str, str | float]

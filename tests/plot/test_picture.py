@@ -250,7 +250,7 @@ def test_axes_have_units_and_odometrys_path_is_shown_where_it_differs() -> None:
     root = draw(Picture("t", "s", ROOM, [same]))
     assert {"x [m]", "y [m]"} <= set(texts(root))
     assert "by odometry" not in texts(root)
-    other = replace(true, believed=true.path + np.array([[0.0, 0.0], [0.0, 0.5]]))
+    other = replace(true, believed=true.path + np.array([[0.0, 0.0], [0.0, 0.5]]), misled_m=0.5)
     root = draw(Picture("t", "s", ROOM, [other]))
     assert "by odometry" in texts(root)
     dashed = [each for each in root.iter(f"{SVG}g") if each.get("stroke-dasharray")]
