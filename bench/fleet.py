@@ -16,11 +16,11 @@ import tempfile
 import time
 from pathlib import Path
 
+from crs_cc.core.host_system import available_cores
 from crs_cc.core.source import Diagnostics
 from crs_cc.requests import CODES, SUSPENDED
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.workers import available_cores
 from crs_cc.session.build import build_executable
 
 PROGRAM = """

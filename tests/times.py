@@ -8,7 +8,6 @@ cheap, or new. `pytest --update-times` renews the lines of all files that it run
 from __future__ import annotations
 
 import os
-import resource
 import time
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
@@ -92,6 +91,8 @@ def write(rows: Mapping[str, float], table: Path) -> None:
 
 def _now_s() -> float:
     """Return the processor time of this process and of those of its children that ended [s]."""
+    import resource  # which Windows does not have
+
     children = resource.getrusage(resource.RUSAGE_CHILDREN)
     return time.process_time() + children.ru_utime + children.ru_stime
 

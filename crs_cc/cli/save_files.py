@@ -6,39 +6,34 @@ the folder are not followed, so that nothing outside it can be written.
 
 from __future__ import annotations
 
-import contextlib
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.cli.messages import show
+from crs_cc.core.host_system import open_below
 from crs_cc.core.source import Diagnostic, Location
 
 if TYPE_CHECKING:
     from crs_cc.session.result import RobotResult
 
 _NAMED: Final = 3
-_FOLDER: Final = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
-_FILE: Final = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW | os.O_NONBLOCK
+_FLAGS: Final = os.O_WRONLY | os.O_CREAT
 
 
 def save_files(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
     """Write files below a folder, made if only its last part is missing; return the errors."""
     try:
         folder.mkdir(exist_ok=True)
-        top = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
     except OSError as error:
         return [_not_saved(folder, error)]
     failed = []
-    try:
-        for name, content in files.items():
-            try:
-                _write(top, name.split(b"/"), content)
-            except OSError as error:
-                failed.append(_not_saved(folder / os.fsdecode(name), error))
-    finally:
-        os.close(top)
+    for name, content in files.items():
+        try:
+            _write(folder, os.fsdecode(name), content)
+        except OSError as error:
+            failed.append(_not_saved(folder / os.fsdecode(name), error))
     return failed
 
 
@@ -63,16 +58,10 @@ def _not_saved(path: Path, error: OSError) -> Diagnostic:
     return Diagnostic("error", Location(str(path)), f"cannot be written: {error.strerror}")
 
 
-def _write(top: int, parts: Sequence[bytes], content: bytes) -> None:
-    with contextlib.ExitStack() as opened:
-        folder = top
-        for part in parts[:-1]:
-            with contextlib.suppress(FileExistsError):
-                os.mkdir(part, dir_fd=folder)
-            folder = os.open(part, _FOLDER, dir_fd=folder)
-            opened.callback(os.close, folder)
-        with os.fdopen(os.open(parts[-1], _FILE, 0o666, dir_fd=folder), "wb") as file:
-            file.write(content)
+def _write(folder: Path, name: str, content: bytes) -> None:
+    with os.fdopen(open_below(folder, name.split("/"), _FLAGS, make=True), "wb") as file:
+        file.truncate()  # only now is it known to be a file
+        file.write(content)
 
 
 def discarded_warning(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:

@@ -13,7 +13,6 @@ other escapes are those of C:
 from __future__ import annotations
 
 import re
-import select
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -23,6 +22,7 @@ import click
 
 from crs_cc.cli.messages import is_terminal
 from crs_cc.cli.program_output import read_line
+from crs_cc.core.host_system import is_input_waiting
 
 _LINE: Final = re.compile(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*s?\s*:[ \t]?(.*)")
 _ESCAPE: Final = re.compile(rb"\\(?:x([0-9A-Fa-f]{1,2})|([0-7]{1,3})|(.))")
@@ -124,7 +124,7 @@ class OwnInput:
     def waiting(self, _robot: int, _clock_s: float) -> tuple[int, float]:
         """Return how many bytes of the next line can be read; inf if nothing has been typed."""
         if not self._next:
-            if is_terminal(sys.stdin) and not select.select([sys.stdin], [], [], 0.0)[0]:
+            if is_terminal(sys.stdin) and not is_input_waiting():
                 return 0, float("inf")
             self._next = read_line(_LONGEST)
         return len(self._next), 0.0

@@ -7,7 +7,6 @@ code; an `Executable` holds that machine code.
 from __future__ import annotations
 
 import functools
-import resource
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePath
@@ -16,6 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import wasmtime
 from wasmtime import _bindings
 
+from crs_cc.core.host_system import stack_bytes
 from crs_cc.runtime.driver import driver
 
 if TYPE_CHECKING:
@@ -36,8 +36,8 @@ and can overflow before, see `fleet`.
 
 def _host_stack() -> int:
     """Return the limit on the host's stack for programs: three quarters at most [bytes]."""
-    limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
-    return MAX_WASM_STACK if limit < 0 else min(MAX_WASM_STACK, limit * 3 // 4)
+    limit = stack_bytes()
+    return MAX_WASM_STACK if limit is None else min(MAX_WASM_STACK, limit * 3 // 4)
 
 
 @functools.cache

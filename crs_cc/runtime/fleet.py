@@ -25,6 +25,7 @@ import numpy as np
 import wasmtime
 
 from crs_cc.core.arrays import ByteArray, IndexArray, Records
+from crs_cc.core.host_system import available_cores
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE
 from crs_cc.runtime import resident_pages
@@ -34,7 +35,7 @@ from crs_cc.runtime.shard import Mailbox, Ran, Sandbox, Shard, Trapped, memory_d
 from crs_cc.runtime.sites import Access
 from crs_cc.runtime.turns import RECORD
 from crs_cc.runtime.watch_ranges import WATCHED
-from crs_cc.runtime.workers import available_cores, run_all
+from crs_cc.runtime.workers import run_all
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall

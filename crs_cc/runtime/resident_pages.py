@@ -23,11 +23,11 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ByteArray, IndexArray
+from crs_cc.core.host_system import open_page_map
 
 CHUNK: Final = 4096
 """The granularity of saving [bytes]."""
 
-_PAGEMAP: Final = "/proc/self/pagemap"
 _ENTRY: Final = 8
 _EXISTS: Final = 0b11 << 62
 
@@ -82,7 +82,5 @@ def _existing(memory: ByteArray) -> BoolArray:
 
 @functools.cache
 def _pagemap(_process: int) -> int | None:
-    """Open the page map of this process (not of a forked child); None if there is none."""
-    with contextlib.suppress(OSError):
-        return os.open(_PAGEMAP, os.O_RDONLY)
-    return None
+    """Return the page map of this process (not of a forked child); None if there is none."""
+    return open_page_map()

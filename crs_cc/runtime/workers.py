@@ -23,13 +23,6 @@ _STACK_BYTES: Final = 8 * 2**20
 thread too little."""
 
 
-def available_cores() -> int:
-    """Return the number of processors that this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
-
-
 def run_all(tasks: Sequence[Task]) -> None:
     """Run tasks at the same time, the last in this thread; return when all have ended.
 

@@ -13,11 +13,11 @@ import functools
 import hashlib
 import os
 import pickle
-import stat
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeVar
 
+from crs_cc.core import host_system
 from crs_cc.toolchain.cache_size import TEMPORARY, StoreQuota
 from crs_cc.toolchain.fingerprint import COMPILER, fingerprint, stamp
 
@@ -130,9 +130,7 @@ def is_private(place: Path) -> bool:
     Raises:
         OSError: there is no such folder.
     """
-    status = place.stat()
-    shared = status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-    return status.st_uid == os.geteuid() and not shared
+    return host_system.is_private(place.stat())
 
 
 def _write(path: Path, content: bytes) -> None:

@@ -10,6 +10,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Final
 
+from crs_cc.core.host_system import machine
+
 PACKAGE: Final = Path(__file__).parent.parent
 
 COMPILER: Final = (
@@ -57,7 +59,7 @@ def stamp(folders: Sequence[str]) -> str:
 
 
 def _platform() -> bytes:
-    return f"{sys.version_info[:2]} {sys.platform} {os.uname().machine}".encode()
+    return f"{sys.version_info[:2]} {sys.platform} {machine()}".encode()
 
 
 def _status(path: str, status: os.stat_result) -> bytes:

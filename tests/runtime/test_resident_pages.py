@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.core.host_system import open_page_map
 from crs_cc.core.source import Diagnostics
 from crs_cc.runtime import resident_pages
 from crs_cc.runtime.fleet import Fleet
@@ -65,7 +66,7 @@ def test_pages_of_zeros_are_left_out() -> None:
     assert resident_pages.save(memory, NO_OBJECTS)[0].tolist() == [0]
 
 
-@pytest.mark.skipif(not Path("/proc/self/pagemap").exists(), reason="this system tells nothing")
+@pytest.mark.skipif(open_page_map() is None, reason="this system tells nothing")
 def test_saving_a_memory_maps_no_pages() -> None:
     memory = fresh()
     memory[3 * resident_pages.CHUNK] = 1

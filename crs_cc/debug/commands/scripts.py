@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
 from crs_cc.core.file_names import from_text
+from crs_cc.core.host_system import open_regular
 from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import require_argument
@@ -26,11 +26,7 @@ _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "acce
 def read_script(path: Path) -> list[str]:
     """Return the lines of a script; raise DebugError if it cannot be read, or is not text."""
     try:
-        with os.fdopen(
-            os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb"
-        ) as file:  # do not block on a pipe
-            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise DebugError(f"'{path}' is not a regular file")
+        with os.fdopen(open_regular(path, os.O_RDONLY), "rb") as file:
             content = file.read(MAX_SCRIPT_BYTES + 1)
         if len(content) > MAX_SCRIPT_BYTES:
             raise DebugError(f"'{path}' is larger than {MAX_SCRIPT_BYTES >> 20} MiB")
@@ -97,11 +93,8 @@ def _write(path: Path, content: str) -> None:
     """
     if path.suffix != _ENDING:
         raise DebugError(f"the name of a file of breakpoints must end with {_ENDING}")
-    flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK
     try:
-        with os.fdopen(os.open(path, flags, 0o666), "r+b") as file:
-            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-                raise DebugError(f"'{path}' is not a regular file")
+        with os.fdopen(open_regular(path, os.O_RDWR | os.O_CREAT, follow=False), "r+b") as file:
             head = file.read(len(_HEAD))
             if head and head != _HEAD.encode():
                 raise DebugError(f"'{path}' is not a file of saved breakpoints: not overwritten")

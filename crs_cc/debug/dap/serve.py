@@ -5,12 +5,12 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-import select
 import socket
 import sys
 import threading
 from collections.abc import Callable
 from functools import partial
+from queue import SimpleQueue
 from typing import Any, BinaryIO, Final
 
 from crs_cc.debug.dap.arguments import MAX_INTEGER, Arguments, RefusalError
@@ -24,6 +24,8 @@ from crs_cc.debug.dap.session import EditorSession, OpenRun
 _STACK_BYTES: Final = 64 * 2**20
 """Of the thread in which programs run; they may use 6 MiB of it, see `runtime.executable`. It is
 taken as it is used."""
+
+_READ_BYTES: Final = 65536
 
 
 def serve_stdio(open_run: OpenRun) -> None:
@@ -43,10 +45,21 @@ def serve_stdio(open_run: OpenRun) -> None:
 
 
 class _StandardInput(io.RawIOBase):
-    """Standard input that another thread can end."""
+    """Standard input that another thread can end.
+
+    A thread of its own reads it; it may never return from that, and ends with the process.
+    """
 
     def __init__(self) -> None:
-        self._is_over, self._over = os.pipe()
+        self._read: SimpleQueue[bytes] = SimpleQueue()
+        self._rest = b""
+        threading.Thread(target=self._work, name="standard input", daemon=True).start()
+
+    def _work(self) -> None:
+        content = b"more"
+        while content:
+            content = _read_some()
+            self._read.put(content)
 
     def readable(self) -> bool:
         """Return True: it can be read."""
@@ -54,17 +67,22 @@ class _StandardInput(io.RawIOBase):
 
     def readinto(self, room: Any, /) -> int:
         """Wait for bytes; return how many were read, 0 at the end."""
-        ready, _, _ = select.select([0, self._is_over], [], [])
-        if self._is_over in ready:
-            return 0
+        content = self._rest or self._read.get()
         view = memoryview(room)
-        content = os.read(0, len(view))
-        view[: len(content)] = content
-        return len(content)
+        count = min(len(view), len(content))
+        view[:count], self._rest = content[:count], content[count:]
+        return count
 
     def end(self) -> None:
         """End the stream, for a blocked reader, too."""
-        os.write(self._over, b"x")
+        self._read.put(b"")
+
+
+def _read_some() -> bytes:
+    try:
+        return os.read(0, _READ_BYTES)
+    except OSError:  # it is closed
+        return b""
 
 
 def serve_port(port: int, open_run: OpenRun, announce: Callable[[str], None]) -> None:

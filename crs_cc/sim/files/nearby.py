@@ -10,18 +10,15 @@ ValueError: must be a relative path to a file (.xml) in the world's folder or be
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
-import stat
 from pathlib import Path, PurePosixPath
 from typing import Final
 
 from crs_cc.core.file_names import from_text
+from crs_cc.core.host_system import open_below
 from crs_cc.core.input_files import note
 
-_FOLDER: Final = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
-_FILE: Final = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
 _LONGEST: Final = 4096
 _LINK: Final = "symbolic links are not allowed: copy the file into the world's folder"
 
@@ -52,17 +49,7 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
 
 
 def _read(folder: Path, parts: tuple[str, ...], most: int) -> bytes:
-    """Open the path component by component, so that no link can lead out of the folder."""
-    with contextlib.ExitStack() as opened:
-        place = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-        opened.callback(os.close, place)
-        for part in parts[:-1]:
-            place = os.open(part, _FOLDER, dir_fd=place)
-            opened.callback(os.close, place)
-        with os.fdopen(os.open(parts[-1], _FILE, dir_fd=place), "rb") as file:
-            status = os.fstat(file.fileno())
-            if not stat.S_ISREG(status.st_mode):
-                raise ValueError("not a regular file")
-            if status.st_size > most:
-                raise ValueError(f"larger than {most} bytes")
-            return file.read(most)
+    with os.fdopen(open_below(folder, parts, os.O_RDONLY), "rb") as file:
+        if os.fstat(file.fileno()).st_size > most:
+            raise ValueError(f"larger than {most} bytes")
+        return file.read(most)

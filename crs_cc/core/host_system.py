@@ -1,0 +1,181 @@
+"""What differs between operating systems, and in no other module.
+
+Linux is where crs is developed and tested. Here is what macOS and Windows do not have: names that
+`os` lacks there, modules that cannot be imported, files below `/proc`. Where a safeguard of Linux
+is missing, the next best takes its place; `docs/platforms.md` says which.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import ntpath
+import os
+import stat
+import sys
+from collections.abc import Sequence
+from pathlib import Path, PureWindowsPath
+from typing import Final
+
+_NOFOLLOW: Final = getattr(os, "O_NOFOLLOW", 0)
+_ALWAYS: Final = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+"""Of every file that is opened: do not wait for who writes to a pipe; bytes as they are."""
+
+_HAS_FOLDERS: Final = os.open in os.supports_dir_fd and hasattr(os, "O_DIRECTORY")
+_FOLDER: Final = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0)
+_NOT_IN_NAMES: Final = frozenset('\\:*?"<>|')  # Windows, "Naming Files, Paths, and Namespaces"
+_WINDOWS_STACK: Final = 2_000_000
+"""Of the main thread of python.exe [bytes]: `/STACK` in CPython's PCbuild/python.vcxproj."""
+
+
+def machine() -> str:
+    """Return the kind of processor, such as `x86_64`."""
+    if hasattr(os, "uname"):
+        return os.uname().machine
+    return os.environ.get("PROCESSOR_ARCHITECTURE", "")
+
+
+def available_cores() -> int:
+    """Return the number of processors that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def stack_bytes() -> int | None:
+    """Return the size of the main thread's stack [bytes], None if it is unlimited."""
+    try:
+        import resource
+    except ImportError:
+        return _WINDOWS_STACK
+    limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
+    return None if limit < 0 else limit
+
+
+def is_private(status: os.stat_result) -> bool:
+    """Return whether a file or folder is ours, and nobody else can write to it.
+
+    Windows has no such permissions; there, folders in a user's profile are private by default.
+    """
+    if not hasattr(os, "geteuid"):
+        return True
+    return status.st_uid == os.geteuid() and not status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
+def open_page_map() -> int | None:
+    """Return a descriptor of this process's page map, which `os.pread` reads; None if none."""
+    if not hasattr(os, "pread"):
+        return None
+    with contextlib.suppress(OSError):
+        return os.open("/proc/self/pagemap", os.O_RDONLY)
+    return None
+
+
+def is_input_waiting() -> bool:
+    """Return whether something has been typed at the terminal that is our standard input."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        return msvcrt.kbhit()
+    import select
+
+    return bool(select.select([sys.stdin], [], [], 0.0)[0])
+
+
+def open_regular(path: Path, flags: int, *, follow: bool = True) -> int:
+    """Return a descriptor of a regular file.
+
+    Args:
+        path: the file.
+        flags: of `os.open`.
+        follow: whether the last part of the path may be a link.
+
+    Raises:
+        OSError: it cannot be opened, or is a device, a pipe or a folder.
+    """
+    if not (_NOFOLLOW or follow):
+        _demand_no_link(path)
+    with contextlib.suppress(FileNotFoundError):
+        _demand_regular(path.stat())
+    return _regular(os.open(path, flags | _ALWAYS | (0 if follow else _NOFOLLOW), 0o666))
+
+
+def open_below(folder: Path, parts: Sequence[str], flags: int, *, make: bool = False) -> int:
+    """Return a descriptor of a regular file below a folder, without following any link there.
+
+    The path is opened part by part, so that whoever changes the folder meanwhile cannot lead out
+    of it. Where the system cannot do that, every part is looked at before the file is opened.
+
+    Args:
+        folder: the folder, which may be a link.
+        parts: the path from there; no part is `..`.
+        flags: of `os.open`.
+        make: whether folders on the way are made.
+
+    Raises:
+        OSError: it cannot be opened; ELOOP, EMLINK or ENOTDIR if a part is a link.
+    """
+    if not _HAS_FOLDERS:
+        return _open_checked(folder, parts, flags, make=make)
+    with contextlib.ExitStack() as opened:
+        place = os.open(folder, _FOLDER)
+        opened.callback(os.close, place)
+        for part in parts[:-1]:
+            if make:
+                with contextlib.suppress(FileExistsError):
+                    os.mkdir(part, dir_fd=place)
+            place = os.open(part, _FOLDER | _NOFOLLOW, dir_fd=place)
+            opened.callback(os.close, place)
+        return _regular(os.open(parts[-1], flags | _ALWAYS | _NOFOLLOW, 0o666, dir_fd=place))
+
+
+def _open_checked(folder: Path, parts: Sequence[str], flags: int, *, make: bool) -> int:
+    path = folder
+    for part in parts:
+        if not names_a_file_here(part):
+            raise OSError(errno.EINVAL, os.strerror(errno.EINVAL), part)
+        if make and path != folder:
+            path.mkdir(exist_ok=True)
+        path /= part
+        _demand_no_link(path)
+    return open_regular(path, flags)
+
+
+def names_a_file_here(part: str) -> bool:
+    """Return whether a part of a path without `/` names a file in its folder and nothing else."""
+    return os.sep == "/" or _is_plain_on_windows(part)
+
+
+def _is_plain_on_windows(part: str) -> bool:
+    """Return whether Windows takes a name for that of a file in the folder.
+
+    >>> [_is_plain_on_windows(part) for part in ("map.txt", "C:map", "nul.txt")]
+    [True, False, False]
+    """
+    if sys.version_info >= (3, 13):
+        reserved = ntpath.isreserved(part)
+    else:
+        reserved = PureWindowsPath(part).is_reserved()
+    return not (reserved or _NOT_IN_NAMES & set(part))
+
+
+def _demand_no_link(path: Path) -> None:
+    is_junction = getattr(path, "is_junction", None)  # Python 3.12
+    if path.is_symlink() or (is_junction is not None and is_junction()):
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path))
+
+
+def _demand_regular(status: os.stat_result) -> None:
+    if stat.S_ISDIR(status.st_mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+    if not stat.S_ISREG(status.st_mode):
+        raise OSError(errno.EINVAL, "not a regular file")
+
+
+def _regular(descriptor: int) -> int:
+    try:
+        _demand_regular(os.fstat(descriptor))
+    except OSError:
+        os.close(descriptor)
+        raise
+    return descriptor
