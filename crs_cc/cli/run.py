@@ -21,6 +21,7 @@ Examples:
   crs run main.c turn.c office.xml -I include -D SPEED=80 -- fast 3
   crs run logger.c room.xml --file maps/room.txt --files out
   crs run wander.c room.xml --record run.mcap
+  crs run wander.c room.xml --live --speed 1
   crs run wander.c room.xml --max-time 5 --json | jq .robots[0].pose
 """
 
@@ -111,6 +112,11 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
     metavar="N|max",
     callback=_speed,
     help="Run at most N times as fast as real time; 1 is real time.",
+)
+@click.option(
+    "--live",
+    is_flag=True,
+    help="Draw a map on the terminal while the programs run; see also --speed.",
 )
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")

@@ -26,6 +26,7 @@ class RunOptions(ProgramOptions):
         record: the file of the recording.
         tables: the folder for tables of the run.
         speed: the highest multiple of real time; infinite for as fast as possible.
+        live: draw a map on the terminal while the programs run.
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
         foxglove: add messages by Foxglove's schemas.
@@ -44,5 +45,6 @@ class RunOptions(ProgramOptions):
     record_every_s: float = 0.05
     tables: Path | None = None
     speed: float = math.inf
+    live: bool = False
     record_sensors: Sensors = "read"
     foxglove: bool = False

@@ -32,6 +32,7 @@ from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
 
 if TYPE_CHECKING:
+    from crs_cc.cli.live_map import LiveMap
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
     from crs_cc.recording.recorder import Recorder
@@ -100,7 +101,8 @@ class Runner:
         world = loaded.world
         self._seed = options.seed if options.seed is not None else world.seed or 0
         self._end_s = options.max_time_s or world.duration_s
-        talks = not (options.quiet or options.trace)
+        self._live = _live_map(options)
+        talks = not (options.quiet or options.trace or self._live)
         self._progress = ProgressLine(sys.stderr if talks and is_terminal(sys.stderr) else None)
         self._output = ProgramOutput(
             [robot.id for robot in world.robots],
@@ -127,7 +129,7 @@ class Runner:
             client=options.client,
             # A recording has what was read, not when it could be.
             waiting=self._waiting,
-            trace=self if self._trace is not None or self._plot is not None else None,
+            trace=self if self._trace or self._plot or self._live else None,
             observer=self._recorder,
             threads=options.threads,
         )
@@ -145,6 +147,9 @@ class Runner:
             finally:
                 self._progress.clear()
                 self._output.close()
+                if self._live is not None:
+                    self._live.draw(self.session, self._progress_text())
+                    self._live.close()
         result = self.session.result()
         if self._recorder is not None:
             self._recorder.finish(result)
@@ -176,6 +181,8 @@ class Runner:
                 self._hint_at_silence()
             if self._progress.is_due():
                 self._progress.draw(self._progress_text())
+            if self._live is not None and self._live.is_due():
+                self._live.draw(self.session, self._progress_text())
             if end_s is not None and self.session.time_s >= end_s - 1e-9:
                 return
 
@@ -188,7 +195,7 @@ class Runner:
 
     def _most_timesteps(self) -> int:
         """Return the number of timesteps to run without a look at output and interrupts."""
-        if self._plot is not None or self._pace.is_limited:
+        if self._plot is not None or self._live is not None or self._pace.is_limited:
             return 1  # it samples each, or waits after each
         left_s = _AT_ONCE_S / max(self.session.state.running, 1)
         if self._recorder is not None:
@@ -204,6 +211,8 @@ class Runner:
             self._trace.step(step)
         if self._plot is not None:
             self._plot.add_contacts(step, len(self.session.fleet))
+        if self._live is not None:
+            self._live.add_contacts(step)
 
     def _sample(self) -> None:
         """Add the current positions to the plot and to the recording."""
@@ -211,6 +220,8 @@ class Runner:
             self._recorder.sample()
         if self._plot is not None:
             self._plot.sample(self.session)
+        if self._live is not None:
+            self._live.sample(self.session)
 
     def report_recording(self) -> None:
         """Say whether the recording ended early."""
@@ -279,6 +290,18 @@ def _plot(options: RunOptions) -> RunPlot | None:
     from crs_cc.cli.run_plot import RunPlot
 
     return RunPlot()
+
+
+def _live_map(options: RunOptions) -> LiveMap | None:
+    if not options.live:
+        return None
+    from crs_cc.cli.live_map import LiveMap, reason_against
+
+    reason = reason_against(sys.stderr)
+    if reason:
+        say(f"crs: no live map: {reason}")
+        return None
+    return LiveMap(sys.stderr)
 
 
 def _recorder(loaded: Loaded, options: RunOptions, seed: int) -> Recorder | None:
