@@ -12,6 +12,9 @@ import importlib
 from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
+    from crs_cc.api.env import Env
+    from crs_cc.api.gym_env import GymEnv, vector_env
+    from crs_cc.api.parallel_env import ParallelEnv
     from crs_cc.api.programs import compile_c
     from crs_cc.api.robots import RobotView
     from crs_cc.api.session import Session
@@ -40,6 +43,9 @@ __version__ = "0.1.0"
 _HOMES: Final = {
     name: home
     for home, names in {
+        "crs_cc.api.env": "Env",
+        "crs_cc.api.gym_env": "GymEnv vector_env",
+        "crs_cc.api.parallel_env": "ParallelEnv",
         "crs_cc.api.programs": "compile_c",
         "crs_cc.api.robots": "RobotView",
         "crs_cc.api.session": "Session",
@@ -64,10 +70,13 @@ __all__ = [
     "CrsError",
     "Cylinder",
     "Degradation",
+    "Env",
     "Executable",
+    "GymEnv",
     "InternalError",
     "Light",
     "Material",
+    "ParallelEnv",
     "Polygon",
     "Pose",
     "ProgramError",
@@ -85,6 +94,7 @@ __all__ = [
     "compile_c",
     "load_robot",
     "load_world",
+    "vector_env",
     "world_xml",
     "write_world",
 ]

@@ -66,6 +66,8 @@ CONFINED = {
     "PIL": ("sim/files/image.py", "plot/raster.py"),
     "lxml": ("sim/files/xml_document.py", "sim/files/device_schema.py", "plot/svg.py"),
     "pyarrow": ("cli/columnar.py",),
+    "gymnasium": ("api/gym_env.py", "api/spaces.py"),
+    "pettingzoo": ("api/parallel_env.py",),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
     "textual": ("debug/tui/",),

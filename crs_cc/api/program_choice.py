@@ -20,6 +20,9 @@ Program: TypeAlias = Executable | ProgramSource | None
 Programs: TypeAlias = Program | Sequence[Program] | Mapping[str, Program]
 """One program for all, one for each robot in the world's order, or programs by robots' names."""
 
+NONE: Final = "(none)"
+"""The name of the program of a robot that Python steers."""
+
 _SLEEPS: Final = "#include <unistd.h>\nint main(void) { for (;;) sleep(1000000000); }\n"
 """The program of a robot that Python steers: it never does anything."""
 
@@ -74,5 +77,5 @@ def _chosen(world: WorldModel, programs: Programs) -> list[Program]:
 def executable_of(program: ProgramSource | None, robot: Robot) -> Executable:
     """Return the compiled program of a robot; one that does nothing for None."""
     if program is None:
-        return replace(compile_c(_SLEEPS), name="(none)")
+        return replace(compile_c(_SLEEPS), name=NONE)
     return compile_c(program, dialect=robot.dialect)

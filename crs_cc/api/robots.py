@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -153,7 +153,7 @@ class RobotView:
         speed = self.checked_speeds(speeds)
         self._environment.drive(np.array([self.number]), speed[None, :])
 
-    def checked_speeds(self, speeds: Sequence[float] | FloatArray) -> FloatArray:
+    def checked_speeds(self, speeds: npt.ArrayLike) -> FloatArray:
         """Return the speeds of its axes as an array of three, 0 for missing axes.
 
         Raises:

@@ -19,7 +19,7 @@ import numpy as np
 from crs_cc.api.edits import Edits
 from crs_cc.api.events import EventCallbacks
 from crs_cc.api.output import Streams
-from crs_cc.api.program_choice import Programs, executables_of
+from crs_cc.api.program_choice import NONE, Programs, executables_of
 from crs_cc.api.robots import Robots
 from crs_cc.api.run_picture import Paths, picture_of
 from crs_cc.api.worlds import WorldSource, load_world
@@ -28,6 +28,7 @@ from crs_cc.debug.world.events import WorldEvent
 from crs_cc.session.host import Client
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session import Session as InnerSession
+from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.model.world import WorldModel
 
 _ROUNDING: Final = 1e-6  # [timesteps]
@@ -42,6 +43,7 @@ class Session(Edits):
         robots: the robots, by name: poses, readings, output.
         duration_s: when `run` ends [s]; None for when all programs have ended.
         seed: the random seed.
+        programs: the programs at the start, in the world's order of robots.
         streams: what the programs have written.
         inner: the session behind this one, for what is not public.
     """
@@ -103,6 +105,7 @@ class Session(Edits):
             threads=threads,
             observer=self._events,
         )
+        self.programs = tuple(executables)
         self.robots = Robots(self.inner, self.streams)
         self._paths = Paths(self.positions_m)
 
@@ -124,10 +127,15 @@ class Session(Edits):
         return self.world.timestep_s
 
     @property
+    def is_late(self) -> bool:
+        """Whether the duration has been reached."""
+        return self._is_late(self.duration_s)
+
+    @property
     def is_over(self) -> bool:
         """Whether the duration has been reached, or all programs have ended and no robot joins."""
         state = self.inner.state
-        return self._is_late(self.duration_s) or not (state.running or state.environment.awaits)
+        return self.is_late or not (state.running or state.environment.awaits)
 
     def step(self, timesteps: int = 1) -> bool:
         """Run some timesteps; return whether the run goes on: `while session.step(): ...`."""
@@ -181,6 +189,17 @@ class Session(Edits):
     def poses(self) -> FloatArray:
         """X [m], y [m] and heading [rad] of all robots now, (robots, 3)."""
         return np.column_stack([self.positions_m, self.headings_rad])
+
+    @property
+    def steered(self) -> tuple[str, ...]:
+        """The names of the robots without a program, which Python steers."""
+        programs = self.inner.fleet.executable
+        return tuple(name for n, name in enumerate(self.robots) if programs(n).name == NONE)
+
+    @property
+    def goals(self) -> tuple[GoalResult, ...]:
+        """What has become of the world's goals so far."""
+        return self.inner.goals
 
     def result(self) -> RunResult:
         """Return the result of the run so far; nothing is prepared for it while it runs."""

@@ -355,6 +355,10 @@ class Environment:
             at_s = np.full(len(robots), self.time_s)
             timed.read(self.state, data.constants, data.rays, robots, at_s)
 
+    def device_numbers(self, name: str) -> IndexArray:
+        """Return each robot's number among those with a device, -1 without it, (robots,)."""
+        return self._running.constants.numbers[name]
+
     def reading(self, name: str, robot: int) -> npt.NDArray[np.generic] | None:
         """Return the last reading of a robot's device [SI unit], see `Device.reading`.
 

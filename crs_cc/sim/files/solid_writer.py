@@ -58,7 +58,7 @@ def solid_elements(world: WorldModel) -> list[Element]:
             if last not in ("", name):
                 before[name].append(last)
             last = name
-    found = []
+    found: list[Element] = []
     for name in _ordered(before):
         found += _composite(name, groups[name]) if name in groups else [_solid(alone[name])]
     return found

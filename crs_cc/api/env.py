@@ -1,0 +1,219 @@
+"""Robots steered from Python, beside robots that run C programs, in steps of equal length.
+
+>>> env = Env(observe=["sonar", "pose"])        # one Scout in the empty world
+>>> observations = env.reset()
+>>> observations["robot0"]["sonar"].shape
+(16,)
+>>> while env.time_s < 2.0:
+...     observations = env.step({"robot0": [0.3, 0.3]})
+>>> round(float(observations["robot0"]["pose"][0]), 2)
+0.51
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.api.observations import Observation, measure
+from crs_cc.api.program_choice import Programs
+from crs_cc.api.session import Session
+from crs_cc.api.worlds import WorldSource, load_world
+from crs_cc.core.arrays import FloatArray
+from crs_cc.core.suggest import unknown
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.model.world import WorldModel
+
+Actions = Literal["speeds", "vendor"]
+Observations = dict[str, dict[str, FloatArray]]
+"""Observations by robot and name."""
+
+_ROUNDING: Final = 1e-6
+
+
+class Env:
+    """A world whose robots are steered from Python, all or some.
+
+    Attributes:
+        world: the world at the start.
+        robots: the names of the steered robots.
+        timesteps: number of timesteps of each step.
+        observations: what is observed of each robot, by its name.
+        session: the run; a new one for each episode.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel | WorldSource | None = None,
+        programs: Programs = None,
+        *,
+        robots: Sequence[str] | None = None,
+        observe: Sequence[str] = ("sonar",),
+        actions: Actions = "speeds",
+        step_s: float | None = None,
+        duration_s: float | None = None,
+        seed: int | None = None,
+        reward: Callable[[Session, str], float] | None = None,
+        is_done: Callable[[Session, str], bool] | None = None,
+    ) -> None:
+        """Prepare episodes.
+
+        Args:
+            world: the world, or what `load_world` takes.
+            programs: what the other robots run, see `Session`.
+            robots: the steered robots; by default those without a program.
+            observe: what is observed of them: sensors, `pose`, `odometry`, `speeds`.
+            actions: what an action consists of, one number for each axis (`RobotView.axis_names`):
+                `speeds` in m/s and rad/s, or `vendor` for the vendor's velocities, in 0.1 inch/s
+                and 0.1 degree/s, as of `vm`.
+            step_s: the time from one action to the next [s], a multiple of the timestep; by
+                default one timestep.
+            duration_s: the length of an episode [s]; by default the world's duration.
+            seed: the random seed of episodes; by default the world's.
+            reward: returns a robot's reward for the last step; by default the points of the
+                world's goals that were met in it.
+            is_done: returns whether the task is over for a robot; by default when all of the
+                world's goals have been met or have failed, never without goals.
+
+        Raises:
+            ValueError: an argument is invalid.
+            CompileError: a program is invalid.
+            WorldError: the world is invalid.
+        """
+        self.world = world if isinstance(world, WorldModel) else load_world(world)
+        if actions not in ("speeds", "vendor"):
+            raise ValueError(unknown("kind of actions", actions, ("speeds", "vendor")))
+        self._actions, self._duration_s, self._seed = actions, duration_s, seed
+        self._reward, self._is_done = reward, is_done
+        self._points = 0.0  # of the goals met before the last step
+        self.timesteps = self._timesteps(step_s)
+        self.session = Session(self.world, programs, seed=seed, duration_s=duration_s)
+        self._programs = self.session.programs
+        self.robots = self._steered(robots)
+        self._unit = np.ones((len(self.world.robots), AXES))
+        if actions == "vendor":
+            self._unit = self.session.inner.environment.drives.unit
+        self._observed = tuple(dict.fromkeys(observe))
+        self.observations = {
+            name: [Observation.of(each, self.session.robots[name]) for each in self._observed]
+            for name in self.robots
+        }
+        self._begin()
+
+    # -- an episode ----------------------------------------------------------------------------
+
+    def reset(self, seed: int | None = None) -> Observations:
+        """Start an episode; return the first observations.
+
+        Args:
+            seed: the random seed; by default that of the environment.
+        """
+        seed = self._seed if seed is None else seed
+        self.session = Session(self.world, self._programs, seed=seed, duration_s=self._duration_s)
+        self._begin()
+        return self.observe()
+
+    def step(self, actions: Mapping[str, npt.ArrayLike]) -> Observations:
+        """Steer robots, run the world for a step, and return the observations.
+
+        Args:
+            actions: of each robot, one number for each axis, clipped to its limit; a robot without
+                an action goes on.
+
+        Raises:
+            ValueError: a robot is unknown, or an action has another shape or is not finite.
+        """
+        speeds = np.zeros((len(actions), AXES))
+        rows = np.zeros(len(actions), dtype=np.intp)
+        for place, (name, action) in enumerate(actions.items()):
+            if name not in self._views:
+                raise ValueError(unknown("steered robot", name, self.robots))
+            robot = self._views[name]
+            speeds[place], rows[place] = robot.checked_speeds(action), robot.number
+        there = np.argsort(rows)[self.session.inner.environment.present[np.sort(rows)]]
+        if len(there):
+            rows, speeds = rows[there], speeds[there]
+            self.session.inner.environment.drive(rows, speeds * self._unit[rows])
+        self.session.step(self.timesteps)
+        return self.observe()
+
+    def observe(self) -> Observations:
+        """Return new arrays of what is observed of each robot now."""
+        measure(self.session.inner.environment, self._observed, self._rows)
+        return {
+            name: {each.name: each.value(self._views[name]) for each in self.observations[name]}
+            for name in self.robots
+        }
+
+    @property
+    def time_s(self) -> float:
+        """The simulated time of the episode [s]."""
+        return self.session.time_s
+
+    def rewards(self) -> dict[str, float]:
+        """Return the reward of each robot for the last step; to be called once for each."""
+        if self._reward is not None:
+            return {name: float(self._reward(self.session, name)) for name in self.robots}
+        points = sum(goal.points for goal in self.session.goals if goal.status == "met")
+        gained, self._points = points - self._points, points
+        return dict.fromkeys(self.robots, gained)
+
+    def done(self) -> dict[str, bool]:
+        """Return for which robots the task is over, or which have left the world."""
+        present = self.session.inner.environment.present
+        return {
+            name: self._is_over(name) or not present[self._views[name].number]
+            for name in self.robots
+        }
+
+    @property
+    def step_s(self) -> float:
+        """The time from one action to the next [s]."""
+        return self.timesteps * self.world.timestep_s
+
+    @property
+    def is_late(self) -> bool:
+        """Whether the duration of the episode has passed."""
+        return self.session.is_late
+
+    def action_limits(self, robot: str) -> FloatArray:
+        """Return the largest magnitude of each number of an action, (axes,)."""
+        view = self._views[robot]
+        limits = self.session.inner.environment.drives.speed_limit[view.number]
+        limit: FloatArray = limits / self._unit[view.number]
+        return limit[: len(view.axis_names)]
+
+    def _begin(self) -> None:
+        self._views = {name: self.session.robots[name] for name in self.robots}
+        self._rows = np.array([view.number for view in self._views.values()], dtype=np.intp)
+        self._points = 0.0
+
+    def _is_over(self, robot: str) -> bool:
+        if self._is_done is not None:
+            return bool(self._is_done(self.session, robot))
+        goals = self.session.goals
+        return bool(goals) and all(goal.status in ("met", "failed") for goal in goals)
+
+    def _timesteps(self, step_s: float | None) -> int:
+        """Return the number of timesteps of a step."""
+        if step_s is None:
+            return 1
+        timesteps = step_s / self.world.timestep_s
+        if not (timesteps > 0.5 and abs(timesteps - round(timesteps)) < _ROUNDING):
+            text = f"a multiple of the timestep, {self.world.timestep_s:g} s"
+            raise ValueError(f"invalid step_s {step_s!r} (expected {text})")
+        return round(timesteps)
+
+    def _steered(self, robots: Sequence[str] | None) -> tuple[str, ...]:
+        """Return the names of the steered robots, in the world's order."""
+        steered = self.session.steered
+        wanted = steered if robots is None else robots
+        for name in wanted:
+            if name not in steered:
+                raise ValueError(unknown("robot without a program", name, steered))
+        if not wanted:
+            raise ValueError("no robot to steer: each has a program")
+        return tuple(name for name in steered if name in wanted)
