@@ -71,6 +71,7 @@ CONFINED = {
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
     "textual": ("debug/tui/",),
+    "websockets": ("workbench/server.py",),
 }
 ANYWHERE = {"numpy"}
 

@@ -25,6 +25,7 @@ from crs_cc.cli.replay import replay
 from crs_cc.cli.run import run
 from crs_cc.cli.samples import samples
 from crs_cc.cli.streams import mute, prepare_streams
+from crs_cc.cli.view import view
 from crs_cc.core.errors import CrsError, InternalError
 
 _EPILOG = """
@@ -33,6 +34,7 @@ Examples:
   crs run wander.c                               in an empty world, until Ctrl-C
   crs run wander.c room.xml --max-time 60        for a minute of simulated time
   crs run wander.c room.xml --plot path.svg      plot the robot's path
+  crs view wander.c room.xml                     watch, steer and debug in the browser
   crs debug wander.c room.xml                    debug, forward and in reverse
   crs replay run.mcap                            show a run that was recorded
   crs check wander.c room.xml                    report errors, run nothing
@@ -96,7 +98,7 @@ def crs() -> None:
     """Run unmodified C control programs for Nomadic robots in a simulated world."""
 
 
-for command in (run, debug, replay, check, compile_, new, samples, docs, cache, completion):
+for command in (run, view, debug, replay, check, compile_, new, samples, docs, cache, completion):
     crs.add_command(command)
 
 

@@ -9,10 +9,8 @@ from __future__ import annotations
 
 import json
 import math
-import struct
-import zlib
 from base64 import b64encode
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -21,9 +19,9 @@ import numpy as np
 
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
-from crs_cc.recording.frames import encode
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import area_data, robot_data, shape_data
+from crs_cc.workbench.frame_blocks import packed
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -40,7 +38,6 @@ MAX_POINTS: Final = 1000
 
 _HERE: Final = Path(__file__).parent / "static"
 _MODULES: Final = ("app", "camera", "frames", "scene", "timeline", "view2d", "view3d")
-_PART: Final = struct.Struct("<dI")
 _SHARE: Final = 0.9 * 0.75  # for frames, before base 64
 
 
@@ -130,12 +127,14 @@ def _blocks(recording: Recording, most_bytes: int) -> tuple[list[list[Any]], int
         blocks: list[list[Any]] = []
         size = 0
         for frames in _seconds(recording, stride):
-            packed = _packed(frames)
-            size += len(packed)
+            block = packed(
+                [each.time_s for each in frames], np.array([each.values for each in frames])
+            )
+            size += len(block)
             if size > most_bytes:
                 break
             span = [frames[0].time_s, frames[-1].time_s]
-            blocks.append([*span, b64encode(packed).decode("ascii")])
+            blocks.append([*span, b64encode(block).decode("ascii")])
         if size <= most_bytes or stride > 2**20:
             return blocks, stride
         stride *= 2
@@ -155,13 +154,6 @@ def _seconds(recording: Recording, stride: int) -> Iterator[list[Frame]]:
         frames.append(frame)
     if frames:
         yield frames
-
-
-def _packed(frames: Sequence[Frame]) -> bytes:
-    """Return frames as a compressed block."""
-    parts = zip(frames, encode(np.array([frame.values for frame in frames])), strict=True)
-    content = b"".join(_PART.pack(frame.time_s, len(data)) + data for frame, data in parts)
-    return zlib.compress(content, 6)
 
 
 def _paths(recording: Recording, world: WorldModel) -> list[dict[str, Any]]:

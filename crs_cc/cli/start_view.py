@@ -1,0 +1,107 @@
+"""Start the screen in the browser: load what it shows, serve it, and run it until Ctrl-C."""
+
+from __future__ import annotations
+
+import os
+import sys
+import webbrowser
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from crs_cc.cli.load import Loaded, load
+from crs_cc.cli.make_debugger import make_debugger
+from crs_cc.cli.messages import say, show_before_run
+from crs_cc.cli.start_debugger import file_input
+from crs_cc.core.source import Diagnostics
+from crs_cc.session.host import no_input
+from crs_cc.workbench.debugged_run import DebuggedRun
+from crs_cc.workbench.feed import Feed
+from crs_cc.workbench.player import Player
+from crs_cc.workbench.screen import Screen
+from crs_cc.workbench.watcher import Watcher
+from crs_cc.workbench.world_data import world_data
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from crs_cc.cli.debug_options import DebugOptions
+    from crs_cc.sim.model.world import WorldModel
+
+FRAME_S = 0.05
+"""Simulated time between two frames that the page gets, at least a timestep."""
+
+
+def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool) -> int:
+    """Run programs in the world under the eyes of a browser; return the exit status.
+
+    Raises:
+        CrsError: the programs cannot be loaded.
+        OSError: the port is in use, or the input cannot be read.
+    """
+    diagnostics = Diagnostics()
+    loaded = load(options, diagnostics, debug=True)
+    if not options.quiet:
+        show_before_run(diagnostics.messages)
+    world = loaded.world
+    feed = Feed(
+        describe("live", world, _title(loaded, options), options.seed or world.seed or 0),
+        max(FRAME_S, world.timestep_s),
+    )
+    watcher = Watcher(feed)
+    read = no_input if options.input is None else file_input(options.input)
+    debugger = make_debugger(loaded, options, watcher.write, read, observer=watcher)
+    watcher.begin(debugger.session)
+    debugger.start()
+    screen = Screen(DebuggedRun(debugger, watcher), feed, Player(world.timestep_s), port)
+    if plays:
+        screen.player.play()
+    return serve(screen, opens=opens)
+
+
+def describe(kind: str, world: WorldModel, title: tuple[str, str], seed: int) -> dict[str, Any]:
+    """Return what does not change of a run, as JSON.
+
+    Args:
+        kind: `live` or `recorded`.
+        world: its world.
+        title: the names of its programs and of its world.
+        seed: its seed.
+    """
+    names: Sequence[str] = [robot.id for robot in world.robots]
+    return {
+        "kind": kind,
+        "programs": title[0],
+        "world_name": title[1],
+        "seed": seed,
+        "timestep_s": world.timestep_s,
+        "world": world_data(world, names),
+    }
+
+
+def serve(screen: Screen, *, opens: bool) -> int:
+    """Serve a screen until Ctrl-C; return the exit status."""
+    address = screen.server.address()
+    say(f"crs: open {address}")
+    say(f"crs: to look only: {screen.server.address('view')}  (Ctrl-C ends the run)")
+    if opens and _has_display():
+        webbrowser.open(address)
+    try:
+        screen.play()
+    except KeyboardInterrupt:
+        say("crs: the run has ended")
+    finally:
+        screen.server.close()
+    return 0
+
+
+def _has_display() -> bool:
+    """Return whether a browser can show anything: or else one for terminals might open."""
+    if sys.platform in {"win32", "darwin"}:
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _title(loaded: Loaded, options: DebugOptions) -> tuple[str, str]:
+    names = dict.fromkeys(path.name for row in loaded.sources for path in row)
+    where = options.inputs.world
+    return ", ".join(names), "an empty world" if where is None else Path(where).name

@@ -1,0 +1,61 @@
+"""`crs view`: the command and its options; `start_view` does the work."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+import click
+
+from crs_cc.cli.program_options import WithProgramArguments, program_options
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs view wander.c room.xml                     watch, steer and debug a run
+  crs view convoy.c platoon.xml --speed 5        five times as fast as real time
+  crs view run.mcap                              look at a run that was recorded
+  crs view wander.c room.xml --no-open           print the address only
+  crs view http://127.0.0.1:8700/#token=...      a run that crs run --view has begun
+"""
+
+
+@click.command(
+    cls=WithProgramArguments,
+    epilog=_EXAMPLES,
+    short_help="Watch, steer and debug a run in the browser.",
+    options_metavar="[OPTIONS]",
+)
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    metavar="PORT",
+    help="Serve the page on this port of this machine. Default: any that is free.",
+)
+@click.option(
+    "--open/--no-open",
+    "opens",
+    default=True,
+    help="Open the page in the browser (default), or only print its address.",
+)
+@click.option("--play", is_flag=True, help="Start at once, without a click.")
+@click.option(
+    "--input",
+    metavar="FILE",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="File to use as the programs' standard input. Default: none.",
+)
+@click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")
+@program_options
+def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
+    """Compile a C control program and watch it in the browser.
+
+    The page shows the world, the robots and the lines at which their programs stand. It plays,
+    pauses, goes back to any instant and steps through the program in either direction. It is served
+    to this machine only; who has the printed address may steer the run. Ctrl-C ends it.
+    """
+    from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
+    from crs_cc.cli.start_view import view_programs
+
+    return view_programs(DebugOptions(**options), port, opens=opens, plays=play)

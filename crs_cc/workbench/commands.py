@@ -1,0 +1,102 @@
+"""The table of commands that pages can send; no other reaches the run.
+
+The debugger's own commands go through `console`, as far as `console.ALLOWED` has them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.workbench import console, sources
+from crs_cc.workbench.command import Command
+from crs_cc.workbench.messages import block_message
+from crs_cc.workbench.player import FASTEST, SLOWEST
+
+if TYPE_CHECKING:
+    from crs_cc.workbench.screen import Screen
+
+
+def _play(screen: Screen) -> None:
+    screen.player.play()
+
+
+def _pause(screen: Screen) -> None:
+    """Interrupt what the run does, and pause it when it has heard."""
+    screen.run.interrupt()
+
+    def pause() -> None:
+        screen.player.pause()
+        screen.publish()
+
+    screen.player.put(pause)
+
+
+def _step(screen: Screen, timesteps: int) -> None:
+    screen.player.pause()
+    if timesteps >= 0:
+        screen.run.advance(min(timesteps, 10_000))
+        screen.stopped()
+    else:
+        now = round(screen.run.time_s / screen.run.timestep_s)
+        screen.run.seek(max(0, now + timesteps) * screen.run.timestep_s)
+
+
+def _seek(screen: Screen, time_s: float) -> None:
+    screen.run.seek(max(0.0, time_s))
+    screen.player.restart()
+
+
+def _speed(screen: Screen, speed: float) -> None:
+    if speed != 0.0 and not SLOWEST <= speed <= FASTEST:
+        raise ValueError(f"the speed must be {SLOWEST:g} to {FASTEST:g}, or 0 for no limit")
+    screen.player.set_speed(speed or math.inf)
+
+
+def _span(screen: Screen, begin_s: float, end_s: float) -> None:
+    if begin_s < 0.0 or end_s < begin_s:
+        raise ValueError("the span must begin at 0 or later, and end after that")
+    is_one = end_s - begin_s > screen.run.timestep_s / 2
+    screen.player.span = (begin_s, end_s) if is_one else None
+
+
+def _select(screen: Screen, robot: int) -> None:
+    screen.run.select(robot)
+    screen.robot = robot
+
+
+def _frames(screen: Screen, block: int) -> dict[str, Any]:
+    content = screen.feed.frames.content(block)
+    if content is None:
+        raise ValueError(f"no block {block}: the run has taken another course")
+    return {"block": block, "content": block_message(block, content)}
+
+
+RUNNING: Final = (
+    Command("play", "Let the run go on.", _play, needs="play"),
+    Command("pause", "Let the run wait.", _pause, needs="play", at_once=True),
+    Command("step", "Advance by timesteps, or go back by them if negative.", _step,
+            {"timesteps": int}, needs="seek"),
+    Command("seek", "Go to a time.", _seek, {"time_s": float}, needs="seek"),
+    Command("speed", "Set the speed, simulated by real time; 0 for no limit.", _speed,
+            {"speed": float}, needs="play"),
+    Command("span", "Repeat the time between two instants; end it if they are equal.", _span,
+            {"begin_s": float, "end_s": float}, needs="seek"),
+    Command("select", "Select a robot, by number.", _select, {"robot": int}),
+    Command("frames", "Send a block of frames.", _frames, {"block": int}, controls=False,
+            at_once=True),
+)  # fmt: skip
+
+DEBUGGING: Final = (
+    Command("console", "Execute a command of the debugger.", console.execute, {"line": str},
+            needs="debug"),
+    Command("complete", "Return the completions of a line for the console.", console.completions,
+            {"line": str}, needs="debug"),
+    Command("break", "Set a breakpoint at a line, or remove the one that is there.",
+            sources.toggle_breakpoint, {"file": str, "line": int}, needs="debug"),
+    Command("source", "Return the lines of a C file.", sources.source, {"file": str},
+            controls=False, needs="debug"),
+)  # fmt: skip
+
+TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING)}
+"""All commands by name."""

@@ -1,0 +1,88 @@
+"""A run that is debugged: it goes to any instant, and its programs stop at any statement."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.workbench import sources
+from crs_cc.workbench.robot_table import status
+from crs_cc.workbench.run import Halt
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.stop import Stop
+    from crs_cc.workbench.watcher import Watcher
+
+_GOES_ON: Final = frozenset({"tick", "step", "goto", "start", "beginning", "interrupt"})
+"""Reasons of stops at which nothing has happened that a user must see."""
+
+
+class DebuggedRun:
+    """A run of the debug engine.
+
+    Attributes:
+        can: it plays, goes to other times, and is debugged.
+        timestep_s: the length of a timestep.
+        halt: why it stands, or stood last.
+    """
+
+    can = frozenset({"play", "seek", "debug"})
+
+    def __init__(self, debugger: Debugger, watcher: Watcher) -> None:
+        """Store the engine and what watches its session."""
+        self.debugger = debugger
+        self.halt = Halt("start", "ready to run")
+        self.timestep_s = debugger.session.environment.world.timestep_s
+        self._shell = Shell(debugger)
+        self._watcher = watcher
+
+    @property
+    def time_s(self) -> float:
+        """The simulated time [s]."""
+        return self.debugger.session.time_s
+
+    def advance(self, timesteps: int) -> bool:
+        """Advance at most so far; return whether it may go on."""
+        stop = self.debugger.tick(timesteps)
+        self._arrive(stop)
+        return stop.reason == "tick"
+
+    def seek(self, time_s: float) -> None:
+        """Go to a time."""
+        self._arrive(self.debugger.goto_time(time_s))
+
+    def interrupt(self) -> None:
+        """Let what it does end soon; thread-safe."""
+        self.debugger.interrupt()
+
+    def select(self, robot: int) -> None:
+        """Select a robot; raise DebugError if there is no such robot."""
+        self.debugger.view.select_robot(robot)
+
+    def shell(self) -> Shell:
+        """Return the command line of the debugger."""
+        return self._shell
+
+    def settle(self) -> None:
+        """Notice what a command of the debugger has done."""
+        self._watcher.settle(self.debugger.run.event_history.timesteps)
+        self._arrive(self.debugger.stop)
+
+    def status(self, *, is_playing: bool) -> dict[str, Any]:
+        """Return the table of the robots."""
+        run = self.debugger.run
+        return status(run.session, run, self.debugger.view.robot, is_playing=is_playing)
+
+    def where(self) -> dict[str, Any] | None:
+        """Return where the selected robot's program stands."""
+        return sources.where(self.debugger)
+
+    def _arrive(self, stop: Stop) -> None:
+        reason, text = stop.reason, stop.why
+        if reason == "tick":
+            text = ""
+        is_plain = reason in _GOES_ON
+        self.halt = Halt("paused" if is_plain else reason, text, stop.robot)
+        self._watcher.ends()
+        self._watcher.show(is_last=reason != "tick")

@@ -1,0 +1,153 @@
+"""What is known of a run that is watched: for pages that are connected, and for those to come.
+
+Whoever runs it tells the feed what happens; the feed keeps it within bounds and passes it on. What
+has been told before is not told again, so a run that goes back and forth changes nothing here until
+it takes another course (`forget`).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import FloatArray
+from crs_cc.workbench.frame_store import FrameStore
+from crs_cc.workbench.messages import VERSION, message
+
+if TYPE_CHECKING:
+    from crs_cc.workbench.server import Server
+
+MAX_EVENTS: Final = 20_000
+MAX_OUTPUT: Final = 4 * 2**20
+_FRAME_S: Final = 0.03  # of real time between two frames that are sent: no screen shows more
+_SLACK_S: Final = 1e-9
+
+Event = tuple[float, str, int, str, float | None, float | None]
+"""Time [s], kind, robot or -1, text, and the place [m] if there is one."""
+
+Output = tuple[float, int, int, str]
+"""Time [s], robot, stream, text."""
+
+
+class Feed:
+    """What is known of a run.
+
+    Attributes:
+        description: what does not change: title, world, what can be done.
+        frames: where everything was.
+        server: passes on what is new; None to keep it only.
+        end_s: the latest time that is known [s].
+    """
+
+    def __init__(self, description: dict[str, Any], frame_s: float) -> None:
+        """Create an empty feed.
+
+        Args:
+            description: what does not change, as JSON.
+            frame_s: simulated time between two frames, at least.
+        """
+        self.description = description
+        self.frames = FrameStore()
+        self.server: Server | None = None
+        self.end_s = 0.0
+        self._frame_s = frame_s
+        self._events: list[Event] = []
+        self._output: list[Output] = []
+        self._output_size = 0
+        self._rosters: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = []
+        self._sent_s = -1.0
+
+    def hello(self, role: str) -> str:
+        """Return the first message for a page."""
+        return message(
+            "hello",
+            version=VERSION,
+            role=role,
+            **self.description,
+            frame_s=self._frame_s,
+            end_s=self.end_s,
+            rosters=[self._roster(each) for each in self._rosters],
+            events=self._events,
+            output=self._output,
+            blocks=self.frames.index(),
+        )
+
+    def roster(self, time_s: float, robots: Sequence[str], objects: Sequence[str]) -> None:
+        """Note who and what is in the frames from a time on."""
+        new = time_s, tuple(robots), tuple(objects)
+        if self._rosters and (self._rosters[-1][1:] == new[1:] or time_s <= self._rosters[-1][0]):
+            return
+        self._rosters.append(new)
+        self._tell("roster", roster=self._roster(new))
+
+    def frame(self, time_s: float, values: FloatArray, *, is_last: bool = False) -> None:
+        """Note where everything is.
+
+        Args:
+            time_s: when.
+            values: numbers [m, rad], (columns, rows).
+            is_last: whether the run stops here, so that it must be shown.
+        """
+        last_s = self.frames.end_s
+        self.end_s = max(self.end_s, time_s)
+        if time_s > last_s + _SLACK_S and (
+            last_s < 0.0 or time_s - last_s >= self._frame_s - _SLACK_S
+        ):
+            block = self.frames.add(time_s, values)
+            if block is not None:
+                self._tell("block", block=[block.number, block.begin_s, block.end_s])
+        if self.server is None or not self.server.count:
+            return
+        now_s = time.monotonic()
+        if is_last or now_s - self._sent_s >= _FRAME_S:
+            self._sent_s = now_s
+            self.server.broadcast_frame(time_s, values)
+
+    def event(
+        self, time_s: float, kind: str, robot: int, text: str,
+        place: tuple[float, float] | None = None,
+    ) -> None:  # fmt: skip
+        """Note an event."""
+        event: Event = (round(time_s, 6), kind, robot, text, *(place or (None, None)))
+        self._events.append(event)
+        if len(self._events) > MAX_EVENTS:
+            del self._events[: MAX_EVENTS // 2]
+        self._tell("event", event=event)
+
+    def write(self, time_s: float, robot: int, stream: int, content: bytes) -> None:
+        """Note what a program has written."""
+        piece: Output = round(time_s, 6), robot, stream, content.decode("utf-8", "replace")
+        self._output.append(piece)
+        self._output_size += len(content) + 32
+        while self._output_size > MAX_OUTPUT:
+            gone = self._output[: len(self._output) // 4 + 1]
+            del self._output[: len(gone)]
+            self._output_size -= sum(len(each[3].encode()) + 32 for each in gone)
+        self._tell("output", output=piece)
+
+    def forget(self, time_s: float) -> None:
+        """Discard what is known after a time: the run takes another course."""
+        self.end_s = time_s
+        self.frames.forget(time_s)
+        after_s = time_s + _SLACK_S
+        self._events = [each for each in self._events if each[0] <= after_s]
+        self._output = [each for each in self._output if each[0] <= after_s]
+        self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
+        self._rosters = [each for each in self._rosters if each[0] <= after_s]
+        self._tell("forget", time_s=time_s, blocks=self.frames.index())
+
+    def _roster(self, roster: tuple[float, tuple[str, ...], tuple[str, ...]]) -> dict[str, Any]:
+        return {"t": roster[0], "robots": roster[1], "objects": roster[2]}
+
+    def _tell(self, kind: str, **fields: Any) -> None:
+        if self.server is not None and self.server.count:
+            self.server.broadcast(message(kind, **fields))
+
+
+def rounded(values: FloatArray, digits: int = 4) -> list[Any]:
+    """Return numbers as JSON has them, with null for what is not finite."""
+    found: list[Any] = np.round(values, digits).tolist()
+    return found

@@ -1,0 +1,72 @@
+r"""The channel between the page and the run: what is sent, and how it is written.
+
+The page sends JSON: `{"id": 7, "do": "seek", "time_s": 12.5}`, a row of the command table. It is
+sent JSON with a `type`, or bytes: a letter, and what that letter says. An answer has the `id` of
+its command and either a `value` or an `error`.
+
+>>> answer(7, {"time_s": 12.5})
+'{"type":"answer","id":7,"value":{"time_s":12.5}}'
+>>> frame_message(1.0, b"...")[:1], block_message(3, b"...")
+(b'F', b'B\x03\x00\x00\x00...')
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from typing import Any, Final
+
+VERSION: Final = 1
+"""Of the channel. A page of another version says so and asks to be loaded again."""
+
+PROTOCOL: Final = "crs.1"
+"""The name by which page and server ask for each other's version."""
+
+MAX_BYTES: Final = 64 * 1024
+"""Of a message of the page."""
+
+_FRAME: Final = struct.Struct("<cd")
+_BLOCK: Final = struct.Struct("<cI")
+
+
+def message(kind: str, /, **fields: Any) -> str:
+    """Return a message for the page; numbers that JSON does not have become null."""
+    return _text({"type": kind, **fields})
+
+
+def answer(number: int, value: Any = None) -> str:
+    """Return the answer to a command."""
+    return _text({"type": "answer", "id": number, "value": value})
+
+
+def refusal(number: int, error: str) -> str:
+    """Return the answer to a command that failed."""
+    return _text({"type": "answer", "id": number, "error": error})
+
+
+def frame_message(time_s: float, frame: bytes) -> bytes:
+    """Return the message of a frame, encoded as in a recording."""
+    return _FRAME.pack(b"F", time_s) + frame
+
+
+def block_message(number: int, block: bytes) -> bytes:
+    """Return the message of a block of frames."""
+    return _BLOCK.pack(b"B", number) + block
+
+
+def _text(content: dict[str, Any]) -> str:
+    try:
+        return json.dumps(content, separators=(",", ":"), allow_nan=False)
+    except ValueError:
+        return json.dumps(_plain(content), separators=(",", ":"))
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with null for what is not finite."""
+    if isinstance(value, float):
+        return value if abs(value) < float("inf") else None
+    if isinstance(value, dict):
+        return {key: _plain(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    return value

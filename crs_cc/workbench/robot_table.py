@@ -1,0 +1,138 @@
+"""The table of the robots: what each does, and what its sensors have told last."""
+
+from __future__ import annotations
+
+import math
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.debug.world.robot_rows import activity
+from crs_cc.ir.names import in_library, plain_name
+from crs_cc.sim.devices.bumper.state import bumper_state
+from crs_cc.sim.devices.sonar.model import sonars_of
+from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.workbench.feed import rounded
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from crs_cc.debug.timeline.recorded_run import RecordedRun
+    from crs_cc.session.session import Session
+
+MAX_ROBOTS: Final = 200
+"""Rows that are sent; of more robots those around the selected one. Chosen by us."""
+
+MAX_PLAYING: Final = 24
+"""Robots whose lines are looked up while the run goes on, which takes a fraction of a ms each."""
+
+
+def status(
+    session: Session, run: RecordedRun | None, selected: int, *, is_playing: bool
+) -> dict[str, Any]:
+    """Return the rows of the table around the selected robot.
+
+    Args:
+        session: the run.
+        run: the run as the debugger has it; None if it does not know where programs stand.
+        selected: the robot.
+        is_playing: whether it goes on, so that time is short.
+    """
+    count = len(session.fleet)
+    first = max(0, min(selected - MAX_ROBOTS // 2, count - MAX_ROBOTS))
+    rows = range(first, min(first + MAX_ROBOTS, count))
+    shown = MAX_PLAYING if is_playing else MAX_ROBOTS
+    return {
+        "t": session.time_s,
+        "first": first,
+        "robots": [
+            _row(session, each) | (_place(run, each) if run and each - first < shown else {})
+            for each in rows
+        ],
+        "sensors": _sensors(session, rows),
+    }
+
+
+def _row(session: Session, robot: int) -> dict[str, Any]:
+    environment = session.environment
+    state, model = environment.state, environment.world.robots[robot].model
+    speeds = state.drive.axes.speed[robot]
+    right, left = float(speeds[0]), float(speeds[1])
+    is_synchro = model.drive.steering is not None
+    charge = [
+        value
+        for name, value in zip(
+            ("computer_battery", "motor_battery"), environment.charges(robot), strict=True
+        )
+        if model.device(name) is not None
+    ]
+    result = session.state.robot_result(robot)
+    base_m = model.drive.wheel_base_m or 1.0
+    return {
+        "id": result.id,
+        "kind": model.name,
+        "program": PurePath(result.program).name,
+        "does": activity(session, robot),
+        "outcome": result.outcome,
+        "speed": round(right if is_synchro else (right + left) / 2, 4),
+        "turn": round(left if is_synchro else (right - left) / base_m, 4),
+        "battery": round(min(charge), 4) if charge else None,
+        "present": bool(state.presence.present[robot]),
+        "collisions": int(state.collisions[robot]),
+    }
+
+
+def _place(run: RecordedRun, robot: int) -> dict[str, Any]:
+    """Return the line of the user's own code at which a program stands."""
+    if not run.session.state.alive[robot] and not run.has_failed(robot):
+        return {}
+    site = run.site(robot)
+    if site is not None and not in_library(site.location):
+        place, name = site.location, site.function
+    else:
+        own = (each for each in run.stopped(robot).stack if not in_library(each.location))
+        frame = next(own, None)
+        if frame is None:
+            return {}
+        place, name = frame.location, frame.function
+    return {"file": PurePath(place.file).name, "line": place.line, "function": plain_name(name)}
+
+
+def _sensors(session: Session, rows: Sequence[int]) -> dict[str, Any]:
+    """Return the last echoes [m], the pressed bumpers, and the poses that odometry believes."""
+    environment = session.environment
+    state, robots = environment.state, environment.world.robots
+    chosen = np.array(rows, np.intp)
+    start = np.array([[each.start.x_m, each.start.y_m, each.start.heading_rad] for each in robots])[
+        chosen
+    ]
+    odometry = state.odometry
+    x_m, y_m = odometry.x_m[chosen], odometry.y_m[chosen]
+    cos, sin = np.cos(start[:, 2]), np.sin(start[:, 2])
+    believed = np.column_stack(
+        [
+            start[:, 0] + x_m * cos - y_m * sin,
+            start[:, 1] + x_m * sin + y_m * cos,
+            start[:, 2] + odometry.heading_rad[chosen],
+        ]
+    )
+    has_sonars = any(sonars_of(robots[each].model).sonars for each in rows)
+    echoes = sonar_state(state).echo_m[chosen]
+    fired = sonar_state(state).fired_s[chosen]
+    return {
+        "believed": rounded(believed, 3),
+        "echoes": _echoes(echoes, fired) if has_sonars else [],
+        "bumpers": bumper_state(state).pressed[chosen].tolist(),
+    }
+
+
+def _echoes(echo_m: Any, fired_s: Any) -> list[list[float | None]]:
+    """Return each robot's echoes [m]: null before the first ping, -1 without an echo."""
+    return [
+        [
+            None if not fired else round(echo, 3) if math.isfinite(echo) else -1.0
+            for echo, fired in zip(row, when, strict=True)
+        ]
+        for row, when in zip(echo_m.tolist(), fired_s.tolist(), strict=True)
+    ]

@@ -1,0 +1,68 @@
+"""What the screen shows: a run that is debugged, that another command runs, or a recorded one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+
+Ability = Literal["play", "seek", "debug"]
+
+
+@dataclass(frozen=True, slots=True)
+class Halt:
+    """Why a run stands.
+
+    Attributes:
+        reason: a word: `paused`, `breakpoint`, `error`, `end`, ...
+        text: a sentence; empty if the word says it all.
+        robot: the robot that it is about; -1 for none.
+    """
+
+    reason: str = "paused"
+    text: str = ""
+    robot: int = -1
+
+
+class Run(Protocol):
+    """A run; its methods are called in its thread, except `interrupt`.
+
+    Attributes:
+        can: what can be done with it: `play` and pause, `seek` other times, `debug`.
+        timestep_s: the length of a timestep.
+        halt: why it stands, or stood last.
+    """
+
+    can: frozenset[str]
+    timestep_s: float
+    halt: Halt
+
+    @property
+    def time_s(self) -> float:
+        """The simulated time [s]."""
+
+    def advance(self, timesteps: int) -> bool:
+        """Advance at most so far; return whether it may go on."""
+
+    def seek(self, time_s: float) -> None:
+        """Go to a time."""
+
+    def interrupt(self) -> None:
+        """Let what it does end soon; thread-safe."""
+
+    def select(self, robot: int) -> None:
+        """Select a robot."""
+
+    def status(self, *, is_playing: bool) -> dict[str, Any]:
+        """Return the table of the robots."""
+
+    def where(self) -> dict[str, Any] | None:
+        """Return where the selected robot's program stands; None if that is not known."""
+
+    def shell(self) -> Shell:
+        """Return the command line of the debugger; raise DebugError if there is none."""
+
+    def settle(self) -> None:
+        """Notice what a command of the debugger has done."""

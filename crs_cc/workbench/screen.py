@@ -1,0 +1,189 @@
+"""The screen in the browser: a run, its player, and the pages that look at it.
+
+Pages send commands; each is a row of the table `commands.TABLE`. The server's thread checks who may
+send it and what is in it, and the thread of the run carries it out between two pieces of the run.
+So nothing here needs a lock, and what a user does has its place in the history of the run.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.core.suggest import unknown
+from crs_cc.debug.errors import DebugError
+from crs_cc.workbench.clients import Client
+from crs_cc.workbench.commands import TABLE
+from crs_cc.workbench.messages import answer, message, refusal
+from crs_cc.workbench.server import Server
+
+if TYPE_CHECKING:
+    from crs_cc.workbench.command import Command
+    from crs_cc.workbench.feed import Feed
+    from crs_cc.workbench.player import Player
+    from crs_cc.workbench.run import Run
+
+MAX_WAITING: Final = 200
+"""Commands that wait for the run at most; chosen by us."""
+
+_STATUS_S: Final = 0.2
+_STATE_S: Final = 0.04
+
+
+class Screen:
+    """Shows a run to pages, and carries out their commands.
+
+    Attributes:
+        run: the run.
+        feed: what is known of it.
+        player: when it goes on.
+        server: serves the pages.
+        robot: the selected robot.
+    """
+
+    def __init__(self, run: Run, feed: Feed, player: Player, port: int = 0) -> None:
+        """Serve pages on a port, 0 for any that is free.
+
+        Raises:
+            OSError: the port is in use.
+        """
+        self.run, self.feed, self.player = run, feed, player
+        self.robot = 0
+        self.is_busy = False
+        self._waiting = 0
+        self._newest: dict[str, int] = {}
+        self._told_s = self._table_s = 0.0
+        feed.description["can"] = sorted(run.can)
+        self.server = Server(self, port)
+        feed.server = self.server
+
+    def play(self) -> None:
+        """Let the run go on and stop as pages wish, until the player has ended."""
+        self.publish()
+        while count := self.player.timesteps(lambda: self.run.time_s):
+            may_go_on = self.run.advance(count)
+            if not may_go_on:
+                self.player.pause()
+                self.stopped()
+            elif self.player.span is not None and self.run.time_s >= self.player.span[1]:
+                self.run.seek(self.player.span[0])
+                self.player.restart()
+            self.tick()
+
+    # -- what pages are told ---------------------------------------------------------------------
+
+    def tick(self) -> None:
+        """Tell where a run is that goes on, not too often."""
+        now_s = time.monotonic()
+        if now_s - self._told_s >= _STATE_S:
+            self._told_s = now_s
+            self.server.broadcast_latest("state", self._state())
+        if now_s - self._table_s >= _STATUS_S and self.server.count:
+            self._table_s = now_s
+            self.server.broadcast_latest("status", self._status())
+
+    def stopped(self) -> None:
+        """Select the robot that the run has stopped for."""
+        if self.run.halt.robot >= 0:
+            self.robot = self.run.halt.robot
+
+    def publish(self) -> None:
+        """Tell all about where the run stands."""
+        self.server.broadcast_latest("state", self._state())
+        self.server.broadcast_latest("status", self._status())
+        where = None if self.player.is_playing else self.run.where()
+        if where is not None:
+            self.server.broadcast_latest("where", message("where", **where))
+
+    def _state(self) -> str:
+        player, halt = self.player, self.run.halt
+        return message(
+            "state",
+            t=self.run.time_s,
+            end=self.feed.end_s,
+            playing=player.is_playing,
+            busy=self.is_busy,
+            speed=None if math.isinf(player.speed) else player.speed,
+            rate=round(player.rate, 3),
+            span=player.span,
+            robot=self.robot,
+            halt={"reason": halt.reason, "text": halt.text, "robot": halt.robot},
+        )
+
+    def _status(self) -> str:
+        return message("status", **self.run.status(is_playing=self.player.is_playing))
+
+    @contextmanager
+    def working(self) -> Iterator[None]:
+        """Tell that the run works at a command that may take long, and then what it has done."""
+        self.is_busy = True
+        self.server.broadcast_latest("state", self._state())
+        try:
+            yield
+        finally:
+            self.is_busy = False
+            self.run.settle()
+            self.stopped()
+
+    # -- what pages ask for; in the server's thread ----------------------------------------------
+
+    def greet(self, client: Client) -> None:
+        """Send a page that has connected all that it must know."""
+        client.put(self.feed.hello(client.role))
+        self.player.put(self.publish)
+
+    def receive(self, client: Client, command: dict[str, Any]) -> None:
+        """Check a command and carry it out, at once or between two pieces of the run."""
+        number, name = command["id"], command["do"]
+        row = TABLE.get(name)
+        error = self._refused(client, name, row)
+        if error or row is None:
+            client.put(refusal(number, error))
+            return
+        if row.at_once:
+            client.put(self._result(row, command))
+            return
+        self._waiting += 1
+        self._newest[name] = number
+        self.player.put(self._job(client, row, command))
+
+    def _refused(self, client: Client, name: str, row: Command | None) -> str:
+        """Return why a command is not carried out; empty if it is."""
+        if row is None:
+            return unknown("command", name[:40], list(TABLE))
+        if row.controls and client.role != "control":
+            return "this page may look only: open the address with the token for control"
+        if row.needs and row.needs not in self.run.can:
+            return f"'{name}' is not possible here: {WHY_NOT[row.needs]}"
+        if self._waiting >= MAX_WAITING:
+            return "the run is busy: too many commands wait for it"
+        return ""
+
+    def _job(self, client: Client, row: Command, command: dict[str, Any]) -> Callable[[], None]:
+        def do() -> None:
+            self._waiting -= 1
+            if row.name == "seek" and self._newest[row.name] != command["id"]:
+                self.server.send(client, answer(command["id"]))  # a later one makes it vain
+                return
+            result = self._result(row, command)
+            self.server.send(client, result)
+            self.publish()
+
+        return do
+
+    def _result(self, row: Command, command: dict[str, Any]) -> str:
+        try:
+            return answer(command["id"], row(self, command))
+        except (DebugError, ValueError) as error:
+            return refusal(command["id"], str(error))
+
+
+WHY_NOT: Final = {
+    "play": "it runs by itself",
+    "seek": "it only goes forward; times that were seen can be looked at",
+    "debug": "it was not started by crs view, which compiles programs so that they can be stepped",
+}
+"""Why some runs cannot do something."""

@@ -1,0 +1,266 @@
+"""The server of the page: files over HTTP and the channel as a WebSocket, on loopback only.
+
+It runs in a thread of its own, so that the run goes on while pages are slow. Its methods may be
+called by any thread.
+
+Who may connect: the address must name this machine (`Host`), a page must be one of ours (`Origin`),
+and the channel needs one of two tokens: with that for viewing, commands that change the run are
+refused. The files hold no secret: they are the same on every machine.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import logging
+import threading
+from collections.abc import Callable
+from http import HTTPStatus
+from typing import TYPE_CHECKING, Any, Final, Protocol
+
+import numpy as np
+from websockets.asyncio.server import ServerConnection, serve
+from websockets.datastructures import Headers
+from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
+
+from crs_cc.core.arrays import FloatArray
+from crs_cc.core.loopback import LOOPBACK, is_own_host, is_own_origin, is_token, new_token
+from crs_cc.recording.frames import encode
+from crs_cc.workbench.clients import Client, LiveFrame, Role
+from crs_cc.workbench.messages import MAX_BYTES, PROTOCOL, frame_message
+from crs_cc.workbench.static_files import POLICY, file_at
+
+if TYPE_CHECKING:
+    from websockets.typing import Subprotocol
+
+CHANNEL: Final = "/channel"
+MAX_CLIENTS: Final = 100
+_TOO_FAST, _TOO_SLOW, _GOING = 1008, 1013, 1001  # RFC 6455 7.4.1, and IANA's registry
+_STOP_S: Final = 5.0
+
+
+class Receiver(Protocol):
+    """What the pages talk to; its methods are called in the server's thread."""
+
+    def greet(self, client: Client) -> None:
+        """Send a page that has connected all that it must know."""
+
+    def receive(self, client: Client, command: dict[str, Any]) -> None:
+        """Do what a page asks for, or have it done."""
+
+
+class Server:
+    """Serves pages until it is closed.
+
+    Attributes:
+        port: the port that it listens on.
+        tokens: the token of each role.
+    """
+
+    def __init__(self, receiver: Receiver, port: int = 0) -> None:
+        """Listen on a port, 0 for any that is free.
+
+        Raises:
+            OSError: the port is in use.
+        """
+        self.port = port
+        self.tokens: dict[Role, str] = {"control": new_token(), "view": new_token()}
+        self._receiver = receiver
+        self._clients: dict[Client, ServerConnection] = {}
+        self._loop = asyncio.new_event_loop()
+        self._closing = asyncio.Event()
+        self._ready = threading.Event()
+        self._error: OSError | None = None
+        self._last: LiveFrame | None = None
+        self._thread = threading.Thread(target=self._run, name="workbench", daemon=True)
+        self._thread.start()
+        self._ready.wait()
+        if self._error is not None:
+            raise self._error
+
+    def address(self, role: Role = "control") -> str:
+        """Return the address of the page, with the token of a role."""
+        return f"http://{LOOPBACK}:{self.port}/#token={self.tokens[role]}"
+
+    @property
+    def count(self) -> int:
+        """The number of pages that are connected."""
+        return len(self._clients)
+
+    # -- sending ---------------------------------------------------------------------------------
+
+    def send(self, client: Client, message: str | bytes) -> None:
+        """Send a message to a page."""
+        self._do(lambda: client.put(message))
+
+    def broadcast(self, message: str) -> None:
+        """Send a message to all pages."""
+
+        def put() -> None:
+            for client in self._clients:
+                client.put(message)
+
+        self._do(put)
+
+    def broadcast_latest(self, kind: str, message: str) -> None:
+        """Send a message to all pages, in place of one of its kind that still waits."""
+
+        def put() -> None:
+            for client in self._clients:
+                client.put_latest(kind, message)
+
+        self._do(put)
+
+    def broadcast_frame(self, time_s: float, values: FloatArray) -> None:
+        """Send a frame to all pages, in place of one that still waits."""
+        if not self._clients:
+            return
+        before, change = self._last, None
+        if before is not None and before.values.shape == values.shape:
+            change = frame_message(time_s, encode(np.array([before.values, values]))[1])
+        number = 0 if before is None else before.number + 1
+        frame = self._last = LiveFrame(number, time_s, values, change)
+
+        def put() -> None:
+            for client in self._clients:
+                client.put_latest("frame", frame)
+
+        self._do(put)
+
+    def close(self) -> None:
+        """Say good-bye to all pages, and end."""
+        self._do(self._closing.set)
+        self._thread.join(_STOP_S)
+
+    def _do(self, action: Callable[[], None]) -> None:
+        with contextlib.suppress(RuntimeError):  # the loop has ended
+            self._loop.call_soon_threadsafe(action)
+
+    # -- the thread ------------------------------------------------------------------------------
+
+    def _run(self) -> None:
+        asyncio.set_event_loop(self._loop)
+        try:
+            self._loop.run_until_complete(self._serve())
+        except OSError as error:
+            self._error = error
+        finally:
+            self._ready.set()
+            self._loop.close()
+
+    async def _serve(self) -> None:
+        quiet = logging.getLogger("crs_cc.workbench.silent")
+        quiet.addHandler(logging.NullHandler())
+        quiet.propagate = False
+        async with serve(
+            self._talk,
+            LOOPBACK,
+            self.port,
+            process_request=self._answer,
+            select_subprotocol=_chosen,
+            compression=None,  # frames hold little that could be left out
+            max_size=MAX_BYTES,
+            max_queue=16,
+            server_header=None,
+            logger=quiet,
+        ) as server:
+            self.port = next(iter(server.sockets)).getsockname()[1]
+            self._ready.set()
+            await self._closing.wait()
+            server.close(code=_GOING, reason="the run has ended")
+            await server.wait_closed()
+
+    def _answer(self, _connection: ServerConnection, request: Request) -> Response | None:
+        """Return the answer to a request; None to open the channel."""
+        if not is_own_host(request.headers.get("Host", ""), self.port):
+            return _response(HTTPStatus.FORBIDDEN, b"not the name of this machine\n")
+        path = request.path.partition("?")[0]
+        if path != CHANNEL:
+            file = file_at(path)
+            if file is None:
+                return _response(HTTPStatus.NOT_FOUND, b"no such file\n")
+            return _response(HTTPStatus.OK, file.content, file.type)
+        origin = request.headers.get("Origin")
+        if origin is not None and not is_own_origin(origin, self.port):
+            return _response(HTTPStatus.FORBIDDEN, b"not a page of this server\n")
+        if self._role(request) is None:
+            text = b"no valid token: open the address that crs has printed\n"
+            return _response(HTTPStatus.UNAUTHORIZED, text)
+        if len(self._clients) >= MAX_CLIENTS:
+            return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are connected\n")
+        return None
+
+    def _role(self, request: Request | None) -> Role | None:
+        offered = "" if request is None else request.headers.get("Sec-WebSocket-Protocol", "")
+        for word in offered.split(","):
+            for role, token in self.tokens.items():
+                if is_token(word.strip().removeprefix("token."), token):
+                    return role
+        return None
+
+    async def _talk(self, connection: ServerConnection) -> None:
+        role = self._role(connection.request)
+        assert role is not None  # or else it was refused
+        client = Client(role)
+        self._clients[client] = connection
+        sender = asyncio.create_task(_send(client, connection))
+        try:
+            self._receiver.greet(client)
+            if self._last is not None:
+                client.put_latest("frame", self._last)
+            async for text in connection:
+                command = _parsed(text)
+                if command is None or not client.may_ask():
+                    await connection.close(_TOO_FAST, "too many commands, or none")
+                    break
+                self._receiver.receive(client, command)
+        except ConnectionClosed:
+            pass
+        finally:
+            del self._clients[client]
+            sender.cancel()
+
+
+async def _send(client: Client, connection: ServerConnection) -> None:
+    """Send what waits for a page, as fast as it can take it."""
+    with contextlib.suppress(ConnectionClosed):
+        while not client.is_lost:
+            message = client.take()
+            if message is None:
+                await client.wake.wait()
+            else:
+                await connection.send(message)
+        await connection.close(_TOO_SLOW, "this page is too slow")
+
+
+def _parsed(text: str | bytes) -> dict[str, Any] | None:
+    """Return the command in a message; None if there is none."""
+    try:
+        command = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(command, dict) or not isinstance(command.get("id"), int):
+        return None
+    return command if isinstance(command.get("do"), str) else None
+
+
+def _chosen(_connection: ServerConnection, offered: Any) -> Subprotocol | None:
+    return next((each for each in offered if each == PROTOCOL), None)
+
+
+def _response(status: HTTPStatus, content: bytes, kind: str = "text/plain") -> Response:
+    headers = Headers(
+        {
+            "Content-Type": f"{kind}; charset=utf-8",
+            "Content-Length": str(len(content)),
+            "Content-Security-Policy": POLICY,
+            "X-Content-Type-Options": "nosniff",
+            "Referrer-Policy": "no-referrer",
+            "Cross-Origin-Resource-Policy": "same-origin",
+            "Cache-Control": "no-store",
+            "Connection": "close",
+        }
+    )
+    return Response(status.value, status.phrase, headers, content)

@@ -1,0 +1,76 @@
+"""The files of the page, each at one address: no request names a path."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from dataclasses import dataclass
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Final
+
+FOLDER: Final = Path(__file__).parent / "static"
+MODULES: Final = tuple(
+    sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.js")
+           if "three" not in path.parts)
+)  # fmt: skip
+"""The page's own modules, by their names after `crs/`."""
+
+_TYPES: Final = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"}
+_IMPORTS: Final = json.dumps(
+    {
+        "imports": {
+            "crs/": "/static/",
+            "three": "/static/three/three.module.js",
+        }
+    }
+)
+_HASH: Final = b64encode(sha256(_IMPORTS.encode()).digest()).decode()
+POLICY: Final = (
+    f"default-src 'none'; script-src 'self' 'sha256-{_HASH}'; style-src 'self'; "
+    "connect-src 'self'; img-src 'self' data: blob:; media-src blob:; base-uri 'none'; "
+    "form-action 'none'; frame-ancestors 'none'"
+)
+"""What the page may load: nothing but itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class StaticFile:
+    """A file as it is sent."""
+
+    content: bytes
+    type: str
+
+
+def html(*, head: str, run: str, imports: str) -> str:
+    """Return the page.
+
+    Args:
+        head: what its head has besides: style and policy.
+        run: the recorded run that it holds, as JSON; empty to ask a server.
+        imports: its import map.
+    """
+    page = (FOLDER / "page.html").read_text("utf-8")
+    return page.replace("@HEAD@", head).replace("@MODULES@", imports).replace("@RUN@", run)
+
+
+@cache
+def file_at(path: str) -> StaticFile | None:
+    """Return the file at an address; None if there is none."""
+    found = _addresses().get(path)
+    if found is None:
+        return None
+    if found.suffix == ".html":
+        head = '<link rel="stylesheet" href="/static/style.css">'
+        return StaticFile(html(head=head, run="", imports=_IMPORTS).encode(), _TYPES[".html"])
+    return StaticFile(found.read_bytes(), _TYPES[found.suffix])
+
+
+@cache
+def _addresses() -> dict[str, Path]:
+    found = {"/": FOLDER / "page.html"}
+    for path in FOLDER.rglob("*"):
+        if path.suffix in {".js", ".css"}:
+            found[f"/static/{path.relative_to(FOLDER).as_posix()}"] = path
+    return found

@@ -1,0 +1,123 @@
+"""Tells a feed what happens in a session, whoever runs it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import FloatArray
+from crs_cc.debug.world.events import KINDS, world_events
+
+if TYPE_CHECKING:
+    from crs_cc.session.session import Session
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.workbench.feed import Feed
+
+_KINDS: Final = tuple(kind for kind in KINDS if kind != "tick" and "-" not in kind)
+_SLACK_S: Final = 1e-9
+
+
+class Watcher:
+    """Watches a session: its frames, events, and what programs write.
+
+    What lies before the latest timestep that it has seen is known, and not told again.
+    """
+
+    def __init__(self, feed: Feed) -> None:
+        self._feed = feed
+        self._timesteps = -1
+        self._names: tuple[str, ...] = ()
+        self._alive: tuple[bool, ...] = ()
+        self._has_turret = False
+        self._known: tuple[int, FloatArray] | None = None  # timesteps, and the frame there
+
+    def begin(self, session: Session) -> None:
+        """Watch a session from where it stands."""
+        self._session = session
+        self._alive = tuple(session.state.alive.tolist())
+        self._timesteps = session.timesteps
+        self.show()
+
+    def step(self, step: Step) -> None:
+        """Tell what happened in a timestep that has just ended."""
+        session = self._session
+        if session.timesteps <= self._timesteps:
+            return
+        self._timesteps = session.timesteps
+        for each in world_events(step, session.environment.world, _KINDS):
+            self._feed.event(each.time_s, each.kind, each.robot, each.text, each.place)
+        self.ends()
+        self.show(is_last=False)
+
+    def ends(self) -> None:
+        """Tell which programs have ended since the last time."""
+        session = self._session
+        alive = tuple(session.state.alive.tolist())
+        if alive == self._alive:
+            return
+        for robot, (was, now) in enumerate(zip(self._alive, alive, strict=False)):
+            if was and not now:
+                result = session.state.robot_result(robot)
+                text = f"{result.id}'s program {result.outcome}"
+                if result.exit_status is not None:
+                    text += f" with {result.exit_status}"
+                if result.error is not None:
+                    text = f"{result.id}: {result.error.location}: {result.error.text}"
+                self._feed.event(result.time_s, result.outcome, robot, text)
+        self._alive = alive
+
+    def write(self, robot: int, stream: int, content: bytes) -> None:
+        """Tell what a program has written."""
+        clock_s = float(self._session.state.clock_s[robot])
+        time_s = clock_s if np.isfinite(clock_s) else self._session.time_s
+        self._feed.write(time_s, robot, stream, content)
+
+    def show(self, *, is_last: bool = True) -> None:
+        """Show where everything is now."""
+        environment = self._session.environment
+        if environment.names is not self._names:
+            self._names = environment.names
+            robots = [robot.id for robot in environment.world.robots]
+            self._feed.roster(environment.time_s, robots, list(environment.pushables))
+            self._has_turret = any(
+                "turret" in each.model.drive.axis_names for each in environment.world.robots
+            )
+        values = self._values()
+        self._known = self._session.timesteps, values
+        self._feed.frame(environment.time_s, values, is_last=is_last)
+
+    def settle(self, timesteps: int) -> None:
+        """Notice whether a user has changed the run: then its future is another one.
+
+        Args:
+            timesteps: how many timesteps of its present course have been run.
+        """
+        session = self._session
+        here = session.timesteps
+        known = self._known if self._known is not None and self._known[0] == here else None
+        if timesteps >= self._timesteps and (
+            known is None or np.array_equal(known[1], self._values(), equal_nan=True)
+        ):
+            return
+        self._timesteps = min(timesteps, here)
+        self._alive = tuple(session.state.alive.tolist())
+        self._feed.forget(session.time_s - _SLACK_S)
+
+    def _values(self) -> FloatArray:
+        state = self._session.environment.last_state
+        return values_of(state, has_turret=self._has_turret)
+
+
+def values_of(state: EnvState, *, has_turret: bool) -> FloatArray:
+    """Return a state as a frame: x, y [m], heading and turret [rad], (columns, rows)."""
+    robots = len(state.heading_rad)
+    values = np.zeros((3 + has_turret, len(state.bodies.angle_rad)))
+    values[:2] = state.bodies.position_m.T
+    values[2] = state.bodies.angle_rad
+    values[2, :robots] = state.heading_rad
+    if has_turret:
+        values[3, :robots] = state.drive.turret_rad
+    values[:, :robots][:, ~state.presence.present] = np.nan
+    return values
