@@ -1,1 +1,27 @@
-"""The viewer of runs: ES modules for a browser, and the page that holds a recorded run."""
+"""The screen in the browser: watch, steer and debug a run.
+
+It is one more screen of the debug engine, beside prompt, full screen and editors: what a user does
+is an engine command, and part of the run's history.
+
+- `run` is what it shows: a `debugged_run`, or another that has the same methods. `player` decides
+  when it goes on, in the thread of the run.
+- `feed` keeps what is known of the run (frames, events, output) and passes on what is new; a
+  `watcher` tells it what happens in a session. `frame_store` holds frames in blocks, `world_data`
+  describes the world, `robot_table` the robots, `sources` where a program stands.
+- `screen` connects them with the pages: it checks commands in the thread of the `server` and
+  carries them out in that of the run. `messages` is the form of the channel, `clients` what waits
+  for each page.
+- `page` writes a recorded run as one HTML file, with the same modules.
+- `static/` has these modules: plain ES modules, no build step. `app.js` starts, `model.js` is what
+  the page knows, `views.js` draws, `panels/` are at the sides.
+
+How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
+`needs`, `make`), and its name in `static/panels/index.js`. `make(root, model, look, page)` fills
+its element; it listens by `model.on("status", draw)` (the kinds stand in `model.js`) and acts by
+`await model.ask("name", {field: value})`. What it asks for is a row of the table in `commands.py`:
+name, summary, function, fields, and whether it needs the token for control. What it must be told
+besides is a message, `screen.server.broadcast_latest("kind", message("kind", ...))`, which the
+model hands on when it has a method `hear_kind`. A key is a row in `static/keys.js`, a picture over
+the world a row in `static/overlay.js`. A command of the debugger needs no row:
+`page.console(line)`.
+"""

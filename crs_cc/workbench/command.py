@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
-    from crs_cc.workbench.screen import Screen
+    from crs_cc.workbench.context import Context
 
 MAX_TEXT: Final = 4000
 
@@ -46,7 +46,7 @@ class Command:
         """
         return {name: _checked(name, given.get(name), kind) for name, kind in self.fields.items()}
 
-    def __call__(self, screen: Screen, given: Mapping[str, Any]) -> Any:
+    def __call__(self, screen: Context, given: Mapping[str, Any]) -> Any:
         """Carry it out with fields of a page."""
         return self.run(screen, **self.arguments(given))
 

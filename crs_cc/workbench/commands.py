@@ -6,7 +6,7 @@ The debugger's own commands go through `console`, as far as `console.ALLOWED` ha
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from crs_cc.workbench import console, sources
 from crs_cc.workbench.command import Command
@@ -14,14 +14,14 @@ from crs_cc.workbench.messages import block_message
 from crs_cc.workbench.player import FASTEST, SLOWEST
 
 if TYPE_CHECKING:
-    from crs_cc.workbench.screen import Screen
+    from crs_cc.workbench.context import Context
 
 
-def _play(screen: Screen) -> None:
+def _play(screen: Context) -> None:
     screen.player.play()
 
 
-def _pause(screen: Screen) -> None:
+def _pause(screen: Context) -> None:
     """Interrupt what the run does, and pause it when it has heard."""
     screen.run.interrupt()
 
@@ -32,7 +32,7 @@ def _pause(screen: Screen) -> None:
     screen.player.put(pause)
 
 
-def _step(screen: Screen, timesteps: int) -> None:
+def _step(screen: Context, timesteps: int) -> None:
     screen.player.pause()
     if timesteps >= 0:
         screen.run.advance(min(timesteps, 10_000))
@@ -42,34 +42,34 @@ def _step(screen: Screen, timesteps: int) -> None:
         screen.run.seek(max(0, now + timesteps) * screen.run.timestep_s)
 
 
-def _seek(screen: Screen, time_s: float) -> None:
+def _seek(screen: Context, time_s: float) -> None:
     screen.run.seek(max(0.0, time_s))
     screen.player.restart()
 
 
-def _speed(screen: Screen, speed: float) -> None:
+def _speed(screen: Context, speed: float) -> None:
     if speed != 0.0 and not SLOWEST <= speed <= FASTEST:
         raise ValueError(f"the speed must be {SLOWEST:g} to {FASTEST:g}, or 0 for no limit")
     screen.player.set_speed(speed or math.inf)
 
 
-def _span(screen: Screen, begin_s: float, end_s: float) -> None:
+def _span(screen: Context, begin_s: float, end_s: float) -> None:
     if begin_s < 0.0 or end_s < begin_s:
         raise ValueError("the span must begin at 0 or later, and end after that")
     is_one = end_s - begin_s > screen.run.timestep_s / 2
     screen.player.span = (begin_s, end_s) if is_one else None
 
 
-def _select(screen: Screen, robot: int) -> None:
+def _select(screen: Context, robot: int) -> None:
     screen.run.select(robot)
     screen.robot = robot
 
 
-def _frames(screen: Screen, block: int) -> dict[str, Any]:
+def _frames(screen: Context, block: int) -> bytes:
     content = screen.feed.frames.content(block)
     if content is None:
         raise ValueError(f"no block {block}: the run has taken another course")
-    return {"block": block, "content": block_message(block, content)}
+    return block_message(block, content)
 
 
 RUNNING: Final = (

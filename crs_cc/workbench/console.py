@@ -10,7 +10,7 @@ from crs_cc.debug.commands.table import COMMANDS, find
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
-    from crs_cc.workbench.screen import Screen
+    from crs_cc.workbench.context import Context
 
 REFUSED: Final = frozenset(
     {
@@ -25,7 +25,7 @@ ALLOWED: Final = frozenset(each.name for each in COMMANDS) - REFUSED
 MAX_LINES: Final = 1000
 
 
-def execute(screen: Screen, line: str) -> dict[str, Any]:
+def execute(screen: Context, line: str) -> dict[str, Any]:
     """Execute a line of the console; return the lines of its answer."""
     shell, line = screen.run.shell(), line.strip()
     if "\n" in line:
@@ -44,7 +44,7 @@ def execute(screen: Screen, line: str) -> dict[str, Any]:
     return {"lines": lines}
 
 
-def completions(screen: Screen, line: str) -> dict[str, Any]:
+def completions(screen: Context, line: str) -> dict[str, Any]:
     """Return the completions of a line."""
     found = complete(screen.run.shell().context, line)
     words = [] if line.split(" ", maxsplit=1)[0] in REFUSED else list(found.words[:200])

@@ -20,8 +20,10 @@ import numpy as np
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
 from crs_cc.recording.mcap_records import NS
-from crs_cc.recording.shapes import area_data, robot_data, shape_data
+from crs_cc.recording.shapes import robot_data
 from crs_cc.workbench.frame_blocks import packed
+from crs_cc.workbench.static_files import FOLDER, MODULES, html
+from crs_cc.workbench.world_data import world_data
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
@@ -36,8 +38,9 @@ MAX_OUTPUT: Final = 4 * 2**20
 MAX_PATHS: Final = 50
 MAX_POINTS: Final = 1000
 
-_HERE: Final = Path(__file__).parent / "static"
-_MODULES: Final = ("app", "camera", "frames", "scene", "timeline", "view2d", "view3d")
+_POLICY: Final = (
+    "default-src 'none'; script-src 'unsafe-inline' data:; style-src 'unsafe-inline'; img-src blob:"
+)
 _SHARE: Final = 0.9 * 0.75  # for frames, before base 64
 
 
@@ -84,7 +87,8 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
     note = f"seed {run.seed}, recorded with crs {recording.versions.get('crs', '?')[:20]}"
     note += f"; left out: {', '.join(left_out)}" if left_out else ""
     data = {
-        "title": f"{names} in {where}",
+        "programs": names,
+        "world_name": where,
         "note": note,
         "end_s": recording.end_ns / NS,
         "frame_s": run.frame_s * stride,
@@ -92,27 +96,27 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
             {"t": each.time_ns / NS, "robots": each.robots, "objects": each.objects}
             for each in recording.rosters
         ],
-        "world": {
-            "area": area_data(world),
-            "shapes": shape_data(world),
-            "robots": robot_data(world, recording.rosters[-1].robots),
-        },
+        "world": world_data(world, recording.rosters[-1].robots),
         "paths": _paths(recording, world),
         "events": events,
         "output": output,
         "blocks": blocks,
     }
     text = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
-    page = (_HERE / "page.html").read_text("utf-8")
-    return page.replace("@MODULES@", _import_map()).replace("@RUN@", text)
+    style = (FOLDER / "style.css").read_text("utf-8")
+    head = (
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n<style>\n{style}</style>'
+    )
+    start = '<script type="module">import "crs/app.js";</script>'
+    return html(head=head, start=start, imports=_import_map(), run=text)
 
 
 def _import_map() -> str:
     """Return the viewer's modules as an import map of `data:` URLs."""
-    files = {f"crs/{name}.js": (_HERE / f"{name}.js").read_bytes() for name in _MODULES}
-    three = (_HERE / "three" / "three.module.js").read_bytes()
+    files = {f"crs/{name}": (FOLDER / name).read_bytes() for name in MODULES}
+    three = (FOLDER / "three" / "three.module.js").read_bytes()
     files["three"] = three.replace(b"'./three.core.js'", b"'three/core'")
-    files["three/core"] = (_HERE / "three" / "three.core.js").read_bytes()
+    files["three/core"] = (FOLDER / "three" / "three.core.js").read_bytes()
     urls = {
         name: f"data:text/javascript;base64,{b64encode(content).decode('ascii')}"
         for name, content in files.items()

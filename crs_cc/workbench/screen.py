@@ -144,7 +144,8 @@ class Screen:
             client.put(refusal(number, error))
             return
         if row.at_once:
-            client.put(self._result(row, command))
+            for part in self._result(row, command):
+                client.put(part)
             return
         self._waiting += 1
         self._newest[name] = number
@@ -168,17 +169,23 @@ class Screen:
             if row.name == "seek" and self._newest[row.name] != command["id"]:
                 self.server.send(client, answer(command["id"]))  # a later one makes it vain
                 return
-            result = self._result(row, command)
-            self.server.send(client, result)
+            for part in self._result(row, command):
+                self.server.send(client, part)
             self.publish()
 
         return do
 
-    def _result(self, row: Command, command: dict[str, Any]) -> str:
+    def _result(self, row: Command, command: dict[str, Any]) -> list[str | bytes]:
+        """Carry out a command; return the messages of its answer."""
+        number = command["id"]
         try:
-            return answer(command["id"], row(self, command))
+            value = row(self, command)
         except (DebugError, ValueError) as error:
-            return refusal(command["id"], str(error))
+            return [refusal(number, str(error))]
+        except Exception as error:  # ours; the run must not be lost by it
+            wrong = " ".join(f"{type(error).__name__}: {error}".split())
+            return [refusal(number, f"internal error: {wrong}; please report it")]
+        return [value, answer(number)] if isinstance(value, bytes) else [answer(number, value)]
 
 
 WHY_NOT: Final = {

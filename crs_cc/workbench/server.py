@@ -164,6 +164,7 @@ class Server:
             max_size=MAX_BYTES,
             max_queue=16,
             server_header=None,
+            close_timeout=1.0,
             logger=quiet,
         ) as server:
             self.port = next(iter(server.sockets)).getsockname()[1]

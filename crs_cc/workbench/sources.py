@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from crs_cc.debug.engine import Debugger
-    from crs_cc.workbench.screen import Screen
+    from crs_cc.workbench.context import Context
 
 _MAX_FRAMES: Final = 100
 _MAX_VARIABLES: Final = 200
@@ -76,7 +76,7 @@ def _breakpoints(debugger: Debugger) -> Iterator[dict[str, Any]]:
         }
 
 
-def source(screen: Screen, file: str) -> dict[str, Any]:
+def source(screen: Context, file: str) -> dict[str, Any]:
     """Return the lines of a C file of a program, and which of them have code."""
     debugger = screen.run.shell().debugger
     lines = debugger.view.source(file)
@@ -91,7 +91,7 @@ def source(screen: Screen, file: str) -> dict[str, Any]:
     return {"file": file, "lines": list(lines), "code": sorted(code)}
 
 
-def toggle_breakpoint(screen: Screen, file: str, line: int) -> dict[str, Any]:
+def toggle_breakpoint(screen: Context, file: str, line: int) -> dict[str, Any]:
     """Set a breakpoint at a line, or remove the one that is there."""
     points = screen.run.shell().debugger.stop_points
     for each in points.breakpoints:

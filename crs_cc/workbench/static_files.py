@@ -43,16 +43,18 @@ class StaticFile:
     type: str
 
 
-def html(*, head: str, run: str, imports: str) -> str:
+def html(*, head: str, start: str, imports: str, run: str = "") -> str:
     """Return the page.
 
     Args:
         head: what its head has besides: style and policy.
-        run: the recorded run that it holds, as JSON; empty to ask a server.
+        start: the element that starts it.
         imports: its import map.
+        run: the recorded run that it holds, as JSON; empty to ask a server.
     """
     page = (FOLDER / "page.html").read_text("utf-8")
-    return page.replace("@HEAD@", head).replace("@MODULES@", imports).replace("@RUN@", run)
+    page = page.replace("@HEAD@", head).replace("@START@", start)
+    return page.replace("@MODULES@", imports).replace("@RUN@", run)
 
 
 @cache
@@ -63,7 +65,9 @@ def file_at(path: str) -> StaticFile | None:
         return None
     if found.suffix == ".html":
         head = '<link rel="stylesheet" href="/static/style.css">'
-        return StaticFile(html(head=head, run="", imports=_IMPORTS).encode(), _TYPES[".html"])
+        start = '<script type="module" src="/static/app.js"></script>'
+        page = html(head=head, start=start, imports=_IMPORTS)
+        return StaticFile(page.encode(), _TYPES[".html"])
     return StaticFile(found.read_bytes(), _TYPES[found.suffix])
 
 

@@ -1,18 +1,22 @@
 /**
- * Frames of a recorded run, decoded a block at a time: a block begins with a key frame.
+ * Frames of a run, decoded a block at a time: a block begins with a key frame.
  *
  * @typedef {{time: number, columns: number, rows: number, values: Float32Array}} Frame
  *   values: a column after the other, in metres and radians; NaN for what is not in the world.
- * @typedef {[number, number, string]} Block first and last time [s], frames in base 64
  */
 
 const NOWHERE = -(2 ** 31);
 const PER_UNIT = 1e4;
-const KEPT = 24; // decoded blocks
+const KEPT = 40; // decoded blocks
+const TAIL = 240; // frames of a live run that are kept as they come
 
-/** @param {string} text @returns {Promise<Uint8Array>} */
-export async function unpack(text) {
-  const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+/** @param {string} text @returns {Uint8Array} */
+export function fromBase64(text) {
+  return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+}
+
+/** @param {Uint8Array} packed @returns {Promise<Uint8Array>} */
+export async function inflate(packed) {
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
@@ -80,27 +84,90 @@ export function blend(from, to, share) {
 }
 
 export class Frames {
-  /** @param {Block[]} blocks @param {number} frameS time between frames while something moves */
-  constructor(blocks, frameS) {
+  /**
+   * @param {[number, number, any][]} blocks first and last time [s], and bytes or a number
+   * @param {number} frameS time between frames while something moves
+   * @param {(number: number) => Promise<Uint8Array>} fetch returns a block by its number
+   */
+  constructor(blocks, frameS, fetch) {
     this.blocks = blocks;
     this.frameS = frameS;
-    /** @type {Map<number, Promise<Frame[]>>} */
+    this.fetch = fetch;
+    /** @type {Map<any, Promise<Frame[]>>} */
     this.decoded = new Map();
+    /** @type {Frame[]} the latest frames of a live run, as they have come */
+    this.tail = [];
+    /** @type {Frame | null} where the run stands */
+    this.exact = null;
+    this.last = null;
+  }
+
+  /** Add a frame of a live run. @param {number} time @param {Uint8Array} data */
+  add(time, data) {
+    const { whole, columns, rows } = decodeFrame(data, data[0] === 1 ? this.last : null);
+    this.last = whole;
+    const values = Float32Array.from(whole, (each) => (each === NOWHERE ? NaN : each / PER_UNIT));
+    const frame = { time, columns, rows, values };
+    this.exact = frame;
+    const end = this.tail.at(-1)?.time ?? -1;
+    if (time <= end) this.tail = time === end ? this.tail : [];
+    this.tail.push(frame);
+    if (this.tail.length > TAIL) this.tail.splice(0, TAIL / 4);
+  }
+
+  /** Note a block that can be fetched. @param {[number, number, number]} block */
+  addBlock([number, begin, end]) {
+    this.blocks.push([begin, end, number]);
+  }
+
+  /** Show blocks rather than what came live: the run stands, and its frames are complete there. */
+  settle() {
+    this.tail = [];
+  }
+
+  /** Discard what comes after a time. */
+  forget(time, blocks) {
+    this.blocks = blocks.map(([number, begin, end]) => [begin, end, number]);
+    this.tail = this.tail.filter((frame) => frame.time <= time);
+    if (this.exact && this.exact.time > time + 1e-6) this.exact = null;
   }
 
   /** The poses at a time: between two frames, or the last frame while nothing moved. */
   async at(time) {
+    if (this.exact && Math.abs(this.exact.time - time) < 1e-6) return this.exact;
+    if (this.tail.length > 1 && time >= this.tail[0].time) return this.between(this.tail, time, null, Infinity);
+    if (!this.blocks.length) return this.exact;
     const number = this.blockAt(time);
     const frames = await this.block(number);
+    const isLast = number + 1 >= this.blocks.length;
+    const isInside = frames.at(-1).time > time || isLast;
+    const next = isInside ? (this.tail[0] ?? null) : (await this.block(number + 1))[0];
+    return this.between(frames, time, next);
+  }
+
+  /** The poses at a time among frames, and the one that follows them; `most` is the longest way. */
+  between(frames, time, after, most = 1.5 * this.frameS) {
     let place = frames.length - 1;
     while (place > 0 && frames[place].time > time) place--;
-    let next = frames[place + 1];
-    if (!next && number + 1 < this.blocks.length) [next] = await this.block(number + 1);
-    const frame = frames[place];
+    const [frame, next] = [frames[place], frames[place + 1] ?? after];
     if (!next || next.values.length !== frame.values.length || time <= frame.time) return frame;
-    const begin = Math.max(frame.time, next.time - 1.5 * this.frameS);
+    const begin = Math.max(frame.time, next.time - most);
     const share = Math.min(1, Math.max(0, (time - begin) / (next.time - begin)));
     return blend(frame, next, share);
+  }
+
+  /** All frames in a span, as far as they are there. @returns {Promise<Frame[]>} */
+  async span(begin, end) {
+    const found = [];
+    if (this.blocks.length) {
+      for (let number = this.blockAt(begin); number < this.blocks.length; number++) {
+        if (this.blocks[number][0] > end) break;
+        found.push(...(await this.block(number)));
+      }
+    }
+    const last = found.at(-1)?.time ?? -1;
+    found.push(...this.tail.filter((frame) => frame.time > last));
+    return found.filter((frame) => frame.time >= begin && frame.time <= end);
   }
 
   /** The last block that begins up to a time. */
@@ -115,10 +182,13 @@ export class Frames {
   }
 
   block(number) {
-    let found = this.decoded.get(number);
+    const key = this.blocks[number][2];
+    let found = this.decoded.get(key);
     if (!found) {
-      found = unpack(this.blocks[number][2]).then(decodeBlock);
-      this.decoded.set(number, found);
+      const bytes = typeof key === "number" ? this.fetch(key) : Promise.resolve(key);
+      found = bytes.then(inflate).then(decodeBlock);
+      found.catch(() => this.decoded.delete(key));
+      this.decoded.set(key, found);
       if (this.decoded.size > KEPT) this.decoded.delete(this.decoded.keys().next().value);
     }
     return found;

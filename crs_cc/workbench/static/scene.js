@@ -2,23 +2,27 @@
  * What there is to see: things and robots, and where they are at a time.
  *
  * @typedef {{id: string, x: number, y: number, angle: number, height: number, colour: string,
- *   corners?: number[][], radius?: number}} Shape
- * @typedef {{id: string, x: number, y: number, heading: number, turret: number | null,
- *   radius: number, colour: string, row: number}} Body
+ *   corners?: number[][], radius?: number, heat?: number, movable?: boolean}} Shape
+ * @typedef {{id: string, x: number, y: number, z: number, heading: number, turret: number | null,
+ *   radius: number, height: number, colour: string, kind: any, row: number}} Body
  */
+import { Ground } from "crs/ground.js";
+
+const HEIGHT = 0.35;
 
 export class Scene {
-  /** @param {any} run the contents of the page */
+  /** @param {any} run the first message of the channel, or the contents of the page */
   constructor(run) {
     this.run = run;
     this.area = run.world.area;
+    this.ground = new Ground(run.world.ground);
     /** @type {Shape[]} */
-    this.shapes = run.world.shapes;
+    this.shapes = run.world.shapes.map((shape) => ({ ...shape }));
     this.byId = new Map(this.shapes.map((shape) => [shape.id, shape]));
     this.robots = new Map(run.world.robots.map((robot) => [robot.id, robot]));
     /** @type {Body[]} */
     this.bodies = [];
-    this.moved = new Set();
+    this.time = -1;
   }
 
   /** Who was there at a time. */
@@ -32,26 +36,41 @@ export class Scene {
   place(frame) {
     const roster = this.roster(frame.time);
     const { rows, values, columns } = frame;
+    this.time = frame.time;
     this.bodies = [];
-    roster.robots.slice(0, rows).forEach((id, row) => {
-      if (Number.isNaN(values[row])) return;
+    const count = Math.min(rows, roster.robots.length);
+    for (let row = 0; row < count; row++) {
+      const x = values[row];
+      if (Number.isNaN(x)) continue;
+      const id = roster.robots[row];
       const known = this.robots.get(id) ?? { radius: 0.2, colour: "#888888" };
+      const y = values[rows + row];
+      const kind = this.run.world.kinds?.[known.kind];
       this.bodies.push({
         id,
         row,
-        x: values[row],
-        y: values[rows + row],
+        x,
+        y,
+        z: this.ground.height(x, y),
         heading: values[2 * rows + row],
-        turret: columns > 3 ? values[3 * rows + row] : null,
+        turret: columns > 3 && kind?.turret !== false ? values[3 * rows + row] : null,
         radius: known.radius,
+        height: kind?.height ?? HEIGHT,
         colour: known.colour,
+        kind,
       });
-    });
+    }
     roster.objects.forEach((id, number) => {
       const [shape, row] = [this.byId.get(id), roster.robots.length + number];
       if (!shape || row >= rows) return;
       [shape.x, shape.y, shape.angle] = [values[row], values[rows + row], values[2 * rows + row]];
     });
+  }
+
+  /** The robot of a row. @param {number} row */
+  body(row) {
+    const guess = this.bodies[row];
+    return guess?.row === row ? guess : this.bodies.find((body) => body.row === row);
   }
 }
 

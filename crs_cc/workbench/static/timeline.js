@@ -1,68 +1,247 @@
-/** The time line: where the run is, play and pause, speed, and marks for events. */
+/** The time line: play, pause, step, speed; the way to any instant; marks for what happened. */
+import { button, clockText, el, fill } from "crs/dom.js";
+import { gridStep } from "crs/units.js";
 
-const MARKS = { collision: "#d1242f", failed: "#a0001c", exited: "#2b303a", degradation: "#b26a00" };
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 0];
+const ASK = 80; // [ms] between two questions while the user drags
+
+/** Kinds of marks: name, colour, and which events they are. */
+export const MARKS = [
+  { name: "error", title: "Errors", colour: "danger", is: (kind) => kind === "failed" || kind === "error" },
+  { name: "collision", title: "Collisions", colour: "#e8590c", is: (kind) => kind === "collision" },
+  { name: "message", title: "Messages", colour: "#8250df", is: (kind) => kind.startsWith("message") },
+  { name: "print", title: "Prints", colour: "#1a7f37", is: (kind) => kind === "print" },
+  { name: "other", title: "Other events", colour: "muted", is: () => true },
+];
+
+/** @param {string} kind */
+export const markOf = (kind) => MARKS.find((mark) => mark.is(kind)) ?? MARKS[MARKS.length - 1];
 
 export class Timeline {
-  /**
-   * @param {number} end [s]
-   * @param {any[][]} events
-   * @param {{slider: HTMLInputElement, marks: HTMLCanvasElement, play: HTMLButtonElement,
-   *   speed: HTMLSelectElement, clock: HTMLElement}} parts
-   */
-  constructor(end, events, parts) {
-    this.end = end;
-    this.events = events;
-    this.parts = parts;
-    this.time = 0;
-    this.isPlaying = false;
-    parts.slider.max = String(end);
-    parts.slider.addEventListener("input", () => this.seek(Number(parts.slider.value)));
-    parts.play.addEventListener("click", () => this.toggle());
-    this.drawMarks();
-    this.show();
+  /** @param {HTMLElement} root @param {any} model @param {any} look */
+  constructor(root, model, look) {
+    Object.assign(this, { model, look });
+    this.kind = "any";
+    this.askedAt = 0;
+    this.clock = el("output.clock", { "aria-label": "simulated time" });
+    this.rate = el("span.rate", { title: "simulated by real time, measured" });
+    this.playButton = button({ icon: "play", title: "Play or pause", key: "Space", className: "primary", onclick: () => this.toggle() });
+    this.speed = el("select", { title: "Speed, by real time", "aria-label": "speed", onchange: () => this.setSpeed(Number(this.speed.value)) },
+      ...SPEEDS.map((each) => el("option", { value: String(each) }, each ? `${each} ×` : "max")));
+    this.jumps = el("select", { title: "What the arrows jump to", "aria-label": "kind of event", onchange: () => (this.kind = this.jumps.value) },
+      el("option", { value: "any" }, "any event"), ...MARKS.map((each) => el("option", { value: each.name }, each.title.toLowerCase())));
+    this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating", key: "L", onclick: () => this.loop() });
+    this.live = button({ text: "Back to now", title: "Look at where the run stands", key: "End", className: "chip", onclick: () => this.release() });
+    this.canvas = el("canvas");
+    this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "time line", "aria-valuemin": 0 }, this.canvas);
+    fill(root,
+      el("div.transport", {},
+        this.clock,
+        el("div.group", {},
+          button({ icon: "first", title: "Go to the start", key: "Home", onclick: () => this.seek(0) }),
+          button({ icon: "previous", title: "A timestep back", key: "←", onclick: () => this.step(-1) }),
+          this.playButton,
+          button({ icon: "next", title: "A timestep on", key: "→", onclick: () => this.step(1) })),
+        this.speed, this.rate, this.loopButton, this.live,
+        el("span.spacer"),
+        el("div.group.jump", {},
+          button({ text: "‹", title: "To the event before", key: "P", onclick: () => this.jump(-1) }),
+          this.jumps,
+          button({ text: "›", title: "To the next event", key: "N", onclick: () => this.jump(1) }))),
+      this.track);
+    this.listen();
+    for (const kind of ["state", "hello", "forget", "event", "output", "look"]) model.on(kind, () => (this.isStale = true));
+    this.isStale = true;
   }
 
-  get speed() {
-    return Number(this.parts.speed.value);
+  listen() {
+    const at = (event) => {
+      const box = this.track.getBoundingClientRect();
+      return Math.min(1, Math.max(0, (event.clientX - box.left) / box.width)) * this.end;
+    };
+    this.track.addEventListener("pointerdown", (event) => {
+      this.track.setPointerCapture(event.pointerId);
+      this.drag(at(event), false);
+    });
+    this.track.addEventListener("pointermove", (event) => {
+      if (event.buttons) this.drag(at(event), false);
+      this.hover(event);
+    });
+    this.track.addEventListener("pointerup", (event) => this.drag(at(event), true));
   }
 
-  toggle() {
-    if (!this.isPlaying && this.time >= this.end) this.time = 0;
-    this.isPlaying = !this.isPlaying;
-    this.show();
+  /** The right end of the line: a little more than what is known, while it grows. */
+  get end() {
+    const { run, state } = this.model;
+    const known = Math.max(state.end, state.t, 1e-9);
+    return run?.kind === "recorded" ? known : Math.max(10, known * (state.playing ? 1.08 : 1.0));
+  }
+
+  hover(event) {
+    const box = this.track.getBoundingClientRect();
+    const width = box.width / this.end;
+    const x = event.clientX - box.left;
+    const near = this.model.run?.events.filter((each) => Math.abs(each[0] * width - x) < 4).slice(0, 6) ?? [];
+    this.track.title = near.map((each) => `${each[0].toFixed(3)} s  ${each[3]}`).join("\n");
+  }
+
+  /** Look at an instant while the line is dragged; stay there at its end. */
+  drag(time, isEnd) {
+    const { model } = this;
+    const bounded = Math.min(time, model.state.end);
+    model.clock.held = bounded;
+    if (!model.can("seek")) {
+      this.isStale = true;
+      return;
+    }
+    const now = performance.now();
+    if (!isEnd && now - this.askedAt < ASK) return;
+    this.askedAt = now;
+    if (model.state.playing) model.ask("pause");
+    model.ask("seek", { time_s: bounded }).then(() => {
+      if (isEnd) model.clock.held = null;
+    });
   }
 
   seek(time) {
-    this.time = Math.min(this.end, Math.max(0, time));
-    this.show();
+    const { model } = this;
+    const bounded = Math.max(0, time);
+    if (!model.can("seek")) model.clock.held = Math.min(bounded, model.state.end);
+    else {
+      model.clock.held = null;
+      model.ask("seek", { time_s: bounded });
+    }
+    this.isStale = true;
   }
 
-  /** Advance by real time. @param {number} elapsed [s] */
-  advance(elapsed) {
-    if (!this.isPlaying) return;
-    this.seek(this.time + elapsed * this.speed);
-    if (this.time >= this.end) this.toggle();
+  release() {
+    this.model.clock.held = null;
+    this.isStale = true;
+  }
+
+  toggle() {
+    const { model } = this;
+    if (model.state.busy || model.state.playing) model.ask("pause");
+    else if (!model.can("play") && model.clock.held !== null) this.release();
+    else model.ask("play");
+  }
+
+  step(count) {
+    if (this.model.can("seek")) this.model.ask("step", { timesteps: count });
+    else this.seek(this.model.clock.shown + count * this.model.run.frame_s);
+  }
+
+  setSpeed(speed) {
+    this.model.ask("speed", { speed });
+  }
+
+  faster(way) {
+    const now = SPEEDS.indexOf(this.model.state.speed ?? 0);
+    const next = SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, now + way))];
+    if (next !== undefined) this.setSpeed(next);
+  }
+
+  loop() {
+    const { span, t } = this.model.state;
+    const begin = Math.max(0, t - 5);
+    this.model.ask("span", span ? { begin_s: 0, end_s: 0 } : { begin_s: begin, end_s: Math.max(t, begin + 1) });
+  }
+
+  /** The times of what is marked, with its kind. */
+  marks() {
+    const { events, output } = this.model.run;
+    return [...events.map((each) => [each[0], each[1]]), ...output.map((each) => [each[0], "print"])];
   }
 
   /** Go to the next event, or the one before. @param {number} way 1 or -1 */
   jump(way) {
-    const times = this.events.map((event) => event[0]).filter((at) => (at - this.time) * way > 1e-6);
-    if (times.length) this.seek(way > 0 ? Math.min(...times) : Math.max(...times));
+    const now = this.model.clock.held ?? this.model.state.t;
+    const least = this.model.run.timestep_s ? 1e-6 + this.model.run.timestep_s * (way > 0 ? 1 : 0) : 1e-6;
+    const times = this.marks()
+      .filter(([, kind]) => this.kind === "any" || markOf(kind).name === this.kind)
+      .map(([at]) => at)
+      .filter((at) => (at - now) * way > least);
+    if (!times.length) this.model.say(way > 0 ? "no later event is known" : "no earlier event");
+    else this.seek(way > 0 ? Math.min(...times) : Math.max(...times));
   }
 
-  show() {
-    this.parts.slider.value = String(this.time);
-    this.parts.play.textContent = this.isPlaying ? "Pause" : "Play";
-    this.parts.clock.textContent = `${this.time.toFixed(2)} / ${this.end.toFixed(2)} s`;
+  /** Show the time and, if something has changed, everything else. @param {number} time */
+  show(time) {
+    const { model } = this;
+    this.clock.textContent = clockText(time);
+    const isMoved = Math.abs(time - (this.shown ?? -1)) > 1e-6;
+    this.shown = time;
+    if (!isMoved && !this.isStale && this.track.clientWidth === this.width) return;
+    const { state } = model;
+    if (this.isStale) {
+      const isOn = state.playing || state.busy;
+      if (this.isOn !== isOn) {
+        this.isOn = isOn;
+        const made = button({ icon: isOn ? "pause" : "play", title: "", onclick: () => undefined });
+        fill(this.playButton, ...made.childNodes);
+        this.playButton.setAttribute("aria-label", isOn ? "Pause" : "Play");
+      }
+      this.speed.value = String(state.speed ?? 0);
+      this.rate.textContent = state.playing && state.rate ? `${state.rate.toFixed(state.rate < 10 ? 2 : 0)} × real` : "";
+      this.loopButton.setAttribute("aria-pressed", String(Boolean(state.span)));
+      this.live.hidden = model.clock.held === null || model.can("seek");
+      const mayPlay = model.can("play") || model.clock.held !== null;
+      this.playButton.disabled = this.speed.disabled = !mayPlay;
+      this.isStale = false;
+    }
+    this.draw(time);
   }
 
-  drawMarks() {
-    const canvas = this.parts.marks;
-    const pen = canvas.getContext("2d");
-    [canvas.width, canvas.height] = [canvas.clientWidth, canvas.clientHeight];
-    for (const [at, kind] of this.events) {
-      pen.fillStyle = MARKS[kind] ?? "#7b8494";
-      pen.fillRect((at / Math.max(this.end, 1e-9)) * (canvas.width - 2), 0, 2, canvas.height);
+  draw(time) {
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [(this.width = this.track.clientWidth), this.track.clientHeight];
+    if (this.canvas.width !== Math.round(width * ratio)) this.canvas.width = Math.round(width * ratio);
+    if (this.canvas.height !== Math.round(height * ratio)) this.canvas.height = Math.round(height * ratio);
+    const pen = this.canvas.getContext("2d");
+    const { colours } = this.look;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const k = width / this.end;
+    const [state, line] = [this.model.state, height - 22];
+    pen.fillStyle = colours.track;
+    pen.fillRect(0, line, width, 6);
+    pen.fillStyle = colours.known;
+    pen.fillRect(0, line, state.end * k, 6);
+    pen.fillStyle = colours.accent;
+    pen.fillRect(0, line, time * k, 6);
+    if (state.span) {
+      pen.globalAlpha = 0.25;
+      pen.fillRect(state.span[0] * k, 0, (state.span[1] - state.span[0]) * k, height - 12);
+      pen.globalAlpha = 1;
+    }
+    this.drawMarks(pen, k, line);
+    pen.fillStyle = colours.muted;
+    pen.font = "10px system-ui, sans-serif";
+    pen.textAlign = "center";
+    const step = gridStep(90 / k);
+    for (let at = step; at * k < width - 12; at += step) {
+      pen.fillRect(Math.round(at * k), line + 6, 1, 3);
+      pen.fillText(`${+at.toPrecision(6)} s`, at * k, height - 1);
+    }
+    pen.fillStyle = colours.accent;
+    pen.beginPath();
+    pen.arc(Math.min(width - 7, Math.max(7, time * k)), line + 3, 7, 0, 2 * Math.PI);
+    pen.fill();
+    this.track.setAttribute("aria-valuemax", this.end.toFixed(2));
+    this.track.setAttribute("aria-valuenow", time.toFixed(3));
+  }
+
+  drawMarks(pen, k, line) {
+    const taken = new Set();
+    const rank = new Map(MARKS.map((each, row) => [each, row]));
+    for (const [at, kind] of this.marks()) {
+      const mark = markOf(kind);
+      const [x, row] = [Math.round(at * k), rank.get(mark)];
+      const key = x * 8 + row;
+      if (taken.has(key)) continue; // thousands of them may share a pixel
+      taken.add(key);
+      pen.fillStyle = this.look.colours[mark.colour] ?? mark.colour;
+      pen.fillRect(x - 1, line - 5 - (MARKS.length - 1 - row) * 5, 2.5, 4);
     }
   }
 }

@@ -1,70 +1,81 @@
-/** The world from above, on a canvas. */
-import { FlatCamera } from "crs/camera.js";
+/** The world from above, on a canvas: where there is no WebGL, or for those who prefer a map. */
 import { cornersOf } from "crs/scene.js";
+import { gridStep } from "crs/units.js";
 
 export class View2D {
   /** @param {import("./scene.js").Scene} scene @param {HTMLCanvasElement} canvas */
   constructor(scene, canvas) {
     this.scene = scene;
     this.canvas = canvas;
-    this.camera = new FlatCamera(scene.area);
+    this.isFlat = true;
+    this.project = (x, y) => [x, y, 1];
+    this.pixels = () => 1;
   }
 
-  draw(time) {
-    const { canvas, camera } = this;
+  /** @param {any} camera @param {any} _body @param {any} look colours, and what is to be shown */
+  draw(camera, _body, look) {
+    const { canvas } = this;
     const pen = canvas.getContext("2d");
     const ratio = window.devicePixelRatio || 1;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    [canvas.width, canvas.height] = [width * ratio, height * ratio];
-    this.scale = camera.scale(width, height);
-    pen.fillStyle = "#eceef2";
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+      [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    }
+    const scale = 1 / camera.metres(width, height);
+    this.scale = scale;
+    this.pixels = () => scale;
+    this.project = (x, y) => [width / 2 + (x - camera.x) * scale, height / 2 - (y - camera.y) * scale, 1];
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.fillStyle = look.colours.sky;
     pen.fillRect(0, 0, canvas.width, canvas.height);
-    const k = this.scale * ratio;
+    const k = scale * ratio;
     pen.setTransform(k, 0, 0, -k, canvas.width / 2 - camera.x * k, canvas.height / 2 + camera.y * k);
-    pen.lineWidth = 1 / this.scale;
-    this.floor(pen);
-    this.paths(pen);
-    for (const shape of this.scene.shapes) this.shape(pen, shape);
-    this.contacts(pen, time);
-    for (const body of this.scene.bodies) this.robot(pen, body);
+    pen.lineWidth = 1 / scale;
+    this.floor(pen, look, camera, width, height);
+    for (const shape of this.scene.shapes) this.shape(pen, shape, look);
+    for (const body of this.scene.bodies) this.robot(pen, body, look);
   }
 
-  floor(pen) {
-    const { x, y, length, width } = this.scene.area;
-    pen.fillStyle = "#ffffff";
-    pen.fillRect(x, y, length, width);
-    pen.strokeStyle = "#e3e6eb";
+  floor(pen, look, camera, width, height) {
+    const { x, y, length, width: depth } = this.scene.area;
+    pen.fillStyle = look.colours.floor;
+    pen.fillRect(x, y, length, depth);
+    this.patches(pen);
+    if (!look.show.grid) return;
+    const [spanX, spanY] = [width / this.scale / 2, height / this.scale / 2];
+    const [left, right] = [Math.max(x, camera.x - spanX), Math.min(x + length, camera.x + spanX)];
+    const [low, high] = [Math.max(y, camera.y - spanY), Math.min(y + depth, camera.y + spanY)];
+    const step = gridStep(90 / this.scale);
+    pen.strokeStyle = look.colours.grid;
     pen.beginPath();
-    const step = Math.max(1, 10 ** Math.ceil(Math.log10(length / 60)));
-    for (let at = Math.ceil(x / step) * step; at <= x + length; at += step) {
-      pen.moveTo(at, y);
-      pen.lineTo(at, y + width);
+    for (let at = Math.ceil(left / step) * step; at <= right; at += step) {
+      pen.moveTo(at, low);
+      pen.lineTo(at, high);
     }
-    for (let at = Math.ceil(y / step) * step; at <= y + width; at += step) {
-      pen.moveTo(x, at);
-      pen.lineTo(x + length, at);
+    for (let at = Math.ceil(low / step) * step; at <= high; at += step) {
+      pen.moveTo(left, at);
+      pen.lineTo(right, at);
     }
     pen.stroke();
   }
 
-  paths(pen) {
-    for (const { points, colour, believed } of this.scene.run.paths) {
-      pen.strokeStyle = colour;
-      pen.globalAlpha = believed ? 0.6 : 0.35;
-      pen.lineWidth = 2 / this.scale;
-      pen.setLineDash(believed ? [5 / this.scale, 5 / this.scale] : []);
-      pen.beginPath();
-      points.forEach(([x, y], index) => (index ? pen.lineTo(x, y) : pen.moveTo(x, y)));
-      pen.stroke();
+  patches(pen) {
+    for (const patch of this.scene.ground.patches) {
+      pen.save();
+      pen.translate(patch.x, patch.y);
+      pen.rotate(patch.heading);
+      const shade = pen.createLinearGradient(-patch.length / 2, 0, patch.length / 2, 0);
+      shade.addColorStop(0, `rgba(120,140,110,${0.12 + 0.4 * Math.min(1, patch.from)})`);
+      shade.addColorStop(1, `rgba(120,140,110,${0.12 + 0.4 * Math.min(1, patch.to)})`);
+      pen.fillStyle = shade;
+      pen.fillRect(-patch.length / 2, -patch.width / 2, patch.length, patch.width);
+      pen.restore();
     }
-    pen.setLineDash([]);
-    pen.globalAlpha = 1;
-    pen.lineWidth = 1 / this.scale;
   }
 
-  shape(pen, shape) {
-    pen.fillStyle = shape.colour;
-    pen.strokeStyle = "#3d4450";
+  shape(pen, shape, look) {
+    pen.fillStyle = look.heat ? look.heat(shape.heat ?? 0) : shape.colour;
+    pen.strokeStyle = look.colours.edge;
     pen.beginPath();
     if (shape.radius) pen.arc(shape.x, shape.y, shape.radius, 0, 2 * Math.PI);
     else cornersOf(shape).forEach(([x, y], index) => (index ? pen.lineTo(x, y) : pen.moveTo(x, y)));
@@ -73,30 +84,15 @@ export class View2D {
     pen.stroke();
   }
 
-  contacts(pen, time) {
-    pen.strokeStyle = "#d1242f";
-    pen.lineWidth = 2 / this.scale;
-    const arm = 5 / this.scale;
-    pen.beginPath();
-    for (const [at, kind, , , x, y] of this.scene.run.events) {
-      if (kind !== "collision" || at > time || x === null) continue;
-      pen.moveTo(x - arm, y - arm);
-      pen.lineTo(x + arm, y + arm);
-      pen.moveTo(x - arm, y + arm);
-      pen.lineTo(x + arm, y - arm);
-    }
-    pen.stroke();
-    pen.lineWidth = 1 / this.scale;
-  }
-
-  robot(pen, body) {
+  robot(pen, body, look) {
     const radius = Math.max(body.radius, 3 / this.scale);
-    pen.fillStyle = body.colour;
+    pen.fillStyle = look.heat ? look.heat(0) : body.colour;
     pen.strokeStyle = "#ffffff";
     pen.beginPath();
     pen.arc(body.x, body.y, radius, 0, 2 * Math.PI);
     pen.fill();
     pen.stroke();
+    if (radius * this.scale < 4) return;
     pen.fillStyle = "#ffffff";
     pen.beginPath();
     for (const turn of [0, 2.5, -2.5]) {
@@ -110,5 +106,10 @@ export class View2D {
       pen.lineTo(body.x + radius * Math.cos(body.turret), body.y + radius * Math.sin(body.turret));
       pen.stroke();
     }
+  }
+
+  /** The place on the floor under a point of the view. */
+  ground(px, py, camera, width, height) {
+    return [camera.x + (px - width / 2) / this.scale, camera.y - (py - height / 2) / this.scale];
   }
 }

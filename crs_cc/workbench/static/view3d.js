@@ -1,102 +1,212 @@
 /** The world in three dimensions, by three.js. z points up. */
 import * as THREE from "three";
-import { OrbitCamera } from "crs/camera.js";
+import { robotShape } from "crs/robot_shape.js";
+import { addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
 
-const ROBOT_HEIGHT = 0.35;
-const NEAR_ROBOTS = 1000; // more are drawn without noses
+const NEAR_ROBOTS = 400; // more are drawn without details
+const DOTS = 2000; // more are dots
+const LEAST_PIXELS = 3;
 
 export class View3D {
   /** @param {import("./scene.js").Scene} scene @param {HTMLCanvasElement} canvas */
   constructor(scene, canvas) {
     this.scene = scene;
     this.canvas = canvas;
-    this.camera = new OrbitCamera(scene.area);
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-    this.lens = new THREE.PerspectiveCamera(45, 1, 0.05, 5000);
-    this.lens.up.set(0, 0, 1);
+    this.isFlat = false;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.isSoft = isSoftware(this.renderer);
+    this.renderer.shadowMap.enabled = !this.isSoft;
+    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    this.wide = new THREE.PerspectiveCamera(42, 1, 0.03, 5000);
+    this.flat = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 400);
     this.world = new THREE.Scene();
-    this.world.background = new THREE.Color("#dfe5ee");
-    const sun = new THREE.DirectionalLight("#ffffff", 2.2);
-    sun.position.set(-0.4, -0.7, 1);
-    this.world.add(sun, new THREE.HemisphereLight("#ffffff", "#8d95a3", 1.4));
-    this.addFloor();
+    this.addSun();
+    this.floor = addGround(this.world, scene);
+    addLamps(this.world, scene);
     this.meshes = new Map(scene.shapes.map((shape) => [shape, this.addShape(shape)]));
-    this.robots = null;
+    /** @type {Map<any, any>} by kind of robot */
+    this.groups = new Map();
+    this.matrix = new THREE.Matrix4();
   }
 
-  addFloor() {
+  addSun() {
     const { x, y, length, width } = this.scene.area;
-    const floor = new THREE.Mesh(
-      new THREE.PlaneGeometry(length, width),
-      new THREE.MeshLambertMaterial({ color: "#f7f8fa" }),
-    );
-    floor.position.set(x + length / 2, y + width / 2, 0);
-    this.world.add(floor);
+    const size = Math.min(60, Math.max(length, width));
+    this.sun = new THREE.DirectionalLight("#fff4e2", 2.1);
+    const middle = [x + length / 2, y + width / 2];
+    this.sun.position.set(middle[0] - size * 0.5, middle[1] - size * 0.7, size * 1.2);
+    this.sun.target.position.set(middle[0], middle[1], 0);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    const camera = this.sun.shadow.camera;
+    [camera.left, camera.right, camera.top, camera.bottom] = [-size * 0.8, size * 0.8, size * 0.8, -size * 0.8];
+    camera.far = size * 4;
+    this.sun.shadow.bias = -0.0005;
+    this.sky = new THREE.HemisphereLight("#eaf1ff", "#b9b2a6", 1.5);
+    this.world.add(this.sun, this.sun.target, this.sky);
   }
 
   addShape(shape) {
-    let geometry;
-    if (shape.radius) {
-      geometry = new THREE.CylinderGeometry(shape.radius, shape.radius, shape.height, 32);
-      geometry.rotateX(Math.PI / 2).translate(0, 0, shape.height / 2);
-    } else {
-      const outline = new THREE.Shape(shape.corners.map(([x, y]) => new THREE.Vector2(x, y)));
-      geometry = new THREE.ExtrudeGeometry(outline, { depth: shape.height, bevelEnabled: false });
-    }
-    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: shape.colour }));
+    const mesh = new THREE.Mesh(shapeGeometry(shape), new THREE.MeshLambertMaterial({ color: shape.colour }));
+    mesh.castShadow = mesh.receiveShadow = true;
     this.world.add(mesh);
     return mesh;
   }
 
-  /** Make room for a number of robots: one instanced mesh of bodies, one of noses. */
-  addRobots(count) {
-    for (const mesh of this.robots ?? []) this.world.remove(mesh);
-    const body = new THREE.CylinderGeometry(1, 1, ROBOT_HEIGHT, count > NEAR_ROBOTS ? 8 : 24);
-    body.rotateX(Math.PI / 2).translate(0, 0, ROBOT_HEIGHT / 2);
-    const nose = new THREE.BoxGeometry(0.7, 0.16, 0.04).translate(0.45, 0, ROBOT_HEIGHT + 0.02);
-    this.robots = [body, ...(count > NEAR_ROBOTS ? [] : [nose])].map((geometry) => {
-      const mesh = new THREE.InstancedMesh(geometry, new THREE.MeshLambertMaterial(), count);
+  /** @param {any} camera @param {any} body whom it follows @param {any} look */
+  draw(camera, body, look) {
+    const { canvas, renderer } = this;
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    renderer.setPixelRatio(this.isSoft ? 1 : window.devicePixelRatio || 1);
+    renderer.setSize(width, height, false);
+    this.paint(look);
+    for (const [shape, mesh] of this.meshes) {
+      mesh.position.set(shape.x, shape.y, this.scene.ground.height(shape.x, shape.y));
+      mesh.rotation.z = shape.angle;
+    }
+    const lens = this.aim(camera, body, width, height);
+    this.placeRobots(look, camera, width, height);
+    renderer.render(this.world, lens);
+  }
+
+  aim(camera, body, width, height) {
+    const { eye, target, up } = camera.pose(body);
+    const lens = camera.isFlat ? this.flat : this.wide;
+    if (camera.isFlat) {
+      const metre = camera.metres(width, height);
+      [this.flat.left, this.flat.right] = [(-width / 2) * metre, (width / 2) * metre];
+      [this.flat.top, this.flat.bottom] = [(height / 2) * metre, (-height / 2) * metre];
+    } else {
+      this.wide.aspect = width / height;
+    }
+    lens.updateProjectionMatrix();
+    lens.up.set(up[0], up[1], up[2]);
+    lens.position.set(eye[0], eye[1], eye[2]);
+    lens.lookAt(target[0], target[1], target[2]);
+    lens.updateMatrixWorld();
+    this.matrix.multiplyMatrices(lens.projectionMatrix, lens.matrixWorldInverse);
+    const e = this.matrix.elements;
+    this.project = (x, y, z = 0) => {
+      const w = e[3] * x + e[7] * y + e[11] * z + e[15];
+      const [px, py] = [e[0] * x + e[4] * y + e[8] * z + e[12], e[1] * x + e[5] * y + e[9] * z + e[13]];
+      return [((px / w + 1) / 2) * width, ((1 - py / w) / 2) * height, w];
+    };
+    const focal = height / 2 / Math.tan((this.wide.fov * Math.PI) / 360);
+    this.pixels = (w) => (camera.isFlat ? 1 / camera.metres(width, height) : focal / Math.max(w, 0.01));
+    this.lens = lens;
+    return lens;
+  }
+
+  /** Colours of the theme, or of heat. */
+  paint(look) {
+    const key = look.colours.sky + look.colours.floor + Boolean(look.heat);
+    if (key === this.painted) return;
+    this.painted = key;
+    const isHeat = Boolean(look.heat);
+    this.world.background = new THREE.Color(isHeat ? look.heat(0) : look.colours.sky);
+    this.floor.material.color.set(isHeat ? look.heat(0) : look.colours.floor);
+    for (const [shape, mesh] of this.meshes) {
+      mesh.material.color.set(isHeat ? look.heat(shape.heat ?? 0) : shape.colour);
+      mesh.material.emissive.set(isHeat ? look.heat(shape.heat ?? 0) : "#000000");
+    }
+  }
+
+  /** The meshes of the robots of a kind, with room for a number of them. */
+  group(kind, radius, count, detail) {
+    let group = this.groups.get(kind);
+    if (group && group.room >= count && group.detail === detail) return group;
+    for (const mesh of group?.meshes ?? []) {
+      this.world.remove(mesh);
+      mesh.dispose();
+    }
+    const room = Math.max(8, count);
+    const { painted, plain } = robotShape(kind, radius, detail === "near");
+    const meshes = [painted, plain].map((geometry) => {
+      const mesh = new THREE.InstancedMesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true }), room);
       mesh.frustumCulled = false;
+      mesh.castShadow = detail === "near";
+      mesh.receiveShadow = true;
       this.world.add(mesh);
       return mesh;
     });
-    this.capacity = count;
+    group = { meshes, room, detail, count: 0 };
+    this.groups.set(kind, group);
+    return group;
   }
 
-  draw() {
-    const { canvas, scene, renderer } = this;
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    renderer.setPixelRatio(window.devicePixelRatio || 1);
-    renderer.setSize(width, height, false);
-    for (const [shape, mesh] of this.meshes) {
-      mesh.position.set(shape.x, shape.y, 0);
-      mesh.rotation.z = shape.angle;
+  placeRobots(look, camera, width, height) {
+    const { bodies } = this.scene;
+    const isDots = bodies.length > DOTS && this.pixels(camera.distance) * 0.2 < LEAST_PIXELS;
+    this.placeDots(isDots ? bodies : [], look);
+    const byKind = new Map();
+    for (const body of isDots ? [] : bodies) {
+      const list = byKind.get(body.kind);
+      if (list) list.push(body);
+      else byKind.set(body.kind, [body]);
     }
-    this.placeRobots(scene.bodies);
-    this.lens.aspect = width / height;
-    this.lens.updateProjectionMatrix();
-    this.lens.position.set(...this.camera.eye());
-    this.lens.lookAt(this.camera.x, this.camera.y, 0);
-    renderer.render(this.world, this.lens);
-  }
-
-  placeRobots(bodies) {
-    if (!this.robots || bodies.length > this.capacity) this.addRobots(Math.max(1, bodies.length));
+    for (const [kind, group] of this.groups) if (!byKind.has(kind)) for (const mesh of group.meshes) mesh.count = 0;
     const [place, paint] = [new THREE.Object3D(), new THREE.Color()];
-    bodies.forEach((body, number) => {
-      place.position.set(body.x, body.y, 0);
-      place.rotation.z = body.heading;
-      place.scale.set(body.radius, body.radius, 1);
-      place.updateMatrix();
-      this.robots.forEach((mesh, part) => {
-        mesh.setMatrixAt(number, place.matrix);
-        mesh.setColorAt(number, paint.set(part ? "#ffffff" : body.colour));
+    const detail = bodies.length > NEAR_ROBOTS ? "far" : "near";
+    for (const [kind, list] of byKind) {
+      const { meshes } = this.group(kind, list[0].radius, list.length, detail);
+      list.forEach((body, number) => {
+        place.position.set(body.x, body.y, body.z);
+        place.rotation.z = body.heading;
+        place.updateMatrix();
+        for (const mesh of meshes) mesh.setMatrixAt(number, place.matrix);
+        meshes[0].setColorAt(number, paint.set(look.heat ? look.heat(0) : body.colour));
       });
-    });
-    for (const mesh of this.robots) {
-      mesh.count = bodies.length;
-      mesh.instanceMatrix.needsUpdate = true;
-      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+      for (const mesh of meshes) {
+        mesh.count = list.length;
+        mesh.instanceMatrix.needsUpdate = true;
+        if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+      }
     }
   }
+
+  /** Robots that are smaller than a few pixels, as points. */
+  placeDots(bodies, look) {
+    if (!this.dots && !bodies.length) return;
+    if (!this.dots || this.dots.room < bodies.length) {
+      if (this.dots) this.world.remove(this.dots.points);
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(bodies.length * 3), 3));
+      geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(bodies.length * 3), 3));
+      const material = new THREE.PointsMaterial({ size: LEAST_PIXELS + 1, sizeAttenuation: false, vertexColors: true });
+      const points = new THREE.Points(geometry, material);
+      points.frustumCulled = false;
+      this.world.add(points);
+      this.dots = { points, room: bodies.length };
+    }
+    const { position, color } = this.dots.points.geometry.attributes;
+    const paint = new THREE.Color();
+    bodies.forEach((body, number) => {
+      position.setXYZ(number, body.x, body.y, body.z + body.height);
+      paint.set(look.heat ? look.heat(0) : body.colour);
+      color.setXYZ(number, paint.r, paint.g, paint.b);
+    });
+    this.dots.points.geometry.setDrawRange(0, bodies.length);
+    position.needsUpdate = color.needsUpdate = true;
+  }
+
+  /** The place on the floor under a point of the view. */
+  ground(px, py, _camera, width, height) {
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2((px / width) * 2 - 1, 1 - (py / height) * 2), this.lens);
+    const at = ray.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), 0), new THREE.Vector3());
+    return at ? [at.x, at.y] : null;
+  }
+
+  dispose() {
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+}
+
+/** Whether WebGL is done by the processor: then shadows are left out. */
+function isSoftware(renderer) {
+  const gl = renderer.getContext();
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  return /swiftshader|llvmpipe|software/i.test(name);
 }

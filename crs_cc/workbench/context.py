@@ -1,0 +1,39 @@
+"""What commands of pages may use: the part of the screen that they see."""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from crs_cc.workbench.feed import Feed
+    from crs_cc.workbench.player import Player
+    from crs_cc.workbench.run import Run
+    from crs_cc.workbench.server import Server
+
+
+class Context(Protocol):
+    """The screen, as commands see it.
+
+    Attributes:
+        run: the run.
+        feed: what is known of it.
+        player: when it goes on.
+        server: sends messages to pages.
+        robot: the selected robot.
+    """
+
+    run: Run
+    feed: Feed
+    player: Player
+    server: Server
+    robot: int
+
+    def publish(self) -> None:
+        """Tell all about where the run stands."""
+
+    def stopped(self) -> None:
+        """Select the robot that the run has stopped for."""
+
+    def working(self) -> AbstractContextManager[None]:
+        """Tell that the run works at a command that may take long, and then what it has done."""

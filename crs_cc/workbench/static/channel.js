@@ -1,0 +1,97 @@
+/**
+ * The channel to the run: commands go out, messages come in. It connects again by itself.
+ *
+ * @typedef {(message: any) => void} Hear
+ */
+
+const VERSION = 1;
+const FIRST_WAIT = 250; // [ms]
+const LONGEST_WAIT = 4000; // [ms]
+
+/** The token in the page's address; it stays known when the page is loaded again. */
+function token() {
+  const found = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (found) sessionStorage.setItem("token", found);
+  return found ?? sessionStorage.getItem("token") ?? "";
+}
+
+export class SocketChannel {
+  /** @param {Hear} hear is told every message; bytes as `{type: "frame" | "block", ...}` */
+  constructor(hear) {
+    this.hear = hear;
+    this.isLocal = false;
+    this.wait = FIRST_WAIT;
+    this.number = 0;
+    /** @type {Map<number, {resolve: (value: any) => void, reject: (reason: Error) => void}>} */
+    this.asked = new Map();
+    /** @type {Map<number, (bytes: Uint8Array) => void>} */
+    this.blocks = new Map();
+    this.connect();
+  }
+
+  connect() {
+    const socket = new WebSocket(`ws://${location.host}/channel`, ["crs.1", `token.${token()}`]);
+    socket.binaryType = "arraybuffer";
+    socket.addEventListener("message", (event) => this.receive(event.data));
+    socket.addEventListener("close", (event) => this.lose(event));
+    this.socket = socket;
+  }
+
+  lose(event) {
+    for (const { reject } of this.asked.values()) reject(new Error("the connection is lost"));
+    this.asked.clear();
+    this.blocks.clear();
+    const isOver = event.code === 1001;
+    this.hear({ type: "lost", isOver, reason: event.reason, wasOpen: this.wait === FIRST_WAIT });
+    setTimeout(() => this.connect(), this.wait);
+    this.wait = Math.min(LONGEST_WAIT, this.wait * 2);
+  }
+
+  receive(data) {
+    if (data instanceof ArrayBuffer) {
+      this.receiveBytes(new Uint8Array(data));
+      return;
+    }
+    const message = JSON.parse(data);
+    if (message.type === "answer") {
+      const waiting = this.asked.get(message.id);
+      this.asked.delete(message.id);
+      if (message.error !== undefined) waiting?.reject(new Error(message.error));
+      else waiting?.resolve(message.value);
+      return;
+    }
+    if (message.type === "hello") {
+      this.wait = FIRST_WAIT;
+      message.isOtherVersion = message.version !== VERSION;
+    }
+    this.hear(message);
+  }
+
+  receiveBytes(bytes) {
+    const view = new DataView(bytes.buffer);
+    if (bytes[0] === 0x46) {
+      this.hear({ type: "frame", time: view.getFloat64(1, true), data: bytes.subarray(9) });
+    } else {
+      const number = view.getUint32(1, true);
+      this.blocks.get(number)?.(bytes.subarray(5));
+      this.blocks.delete(number);
+    }
+  }
+
+  /**
+   * Have a command carried out. @param {string} name @param {Record<string, any>} fields
+   * @returns {Promise<any>} its answer
+   */
+  ask(name, fields = {}) {
+    if (this.socket.readyState !== WebSocket.OPEN) return Promise.reject(new Error("not connected"));
+    const id = ++this.number;
+    this.socket.send(JSON.stringify({ id, do: name, ...fields }));
+    return new Promise((resolve, reject) => this.asked.set(id, { resolve, reject }));
+  }
+
+  /** The bytes of a block of frames. @param {number} number @returns {Promise<Uint8Array>} */
+  block(number) {
+    const bytes = new Promise((resolve) => this.blocks.set(number, resolve));
+    return this.ask("frames", { block: number }).then(() => bytes);
+  }
+}

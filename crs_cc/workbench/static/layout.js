@@ -1,0 +1,92 @@
+/** The page around the view: its head, its panels at the sides, tabs. */
+import { button, el, fill, part } from "crs/dom.js";
+import { PANELS } from "crs/panels/index.js";
+import { setTheme, theme } from "crs/theme.js";
+
+const STATES = { playing: "running", busy: "working", end: "ended", error: "stopped by an error", start: "ready", lost: "not connected" };
+
+export class Layout {
+  /** @param {any} model @param {any} look @param {any} page what panels may use of each other */
+  constructor(model, look, page) {
+    Object.assign(this, { model, look, page });
+    this.chip = el("span.chip.state", { role: "status" });
+    this.title = el("h1", { id: "title" });
+    this.note = el("span.note-text", { id: "note" });
+    fill(part("head"), this.title, this.chip, this.note, el("span.spacer"),
+      button({ icon: "share", title: "Copy a link to this view and time", key: "K", onclick: () => this.share() }),
+      button({ icon: "theme", title: "Light, dark, or as the system is", key: "T", onclick: () => this.nextTheme() }),
+      button({ icon: "help", title: "Keys", key: "?", onclick: () => this.page.keys() }));
+    model.on("hello", () => this.build());
+    for (const kind of ["state", "link", "hello"]) model.on(kind, () => this.show());
+  }
+
+  /** Put the panels in their places that this run can fill. */
+  build() {
+    const { model, look, page } = this;
+    const { run } = model;
+    const names = run.programs ? [el("b", {}, run.programs), " in ", el("b", {}, run.world_name)] : [run.title];
+    fill(this.title, ...names);
+    document.title = `${this.title.textContent} · crs`;
+    if (this.isBuilt) return;
+    this.isBuilt = true;
+    const panels = PANELS.filter((panel) => (!panel.needs || model.run.can.includes(panel.needs)) && !(panel.id === "robots" && model.channel.isLocal && false));
+    const left = el("aside.left", { "aria-label": "robots" });
+    const right = el("aside.right", { "aria-label": "program" });
+    const tabs = el("div.tabs", { role: "tablist" });
+    right.append(tabs);
+    for (const panel of panels) {
+      const root = el(`section.panel.${panel.id}`, { id: `panel-${panel.id}` });
+      if (panel.side === "left") left.append(el("h2", {}, panel.title), root);
+      else {
+        root.setAttribute("role", "tabpanel");
+        root.hidden = true;
+        tabs.append(el("button", { type: "button", role: "tab", id: `tab-${panel.id}`, onclick: () => this.open(panel.id) }, panel.title));
+        right.append(root);
+      }
+      panel.make(root, model, look, page);
+    }
+    part("sides").replaceChildren(left, right);
+    this.open(panels.find((panel) => panel.side === "right")?.id);
+    if (run.role === "view") document.body.classList.add("view-only");
+  }
+
+  open(id) {
+    for (const panel of document.querySelectorAll("aside.right > section")) panel.hidden = panel.id !== `panel-${id}`;
+    for (const tab of document.querySelectorAll("[role=tab]")) tab.setAttribute("aria-selected", String(tab.id === `tab-${id}`));
+    this.model.tell("look");
+  }
+
+  show() {
+    const { state, run, isConnected } = this.model;
+    const reason = !isConnected ? "lost" : state.playing ? "playing" : state.busy ? "busy" : state.halt.reason;
+    this.chip.dataset.state = reason;
+    this.chip.textContent = STATES[reason] ?? (reason === "paused" ? "paused" : `stopped: ${reason}`);
+    if (!isConnected && this.model.lost) {
+      const { isOver, wasOpen } = this.model.lost;
+      this.note.textContent = isOver ? "the run has ended: start it again, and this page connects by itself"
+        : wasOpen ? "connecting again ..." : "no run answers: start it again, or open the address that crs has printed";
+    } else if (run) {
+      const robots = run.rosters.at(-1)?.robots.length ?? 0;
+      const count = `${robots} robot${robots === 1 ? "" : "s"}`;
+      const looks = run.role === "view" ? " · view only" : "";
+      this.note.textContent = run.note ?? `seed ${run.seed} · ${count}${looks}`;
+    }
+    document.body.classList.toggle("disconnected", !isConnected);
+  }
+
+  nextTheme() {
+    const order = ["auto", "light", "dark"];
+    setTheme(order[(order.indexOf(theme()) + 1) % order.length]);
+    this.model.say(`colours: ${theme() === "auto" ? "as the system" : theme()}`);
+    this.look.repaint();
+    this.model.tell("look");
+  }
+
+  share() {
+    const words = new URLSearchParams(location.hash.slice(1));
+    words.set("t", this.model.clock.shown.toFixed(3));
+    words.set("view", this.page.views.active.camera.save());
+    history.replaceState(null, "", `#${words}`);
+    navigator.clipboard?.writeText(location.href).then(() => this.model.say("link copied"), () => this.model.say("the address bar has the link"));
+  }
+}

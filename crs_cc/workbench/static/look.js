@@ -1,0 +1,84 @@
+/** What the user looks at, and how: overlays, colours, sensors; views are drawn by it. */
+import { PARTS } from "crs/overlay.js";
+import { palette } from "crs/theme.js";
+import { Trails } from "crs/trails.js";
+
+const FLIGHT = 0.7; // how long a message is shown [s]
+const HEAT = ["#0b1026", "#3b1a6d", "#8c2981", "#de4968", "#fe9f6d", "#fcfdbf"];
+
+export class Look {
+  /** @param {import("./model.js").Model} model */
+  constructor(model) {
+    this.model = model;
+    this.show = Object.fromEntries(PARTS.map((each) => [each.name, each.on]));
+    this.trails = new Trails();
+    this.colours = palette();
+    this.isInfrared = false;
+    this.time = 0;
+    this.version = 0; // rises when something must be drawn anew
+    for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
+  }
+
+  repaint() {
+    this.colours = palette();
+    this.version++;
+  }
+
+  toggle(name) {
+    this.show[name] = !this.show[name];
+    this.version++;
+    this.model.tell("look");
+  }
+
+  setInfrared(isOn) {
+    this.isInfrared = isOn;
+    this.version++;
+    this.model.tell("look");
+  }
+
+  get selected() {
+    return this.model.state.robot;
+  }
+
+  /** The colour of a heat, or nothing while colours are plain. */
+  get heat() {
+    if (!this.isInfrared) return null;
+    const most = Math.max(1, ...this.model.run.world.shapes.map((shape) => shape.heat ?? 0));
+    return (heat) => HEAT[Math.round(Math.min(1, Math.max(0, heat / most)) * (HEAT.length - 1))];
+  }
+
+  /** The sensors of robots, by their rows, as they were told last. */
+  get sensors() {
+    const { first, sensors } = this.model.status;
+    return {
+      echoes: (row) => sensors?.echoes?.[row - first],
+      bumpers: (row) => sensors?.bumpers?.[row - first],
+      believed: (row) => sensors?.believed?.[row - first],
+    };
+  }
+
+  /** The events of the last seconds, up to the time that is shown. */
+  recent(seconds) {
+    const { events } = this.model.run;
+    const found = [];
+    for (let at = events.length - 1; at >= 0 && events[at][0] > this.time - seconds - 1; at--) {
+      if (events[at][0] <= this.time && events[at][0] > this.time - seconds) found.push(events[at]);
+    }
+    return found;
+  }
+
+  /** Messages on their way: from whom to whom. */
+  traffic() {
+    const names = this.model.run.rosters.at(-1)?.robots ?? [];
+    return this.recent(FLIGHT)
+      .filter(([, kind]) => kind.startsWith("message"))
+      .map(([at, kind, robot, text]) => ({
+        from: robot,
+        to: names.findIndex((name, row) => row !== robot && text.includes(name)),
+        share: (this.time - at) / FLIGHT,
+        isLost: kind === "message-lost",
+      }))
+      .filter(({ to }) => to >= 0);
+  }
+}

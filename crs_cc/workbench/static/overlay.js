@@ -1,0 +1,267 @@
+/**
+ * What is drawn over a view, flat or not: trails, sonar cones, labels, contacts, the scale.
+ * Each part is a row of `PARTS`; `show` has their switches.
+ */
+import { angleText, gridStep, lengthText } from "crs/units.js";
+
+const MANY = 60; // robots: of more, only the selected one is annotated
+const ECHO_S = 0.8; // how long contacts are marked [s]
+
+/** @typedef {{name: string, title: string, on: boolean, draw: ((o: Overlay) => void) | null}} Part */
+
+/** @type {Part[]} */
+export const PARTS = [
+  { name: "trails", title: "Trails", on: true, draw: trails },
+  { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
+  { name: "bumpers", title: "Bumpers", on: true, draw: bumpers },
+  { name: "believed", title: "Believed poses", on: false, draw: believed },
+  { name: "contacts", title: "Collisions", on: true, draw: contacts },
+  { name: "messages", title: "Messages", on: true, draw: messages },
+  { name: "labels", title: "Names", on: true, draw: labels },
+  { name: "grid", title: "Grid and scale", on: true, draw: scale },
+];
+
+export class Overlay {
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+  }
+
+  /** @param {any} view @param {any} camera @param {any} look */
+  draw(view, camera, look) {
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
+      [this.canvas.width, this.canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    }
+    this.pen = this.canvas.getContext("2d");
+    this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.pen.clearRect(0, 0, width, height);
+    Object.assign(this, { view, camera, look, width, height, scene: view.scene });
+    this.project = view.project;
+    this.several = this.scene.bodies.length <= MANY;
+    for (const part of PARTS) if (part.draw && look.show[part.name]) part.draw(this);
+    this.selection();
+  }
+
+  /** The robots that are annotated. */
+  chosen() {
+    if (this.several) return this.scene.bodies;
+    const body = this.scene.body(this.look.selected);
+    return body ? [body] : [];
+  }
+
+  /** A line through points [x, y, z]; parts behind the camera are left out. */
+  path(points) {
+    const { pen } = this;
+    let isDown = false;
+    for (const point of points) {
+      const at = point ? this.project(point[0], point[1], point[2] ?? 0) : null;
+      if (!at || at[2] <= 0.02) isDown = false;
+      else if (isDown) pen.lineTo(at[0], at[1]);
+      else {
+        pen.moveTo(at[0], at[1]);
+        isDown = true;
+      }
+    }
+  }
+
+  circle(x, y, z, radius, steps = 28) {
+    const points = [];
+    for (let step = 0; step <= steps; step++) {
+      const angle = (step / steps) * 2 * Math.PI;
+      points.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle), z]);
+    }
+    this.path(points);
+  }
+
+  selection() {
+    const body = this.scene.body(this.look.selected);
+    if (!body || this.scene.bodies.length < 2) return;
+    const { pen } = this;
+    pen.strokeStyle = this.look.colours.accent;
+    pen.lineWidth = 2;
+    pen.beginPath();
+    this.circle(body.x, body.y, body.z + 0.01, body.radius * 1.35);
+    pen.stroke();
+  }
+}
+
+function trails(o) {
+  const { pen, look } = o;
+  pen.lineWidth = 2;
+  pen.lineJoin = "round";
+  for (const body of o.several ? o.scene.bodies : o.chosen()) {
+    const points = look.trails.of(body.row);
+    if (points.length < 2) continue;
+    const [newest, oldest] = [points.at(-1).t, points[0].t];
+    const share = Math.max(1, Math.ceil(points.length / 12));
+    pen.strokeStyle = body.colour;
+    for (let at = 0; at < points.length - 1; at += share) {
+      const piece = points.slice(at, at + share + 1);
+      pen.globalAlpha = 0.08 + 0.62 * ((piece[0].t - oldest) / Math.max(1e-6, newest - oldest));
+      pen.beginPath();
+      o.path(piece.map(({ x, y }) => [x, y, o.scene.ground.height(x, y) + 0.01]));
+      pen.stroke();
+    }
+    pen.globalAlpha = 0.7;
+    pen.beginPath();
+    o.path([points.at(-1), body].map(({ x, y }) => [x, y, body.z + 0.01]));
+    pen.stroke();
+  }
+  pen.globalAlpha = 1;
+}
+
+function sonar(o) {
+  const { pen, look } = o;
+  for (const body of o.chosen()) {
+    const echoes = look.sensors.echoes(body.row);
+    if (!echoes || !body.kind) continue;
+    const isChosen = body.row === look.selected;
+    body.kind.sonars.forEach((each, number) => {
+      const echo = echoes[number];
+      if (echo === null || echo === undefined || echo < 0) return;
+      const heading = body.heading + each.direction;
+      const [cos, sin] = [Math.cos(body.heading), Math.sin(body.heading)];
+      const from = [body.x + each.x * cos - each.y * sin, body.y + each.x * sin + each.y * cos];
+      const z = body.z + body.height * 0.7;
+      const arc = [-1, -0.5, 0, 0.5, 1].map((turn) => {
+        const angle = heading + turn * each.half_angle;
+        return [from[0] + echo * Math.cos(angle), from[1] + echo * Math.sin(angle), z];
+      });
+      const closeness = Math.max(0, 1 - echo / 2);
+      pen.beginPath();
+      o.path([[...from, z], ...arc, [...from, z]]);
+      pen.fillStyle = closeness > 0.6 ? "#d1242f" : body.colour;
+      pen.globalAlpha = (isChosen ? 0.1 : 0.05) + 0.16 * closeness;
+      pen.fill();
+      pen.beginPath();
+      o.path(arc);
+      pen.strokeStyle = pen.fillStyle;
+      pen.globalAlpha = (isChosen ? 0.55 : 0.3) + 0.4 * closeness;
+      pen.lineWidth = 1.5;
+      pen.stroke();
+    });
+  }
+  pen.globalAlpha = 1;
+}
+
+function bumpers(o) {
+  const { pen, look } = o;
+  pen.strokeStyle = "#e5383b";
+  pen.lineWidth = 4;
+  for (const body of o.scene.bodies) {
+    const bits = look.sensors.bumpers(body.row);
+    if (!bits || !body.kind) continue;
+    for (const { bit, bearing, span } of body.kind.bumpers) {
+      if (!((bits >> bit) & 1)) continue;
+      const points = [];
+      for (let step = 0; step <= 8; step++) {
+        const angle = body.heading + bearing + span * (step / 8 - 0.5);
+        points.push([body.x + body.radius * 1.05 * Math.cos(angle), body.y + body.radius * 1.05 * Math.sin(angle), body.z + 0.08]);
+      }
+      pen.beginPath();
+      o.path(points);
+      pen.stroke();
+    }
+  }
+}
+
+function believed(o) {
+  const { pen, look } = o;
+  pen.setLineDash([5, 4]);
+  pen.lineWidth = 1.5;
+  for (const body of o.chosen()) {
+    const pose = look.sensors.believed(body.row);
+    if (!pose) continue;
+    const [x, y, heading] = pose;
+    pen.strokeStyle = body.colour;
+    pen.beginPath();
+    o.circle(x, y, body.z + 0.01, body.radius);
+    o.path([[x, y, body.z + 0.01], [x + body.radius * Math.cos(heading), y + body.radius * Math.sin(heading), body.z + 0.01]]);
+    o.path([[x, y, body.z + 0.01], [body.x, body.y, body.z + 0.01]]);
+    pen.stroke();
+  }
+  pen.setLineDash([]);
+}
+
+function contacts(o) {
+  const { pen, look } = o;
+  pen.strokeStyle = "#e5383b";
+  for (const [at, kind, , , x, y] of look.recent(ECHO_S)) {
+    if (kind !== "collision" || x === null) continue;
+    const share = (look.time - at) / ECHO_S;
+    pen.lineWidth = 2.5;
+    pen.globalAlpha = 1 - share;
+    pen.beginPath();
+    o.circle(x, y, o.scene.ground.height(x, y) + 0.05, 0.06 + 0.3 * share);
+    pen.stroke();
+  }
+  pen.globalAlpha = 1;
+}
+
+function messages(o) {
+  const { pen, look } = o;
+  for (const { from, to, share, isLost } of look.traffic()) {
+    const [a, b] = [o.scene.body(from), o.scene.body(to)];
+    if (!a || !b) continue;
+    const high = 0.35 * Math.hypot(a.x - b.x, a.y - b.y) + 0.3;
+    const points = [];
+    for (let step = 0; step <= 16; step++) {
+      const k = step / 16;
+      points.push([a.x + (b.x - a.x) * k, a.y + (b.y - a.y) * k, a.z + a.height + 4 * high * k * (1 - k)]);
+    }
+    pen.strokeStyle = pen.fillStyle = isLost ? "#e5383b" : "#8250df";
+    pen.globalAlpha = 0.75 * (1 - share);
+    pen.setLineDash([5, 4]);
+    pen.lineWidth = 1.5;
+    pen.beginPath();
+    o.path(points);
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+  pen.globalAlpha = 1;
+}
+
+function labels(o) {
+  const { pen, look } = o;
+  pen.font = "600 11px system-ui, sans-serif";
+  pen.textAlign = "center";
+  for (const body of o.chosen()) {
+    const [x, y, w] = o.project(body.x, body.y, body.z + body.height);
+    if (w <= 0 || x < -40 || x > o.width + 40 || y < -20 || y > o.height + 20) continue;
+    const size = Math.max(7, body.radius * o.view.pixels(w)) + 5;
+    const half = pen.measureText(body.id).width / 2 + 5;
+    pen.globalAlpha = 0.86;
+    pen.fillStyle = look.colours.panel;
+    pen.beginPath();
+    pen.roundRect(x - half, y - size - 15, 2 * half, 16, 5);
+    pen.fill();
+    pen.globalAlpha = 1;
+    pen.fillStyle = body.row === look.selected ? look.colours.accent : look.colours.text;
+    pen.fillText(body.id, x, y - size - 3.5);
+  }
+}
+
+function scale(o) {
+  const { pen, look, camera } = o;
+  if (camera.mode === "board") return;
+  const pixels = o.view.pixels(camera.distance);
+  const step = gridStep(70 / pixels);
+  const [right, low] = [o.width - 16, o.height - 16];
+  pen.strokeStyle = pen.fillStyle = look.colours.muted;
+  pen.lineWidth = 1.5;
+  pen.beginPath();
+  pen.moveTo(right - step * pixels, low - 4);
+  pen.lineTo(right - step * pixels, low);
+  pen.lineTo(right, low);
+  pen.lineTo(right, low - 4);
+  pen.stroke();
+  pen.font = "11px system-ui, sans-serif";
+  pen.textAlign = "center";
+  pen.fillText(lengthText(step), right - (step * pixels) / 2, low - 5);
+  const body = o.scene.body(look.selected);
+  if (!body) return;
+  pen.textAlign = "left";
+  pen.fillText(`${body.id}  ${body.x.toFixed(2)}, ${body.y.toFixed(2)} m  ${angleText(body.heading)}`, 16, low - 3);
+}

@@ -1,0 +1,63 @@
+/** The channel of a page that holds a recorded run: it plays by itself. */
+
+export class PageChannel {
+  /** @param {any} run the contents of the page @param {(message: any) => void} hear */
+  constructor(run, hear) {
+    this.run = run;
+    this.hear = hear;
+    this.isLocal = true;
+    this.time = 0;
+    this.speed = 1;
+    this.isPlaying = false;
+    this.span = null;
+    this.robot = 0;
+    const hello = { ...run, type: "hello", kind: "recorded", role: "control", can: ["play", "seek"] };
+    queueMicrotask(() => {
+      this.hear(hello);
+      this.tell();
+    });
+  }
+
+  /** @param {string} name @param {any} fields */
+  async ask(name, fields = {}) {
+    if (name === "play") {
+      if (this.time >= this.run.end_s) this.time = 0;
+      this.isPlaying = true;
+    } else if (name === "pause") this.isPlaying = false;
+    else if (name === "seek") this.time = fields.time_s;
+    else if (name === "speed") this.speed = fields.speed || Infinity;
+    else if (name === "select") this.robot = fields.robot;
+    else if (name === "span") this.span = fields.end_s > fields.begin_s ? [fields.begin_s, fields.end_s] : null;
+    else if (name === "step") {
+      this.isPlaying = false;
+      this.time += fields.timesteps * this.run.frame_s;
+    } else throw new Error("this page holds a recorded run: it can be played, and looked at");
+    this.time = Math.min(this.run.end_s, Math.max(0, this.time));
+    this.tell();
+  }
+
+  /** Advance by real time. @param {number} elapsed [s] */
+  advance(elapsed) {
+    if (!this.isPlaying) return;
+    this.time = Math.min(this.run.end_s, this.time + elapsed * Math.min(this.speed, 1000));
+    if (this.span && this.time >= this.span[1]) this.time = this.span[0];
+    if (this.time >= this.run.end_s) this.isPlaying = false;
+    this.tell();
+  }
+
+  tell() {
+    const isOver = this.time >= this.run.end_s;
+    this.hear({
+      type: "state",
+      t: this.time,
+      end: this.run.end_s,
+      playing: this.isPlaying,
+      busy: false,
+      speed: Number.isFinite(this.speed) ? this.speed : null,
+      rate: this.isPlaying ? this.speed : 0,
+      span: this.span,
+      robot: this.robot,
+      halt: { reason: isOver ? "end" : "paused", text: isOver ? "end of the recording" : "", robot: -1 },
+    });
+  }
+}

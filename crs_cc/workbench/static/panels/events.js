@@ -1,0 +1,40 @@
+/** What has happened: collisions, messages, errors; a click goes there. */
+import { el, fill } from "crs/dom.js";
+import { MARKS, markOf } from "crs/timeline.js";
+
+const MOST = 400; // rows
+
+/** @type {import("./index.js").Panel} */
+export const events = {
+  id: "events",
+  title: "Events",
+  side: "right",
+  make(root, model, look, page) {
+    const chosen = new Set(MARKS.map((mark) => mark.name));
+    const filters = el("div.filters", {}, ...MARKS.filter((mark) => mark.name !== "print").map((mark) =>
+      el("label", {}, el("input", { type: "checkbox", checked: true, onchange: (event) => {
+        if (event.target.checked) chosen.add(mark.name);
+        else chosen.delete(mark.name);
+        isStale = true;
+      } }), mark.title)));
+    const list = el("div.events");
+    root.append(filters, list);
+    let isStale = true;
+
+    const draw = () => {
+      if (!isStale || !model.run || !root.offsetParent) return;
+      isStale = false;
+      const found = model.run.events.filter(([, kind]) => chosen.has(markOf(kind).name)).slice(-MOST);
+      if (!found.length) return fill(list, el("p.hint", {}, "Nothing has happened yet."));
+      fill(list, ...found.reverse().map(([time, kind, , text]) => {
+        const dot = el("i.dot");
+        dot.style.background = look.colours[markOf(kind).colour] ?? markOf(kind).colour;
+        return el("button.event", { type: "button", title: "Go there", onclick: () => page.timeline.seek(time) },
+          dot, el("span.when", {}, `${time.toFixed(3)} s`), el("span", {}, text));
+      }));
+    };
+
+    for (const kind of ["hello", "event", "forget"]) model.on(kind, () => (isStale = true));
+    model.on("tick", draw);
+  },
+};

@@ -1,0 +1,17 @@
+/**
+ * The panels beside the view, in their order. To add one, write a module like those here and name it
+ * below: it has an `id`, a `title`, a `side`, what the run must be able to do (`needs`), and `make`,
+ * which fills its element and listens to the model.
+ *
+ * @typedef {{id: string, title: string, side: "left" | "right", needs?: string, recorded?: boolean,
+ *   make: (root: HTMLElement, model: any, look: any, page: any) => void}} Panel
+ */
+import { code } from "crs/panels/code.js";
+import { commandLine } from "crs/panels/console.js";
+import { events } from "crs/panels/events.js";
+import { output } from "crs/panels/output.js";
+import { overlays } from "crs/panels/overlays.js";
+import { robots } from "crs/panels/robots.js";
+
+/** @type {Panel[]} */
+export const PANELS = [robots, overlays, code, output, events, commandLine];

@@ -1,0 +1,49 @@
+/** The paths that robots have come, some seconds back. */
+
+const SECONDS = 20;
+const MOST = 64; // robots
+const STEP = 0.02; // [m] between two points, at least
+const GAP = 1.5; // [s] of the shown time: more is a jump, and trails are looked up anew
+
+export class Trails {
+  constructor() {
+    /** @type {Map<number, {t: number, x: number, y: number}[]>} */
+    this.paths = new Map();
+    this.time = -1;
+    this.version = 0;
+  }
+
+  of(row) {
+    return this.paths.get(row) ?? [];
+  }
+
+  /** @param {import("./scene.js").Scene} scene @param {any} frames @param {number} time */
+  update(scene, frames, time) {
+    if (time < this.time || time > this.time + GAP) this.lookUp(scene, frames, time);
+    else for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
+    this.time = time;
+    for (const path of this.paths.values()) while (path.length && path[0].t < time - SECONDS) path.shift();
+  }
+
+  add(row, point) {
+    let path = this.paths.get(row);
+    if (!path) this.paths.set(row, (path = []));
+    const last = path.at(-1);
+    if (!last || Math.hypot(point.x - last.x, point.y - last.y) > STEP) path.push(point);
+  }
+
+  async lookUp(scene, frames, time) {
+    const version = ++this.version;
+    this.paths.clear();
+    const found = await frames.span(Math.max(0, time - SECONDS), time).catch(() => []);
+    if (version !== this.version) return;
+    this.paths.clear();
+    const rows = Math.min(MOST, scene.roster(time).robots.length);
+    for (const frame of found) {
+      for (let row = 0; row < Math.min(rows, frame.rows); row++) {
+        const [x, y] = [frame.values[row], frame.values[frame.rows + row]];
+        if (!Number.isNaN(x)) this.add(row, { t: frame.time, x, y });
+      }
+    }
+  }
+}

@@ -1,0 +1,116 @@
+/** One view of the world: its canvases, its camera, and what the pointer does there. */
+import { Camera } from "crs/camera.js";
+import { el } from "crs/dom.js";
+import { Overlay } from "crs/overlay.js";
+import { View2D } from "crs/view2d.js";
+import { View3D } from "crs/view3d.js";
+
+const CLICK = 5; // pixels that a click may move
+const NEAR = 12; // pixels around a robot that still mean it
+
+export class Viewport {
+  /**
+   * @param {import("./scene.js").Scene} scene
+   * @param {any} model
+   * @param {{flat: boolean, failed: (reason: string) => void, active: (view: Viewport) => void}} options
+   */
+  constructor(scene, model, options) {
+    this.model = model;
+    this.options = options;
+    this.element = el("div.viewport", { tabIndex: 0, role: "application", "aria-label": "view of the world" });
+    this.over = el("canvas.over");
+    this.overlay = new Overlay(this.over);
+    this.isFlat = options.flat;
+    this.setScene(scene);
+    this.listen();
+  }
+
+  setScene(scene) {
+    this.scene = scene;
+    this.camera = new Camera(scene.area);
+    this.setFlat(this.isFlat);
+  }
+
+  /** Draw on a plain canvas, or in three dimensions. */
+  setFlat(isFlat) {
+    this.view?.dispose?.();
+    this.canvas = el("canvas.view");
+    this.isFlat = isFlat;
+    if (!isFlat) {
+      try {
+        this.view = new View3D(this.scene, this.canvas);
+      } catch (error) {
+        this.options.failed(`no 3-D view: this browser has no WebGL (${error.message})`);
+        this.isFlat = true;
+        this.canvas = el("canvas.view");
+      }
+    }
+    if (this.isFlat) this.view = new View2D(this.scene, this.canvas);
+    this.element.replaceChildren(this.canvas, this.over);
+    this.drawn = "";
+  }
+
+  /** Draw if anything has changed. @param {any} look @param {number} elapsed [s] */
+  draw(look, elapsed) {
+    const body = this.scene.body(look.selected);
+    if (!this.isFlat) this.camera.follow(body, elapsed);
+    else if (this.camera.mode !== "orbit" && this.camera.mode !== "top" && body) {
+      [this.camera.x, this.camera.y] = [body.x, body.y];
+    }
+    const { clientWidth, clientHeight } = this.element;
+    const key = [this.scene.time, look.version, look.time, this.camera.signature, clientWidth, clientHeight].join();
+    if (key === this.drawn || !clientWidth || !clientHeight) return;
+    this.drawn = key;
+    this.view.draw(this.camera, body, look);
+    this.overlay.draw(this.view, this.camera, look);
+  }
+
+  listen() {
+    const { element } = this;
+    let [moved, isDown] = [0, false];
+    element.addEventListener("pointerdown", (event) => {
+      element.setPointerCapture(event.pointerId);
+      [moved, isDown] = [0, true];
+      this.options.active(this);
+    });
+    element.addEventListener("pointermove", (event) => {
+      if (!isDown || !event.buttons) return;
+      moved += Math.abs(event.movementX) + Math.abs(event.movementY);
+      const moves = event.shiftKey || event.buttons > 1 || this.isFlat;
+      this.drag(event.movementX, event.movementY, moves);
+    });
+    element.addEventListener("pointerup", (event) => {
+      if (isDown && moved < CLICK && event.button === 0) this.click(event.offsetX, event.offsetY);
+      isDown = false;
+    });
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+    element.addEventListener("dblclick", () => this.camera.reset());
+    element.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.camera.wheel(event.deltaY);
+    }, { passive: false });
+  }
+
+  drag(dx, dy, moves) {
+    const { clientWidth, clientHeight } = this.element;
+    if (this.isFlat) {
+      const metre = this.camera.metres(clientWidth, clientHeight);
+      this.camera.x -= dx * metre;
+      this.camera.y += dy * metre;
+      if (this.camera.mode !== "top") this.camera.mode = "orbit";
+    } else this.camera.drag(dx, dy, moves, clientWidth, clientHeight);
+  }
+
+  /** Select the robot under a point. */
+  click(px, py) {
+    let [nearest, least] = [-1, Infinity];
+    for (const body of this.scene.bodies) {
+      const [x, y, w] = this.view.project(body.x, body.y, body.z + body.height / 2);
+      if (w <= 0) continue;
+      const away = Math.hypot(x - px, y - py);
+      const reach = Math.max(NEAR, 1.2 * body.radius * this.view.pixels(w));
+      if (away < reach && away < least) [nearest, least] = [body.row, away];
+    }
+    if (nearest >= 0) this.model.select(nearest);
+  }
+}

@@ -1,0 +1,162 @@
+"""Who may connect to the server of the page, and what becomes of those who misbehave."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+
+from crs_cc.recording.frames import FrameDecoder
+from crs_cc.workbench.clients import Client
+from crs_cc.workbench.messages import MAX_BYTES, answer
+from crs_cc.workbench.server import Server
+
+
+class Echo:
+    """Answers each command with itself."""
+
+    def greet(self, client: Client) -> None:
+        client.put(f"hello {client.role}")
+
+    def receive(self, client: Client, command: dict[str, Any]) -> None:
+        client.put(answer(command["id"], command["do"]))
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[Server]:
+    made = Server(Echo())
+    yield made
+    made.close()
+
+
+def opened(server: Server, token: str = "", **options: Any) -> ClientConnection:
+    words = ["crs.1", f"token.{token or server.tokens['control']}"]
+    url = f"ws://127.0.0.1:{server.port}/channel"
+    return connect(url, subprotocols=words, proxy=None, compression=None, **options)  # type: ignore[arg-type]
+
+
+def got(server: Server, path: str, host: str = "") -> tuple[int, dict[str, str]]:
+    line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=10)
+    line.putrequest("GET", path, skip_host=True)
+    line.putheader("Host", host or f"127.0.0.1:{server.port}")
+    line.endheaders()
+    response = line.getresponse()
+    response.read()
+    line.close()
+    return response.status, {name.lower(): value for name, value in response.getheaders()}
+
+
+def test_the_page_loads_nothing_but_itself(server: Server) -> None:
+    status, headers = got(server, "/")
+    assert (status, headers["content-type"]) == (200, "text/html; charset=utf-8")
+    assert "default-src 'none'" in headers["content-security-policy"]
+    assert "unsafe" not in headers["content-security-policy"]
+    assert got(server, "/static/app.js")[1]["content-type"] == "text/javascript; charset=utf-8"
+    assert got(server, "/static/three/three.module.js")[0] == 200
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/static/../server.py",
+        "/static/%2e%2e/server.py",
+        "/static//etc/passwd",
+        "//etc/passwd",
+        "/static/panels",
+        "/static/page.html",
+        "/static/three/LICENSE/..%2f..%2f",
+    ],
+)
+def test_no_path_leads_out_of_the_page(server: Server, path: str) -> None:
+    assert got(server, path)[0] == 404
+
+
+def test_a_name_that_was_bound_to_this_machine_is_refused(server: Server) -> None:
+    assert got(server, "/", f"evil.example:{server.port}")[0] == 403
+
+
+def test_the_channel_needs_a_token_and_a_page_of_ours(server: Server) -> None:
+    for options, status in (
+        ({"token": "x" * 22}, 401),
+        ({"token": server.tokens["view"], "origin": "https://evil.example"}, 403),
+        ({"origin": "null"}, 403),
+    ):
+        with pytest.raises(InvalidStatus) as refused, opened(server, **options):
+            pass
+        assert refused.value.response.status_code == status
+    own = f"http://127.0.0.1:{server.port}"
+    for role in ("control", "view"):
+        with opened(server, server.tokens[role], origin=own) as page:  # type: ignore[index,arg-type]
+            assert page.recv(5) == f"hello {role}"
+            page.send(json.dumps({"id": 1, "do": "play"}))
+            assert json.loads(page.recv(5))["value"] == "play"
+
+
+@pytest.mark.parametrize("sent", ["nonsense", "[]", '{"id": "x", "do": "play"}', "[" * 60_000])
+def test_what_is_no_command_ends_the_connection(server: Server, sent: str) -> None:
+    with opened(server) as page:
+        page.recv(5)
+        page.send(sent)
+        with pytest.raises(ConnectionClosed) as closed:
+            page.recv(5)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 1008
+
+
+def test_a_large_message_and_a_flood_end_the_connection(server: Server) -> None:
+    with opened(server) as page:
+        page.send("x" * (MAX_BYTES + 1))
+        with pytest.raises(ConnectionClosed) as closed:
+            [page.recv(5) for _ in range(2)]
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 1009
+    with opened(server) as page, pytest.raises(ConnectionClosed):
+        flood(page)
+
+
+def flood(page: ClientConnection) -> None:
+    for number in range(2000):
+        page.send(json.dumps({"id": number, "do": "play"}))
+    while True:
+        page.recv(5)
+
+
+def test_a_slow_page_loses_frames_and_gets_a_whole_one_then(server: Server) -> None:
+    values = np.zeros((3, 4))
+    with opened(server) as page:
+        page.recv(5)
+        while not server.count:
+            time.sleep(0.001)
+        decoder, seen = FrameDecoder(), []
+        for number in range(50):
+            values = values + 0.25
+            server.broadcast_frame(float(number), values)
+        while not seen or seen[-1][0] < 49.0:
+            data = page.recv(5)
+            assert isinstance(data, bytes)
+            time_s = float(np.frombuffer(data, "<f8", 1, 1)[0])
+            seen.append((time_s, decoder.decode(data[9:])[0, 0]))
+    assert all(value == (time_s + 1) * 0.25 for time_s, value in seen)
+
+
+def test_a_port_in_use_is_an_error(server: Server) -> None:
+    with pytest.raises(OSError, match="in use"):
+        Server(Echo(), server.port)
+
+
+def test_pages_hear_that_the_server_ends() -> None:
+    server = Server(Echo())
+    with opened(server) as page:
+        page.recv(5)
+        server.close()
+        with pytest.raises(ConnectionClosed) as closed:
+            page.recv(5)
+    assert closed.value.rcvd is not None
+    assert closed.value.rcvd.code == 1001
