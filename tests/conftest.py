@@ -7,7 +7,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+import wasmtime
+from wasmtime import _bindings
 
+from crs_cc.runtime import executable
 from tests import quick, times
 
 TESTS = Path(__file__).resolve().parent
@@ -50,6 +53,27 @@ def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         folder = folder.parent
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("CRS_CACHE", str(folder / "crs_cache"))
+        yield
+
+
+USERS_SETTINGS = executable.settings
+
+
+def fast_settings() -> wasmtime.Config:
+    """Return settings that compile in half the time, to slower code with larger frames."""
+    config = USERS_SETTINGS()
+    config.cranelift_opt_level = "none"
+    single_pass = _bindings.wasmtime_regalloc_algorithm_enum.WASMTIME_REGALLOC_SINGLE_PASS
+    # The members of the enumeration count from 1, C's from 0.
+    _bindings.wasmtime_config_cranelift_regalloc_algorithm_set(config.ptr(), single_pass.value - 1)
+    return config
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiles_fast() -> Iterator[None]:
+    """Compile fast: most programs of tests run once. What users get, commands in processes show."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(executable, "settings", fast_settings)
         yield
 
 

@@ -40,9 +40,8 @@ def _host_stack() -> int:
     return MAX_WASM_STACK if limit is None else min(MAX_WASM_STACK, limit * 3 // 4)
 
 
-@functools.cache
-def engine() -> wasmtime.Engine:
-    """Return the engine that all fleets share."""
+def settings() -> wasmtime.Config:
+    """Return the settings of the engine, by which programs run fast."""
     config = wasmtime.Config()
     # The C API rejects a stack above that of asynchronous calls, which the Python API lacks.
     _bindings.wasmtime_config_async_stack_size_set(config.ptr(), _host_stack())
@@ -52,7 +51,13 @@ def engine() -> wasmtime.Engine:
     config.shared_memory = True
     # Its pool of threads does not exist in a forked child, which would wait for it forever.
     _bindings.wasmtime_config_parallel_compilation_set(config.ptr(), False)
-    return wasmtime.Engine(config)
+    return config
+
+
+@functools.cache
+def engine() -> wasmtime.Engine:
+    """Return the engine that all fleets share."""
+    return wasmtime.Engine(settings())
 
 
 @functools.cache

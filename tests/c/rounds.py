@@ -90,7 +90,7 @@ class Rounds:
         shard.raise_instance_limit()
         store = shard.store
         parts = [shard.mailbox, shard.round]
-        instance = wasmtime.Instance(store, _module(), parts)
+        instance = wasmtime.Instance(store, loop(), parts)
         exports = instance.exports(store)
         self._fleet = fleet
         self._state = view(store, exports["state"])[: STATE.itemsize].view(STATE)
@@ -117,5 +117,5 @@ class Rounds:
 
 
 @functools.cache
-def _module() -> wasmtime.Module:
+def loop() -> wasmtime.Module:
     return wasmtime.Module(engine(), _LOOP)
