@@ -16,7 +16,7 @@ A line `//    ^` below such a comment tells the column, too. A file is a case, u
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -25,12 +25,10 @@ from crs_cc.cli.report import render_report
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
 from crs_cc.requests import ERROR_KINDS
-from crs_cc.runtime import executable as host
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.report import report
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
-from tests.c import rounds
 from tests.c.execution import (
     ENDLESS,
     HERE,
@@ -45,7 +43,6 @@ from tests.c.execution import (
     sources,
     standard,
 )
-from tests.conftest import USERS_SETTINGS
 
 FUEL_STEPS = 200_000
 """Programs of up to so many instructions get their fuel one by one, longer ones so many times."""
@@ -125,22 +122,6 @@ def shown(failure: Failure, folder: Path) -> bytes:
     """Return a report without what a change elsewhere would change: the folder and addresses."""
     text = render_report(report(failure)).replace(f"{folder}/", "")
     return re.sub(r"0x[0-9a-f]{5,}", "0x...", text).encode() + b"\n"
-
-
-CACHED = (host.engine, host.compile_driver, rounds.loop)
-"""What is made once for each engine."""
-
-
-@pytest.fixture
-def users_settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Compile as for users, where the host's stack must last as long."""
-    monkeypatch.setattr(host, "settings", USERS_SETTINGS)
-    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "users_cache"))
-    for cached in CACHED:
-        cached.cache_clear()
-    yield
-    for cached in CACHED:
-        cached.cache_clear()
 
 
 @pytest.mark.parametrize("path", cases("errors"), ids=name)

@@ -16,7 +16,7 @@ from crs_cc.core.errors import CrsError
 from crs_cc.requests import ERROR_KINDS
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
-from tests.c.execution import HERE, Outcome, Run, Stepping, build, cases, name
+from tests.c.execution import HERE, Outcome, Run, Stepping, build, cases, mark, name
 
 FUEL, ROUNDS = 50_000_000, 4000
 
@@ -38,7 +38,9 @@ def ending(outcome: Outcome) -> str:
 
 
 @pytest.mark.parametrize("path", cases("hostile"), ids=name)
-def test_a_hostile_program_ends_as_it_must(path: Path) -> None:
+def test_a_hostile_program_ends_as_it_must(path: Path, request: pytest.FixtureRequest) -> None:
+    if mark(path, "deep"):
+        request.getfixturevalue("users_settings")
     match = re.search(r"// ends: (.*)", path.read_text())
     assert match is not None
     end = ending(Run(build(path), Stepping(fuel=5_000_000)).up_to(FUEL, ROUNDS))

@@ -1,5 +1,6 @@
 /* Jumps without end out of the deepest recursion. */
 // ends: running
+// deep: 18,000 frames of this function
 #include <setjmp.h>
 
 static jmp_buf env;
