@@ -34,7 +34,8 @@ def _header(name: str, text: str) -> str:
 def _declared(text: str) -> Iterator[str]:
     """Yield the functions that a header declares for programs."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-    text = re.sub(r"^#.*(\\\n.*)*", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^#(?:.*\\\n)*.*", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^__CRS_COMPLEX\((\w+)\)$", r"\1(z);", text, flags=re.MULTILINE)
     for name in re.findall(r"(\w+)\((?!\*)[^;{}]*\);", text):
         if not name.startswith("__"):
             yield name

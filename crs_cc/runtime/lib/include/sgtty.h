@@ -4,6 +4,8 @@
 
 #include <sys/ioctl.h>
 
+#include <crs/speeds.h>
+
 struct sgttyb {
     char sg_ispeed, sg_ospeed, sg_erase, sg_kill;
     short sg_flags;
@@ -22,7 +24,7 @@ struct tchars {
 #define ODDP 0x0040
 #define EVENP 0x0080
 #define ANYP 0x00c0
-#define XTABS 0x0c00
+#define XTABS 0014000
 
 #define TIOCGETP 0x7408
 #define TIOCSETP 0x7409

@@ -98,6 +98,8 @@ FILE *fdopen(int descriptor, const char *mode);
 FILE *popen(const char *command, const char *mode);
 int pclose(FILE *stream);
 FILE *tmpfile(void);
+FILE *fmemopen(void *bytes, size_t size, const char *mode);
+FILE *open_memstream(char **bytes, size_t *length);
 char *tmpnam(char *name);
 int fclose(FILE *stream);
 int fflush(FILE *stream);

@@ -5,6 +5,8 @@
 
 #include <sys/types.h>
 
+#include <crs/speeds.h>
+
 typedef unsigned char cc_t;
 typedef unsigned int speed_t;
 typedef unsigned int tcflag_t;
@@ -50,6 +52,7 @@ struct termios {
 #define IXANY 0004000
 #define IXOFF 0010000
 #define IMAXBEL 0020000
+#define IUTF8 0040000
 #define OPOST 0000001
 #define OLCUC 0000002
 #define ONLCR 0000004
@@ -58,6 +61,29 @@ struct termios {
 #define ONLRET 0000040
 #define OFILL 0000100
 #define OFDEL 0000200
+#define NLDLY 0000400
+#define NL0 0000000
+#define NL1 0000400
+#define CRDLY 0003000
+#define CR0 0000000
+#define CR1 0001000
+#define CR2 0002000
+#define CR3 0003000
+#define TABDLY 0014000
+#define TAB0 0000000
+#define TAB1 0004000
+#define TAB2 0010000
+#define TAB3 0014000
+#define XTABS 0014000
+#define BSDLY 0020000
+#define BS0 0000000
+#define BS1 0020000
+#define VTDLY 0040000
+#define VT0 0000000
+#define VT1 0040000
+#define FFDLY 0100000
+#define FF0 0000000
+#define FF1 0100000
 #define CBAUD 0010017
 #define CSIZE 0000060
 #define CS5 0000000
@@ -70,6 +96,8 @@ struct termios {
 #define PARODD 0001000
 #define HUPCL 0002000
 #define CLOCAL 0004000
+#define CBAUDEX 0010000
+#define CIBAUD 002003600000
 #define CRTSCTS 020000000000
 #define ISIG 0000001
 #define ICANON 0000002
@@ -80,28 +108,12 @@ struct termios {
 #define ECHONL 0000100
 #define NOFLSH 0000200
 #define TOSTOP 0000400
+#define ECHOCTL 0001000
+#define ECHOPRT 0002000
+#define ECHOKE 0004000
+#define FLUSHO 0010000
+#define PENDIN 0040000
 #define IEXTEN 0100000
-
-#define B0 0
-#define B50 1
-#define B75 2
-#define B110 3
-#define B134 4
-#define B150 5
-#define B200 6
-#define B300 7
-#define B600 8
-#define B1200 9
-#define B1800 10
-#define B2400 11
-#define B4800 12
-#define B9600 13
-#define B19200 14
-#define B38400 15
-#define EXTA B19200
-#define EXTB B38400
-#define B57600 010001
-#define B115200 010002
 
 #define TCSANOW 0
 #define TCSADRAIN 1

@@ -8,8 +8,7 @@
 #include <crs/descriptor.h>
 #include <crs/stream.h>
 
-/* Reads a mode such as "r+b"; returns flags for open, -1 with errno when it is none. */
-static int open_flags(const char *mode)
+int __crs_open_flags(const char *mode)
 {
     int flags = *mode == 'r' ? 0 : *mode == 'w' ? O_CREAT | O_TRUNC : O_CREAT | O_APPEND;
 
@@ -31,17 +30,17 @@ static int stream_flags(int flags)
     return flags == O_RDONLY ? READS : flags == O_WRONLY ? WRITES | OUTPUT : READS | WRITES;
 }
 
-FILE *__crs_make_stream(int descriptor, int flags)
+FILE *__crs_make_stream(int descriptor, int flags, size_t size)
 {
-    FILE *stream = malloc(sizeof *stream + BUFSIZ);
+    FILE *stream = malloc(size + BUFSIZ);
 
     if (stream == NULL)
         return NULL;
-    __builtin_memset(stream, 0, sizeof *stream);
+    __builtin_memset(stream, 0, size);
     stream->descriptor = descriptor;
     stream->mode = _IOFBF;
     stream->flags = stream_flags(flags) | OWNED;
-    stream->buffer = (unsigned char *)(stream + 1);
+    stream->buffer = (unsigned char *)stream + size;
     stream->capacity = BUFSIZ;
     stream->next = __crs_streams;
     __crs_streams = stream;
@@ -51,7 +50,7 @@ FILE *__crs_make_stream(int descriptor, int flags)
 /* Puts a stream around a descriptor that was just opened, and closes it when that fails. */
 static FILE *around(int descriptor, int flags)
 {
-    FILE *stream = descriptor < 0 ? NULL : __crs_make_stream(descriptor, flags);
+    FILE *stream = descriptor < 0 ? NULL : __crs_make_stream(descriptor, flags, sizeof(FILE));
 
     if (descriptor >= 0 && stream == NULL)
         __crs_close(descriptor);
@@ -60,18 +59,18 @@ static FILE *around(int descriptor, int flags)
 
 FILE *fopen(const char *name, const char *mode)
 {
-    int flags = open_flags(mode);
+    int flags = __crs_open_flags(mode);
 
     return flags < 0 ? NULL : around(__crs_open(name, flags), flags);
 }
 
 FILE *fdopen(int descriptor, const char *mode)
 {
-    int flags = open_flags(mode);
+    int flags = __crs_open_flags(mode);
 
     if (flags < 0 || __crs_find(descriptor) == NULL)
         return NULL;
-    return __crs_make_stream(descriptor, flags);
+    return __crs_make_stream(descriptor, flags, sizeof(FILE));
 }
 
 FILE *tmpfile(void)
@@ -83,7 +82,8 @@ static int close_descriptor(FILE *stream)
 {
     int result = __crs_flush(stream);
 
-    if (__crs_close(stream->descriptor) < 0)
+    if (stream->flags & BACKED ? ((struct __crs_backed *)stream)->close(stream) < 0
+                               : __crs_close(stream->descriptor) < 0)
         result = EOF;
     stream->begin = stream->end = stream->line_end = 0;
     stream->flags &= OWNED;
@@ -109,7 +109,7 @@ int fclose(FILE *stream)
 /* Without a name the mode changes, as far as the descriptor allows it (C17 7.21.5.4p3). */
 FILE *freopen(const char *name, const char *mode, FILE *stream)
 {
-    int flags = open_flags(mode);
+    int flags = __crs_open_flags(mode);
 
     if (flags < 0)
         return NULL;

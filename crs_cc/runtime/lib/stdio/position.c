@@ -6,9 +6,9 @@
 
 int fseek(FILE *stream, long offset, int whence)
 {
-    if (__crs_seek(stream->descriptor, 0, SEEK_CUR) < 0 || __crs_synchronise(stream) < 0)
+    if (__crs_move(stream, 0, SEEK_CUR) < 0 || __crs_synchronise(stream) < 0)
         return -1;
-    if (__crs_seek(stream->descriptor, offset, whence) < 0)
+    if (__crs_move(stream, offset, whence) < 0)
         return -1;
     stream->flags &= ~AT_END;
     return 0;
@@ -20,7 +20,7 @@ long ftell(FILE *stream)
 
     if (stream->flags & OUTPUT && stream->end > 0 && __crs_flush(stream) < 0)
         return -1;
-    place = __crs_seek(stream->descriptor, 0, SEEK_CUR);
+    place = __crs_move(stream, 0, SEEK_CUR);
     return place < 0 ? -1 : place - (stream->end - stream->begin);
 }
 

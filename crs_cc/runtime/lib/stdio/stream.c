@@ -21,7 +21,9 @@ FILE *__crs_streams = &standard_input;
 /* Writes out the first `size` bytes of the buffer. Output that failed is lost, as on Linux. */
 static int write_out(FILE *stream, int size)
 {
-    int result = __crs_put(stream->descriptor, stream->buffer, size);
+    int result = stream->flags & BACKED
+                     ? ((struct __crs_backed *)stream)->put(stream, stream->buffer, size)
+                     : __crs_put(stream->descriptor, stream->buffer, size);
 
     if (result < 0)
         stream->flags |= FAILED;
@@ -44,6 +46,12 @@ void __crs_flush_all(void)
         __crs_flush(stream);
 }
 
+long __crs_move(FILE *stream, long offset, int whence)
+{
+    return stream->flags & BACKED ? ((struct __crs_backed *)stream)->seek(stream, offset, whence)
+                                  : __crs_seek(stream->descriptor, offset, whence);
+}
+
 int __crs_synchronise(FILE *stream)
 {
     int result = 0;
@@ -51,7 +59,7 @@ int __crs_synchronise(FILE *stream)
     if (stream->flags & OUTPUT)
         return __crs_flush(stream);
     if (stream->begin < stream->end &&
-        __crs_seek(stream->descriptor, stream->begin - stream->end, SEEK_CUR) < 0)
+        __crs_move(stream, stream->begin - stream->end, SEEK_CUR) < 0)
         result = EOF;
     stream->begin = stream->end = 0;
     return result;
@@ -115,7 +123,9 @@ static int refill(FILE *stream)
     for (other = __crs_streams; stream->mode != _IOFBF && other != NULL; other = other->next)
         if (other->mode == _IOLBF)
             __crs_flush(other);
-    size = __crs_read(stream->descriptor, stream->buffer + PUSHBACK, size);
+    size = stream->flags & BACKED
+               ? ((struct __crs_backed *)stream)->read(stream, stream->buffer + PUSHBACK, size)
+               : __crs_read(stream->descriptor, stream->buffer + PUSHBACK, size);
     if (size <= 0) {
         stream->flags |= size == 0 ? AT_END : FAILED;
         return EOF;

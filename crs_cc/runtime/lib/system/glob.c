@@ -22,7 +22,7 @@ struct search {
 static void add(struct search *search, const char *name, int is_folder)
 {
     glob_t *found = search->found;
-    size_t first = search->flags & GLOB_DOOFFS ? found->gl_offs : 0, size = strlen(name);
+    size_t first = found->gl_offs, size = strlen(name);
     char **larger = realloc(found->gl_pathv, (first + found->gl_pathc + 2) * sizeof *larger);
     char *copy = malloc(size + 2);
 
@@ -38,7 +38,7 @@ static void add(struct search *search, const char *name, int is_folder)
         strcpy(copy + size, "/");
     while (found->gl_pathc == 0 && first > 0)
         larger[--first] = NULL;
-    first = search->flags & GLOB_DOOFFS ? found->gl_offs : 0;
+    first = found->gl_offs;
     larger[first + found->gl_pathc++] = copy;
     larger[first + found->gl_pathc] = NULL;
 }
@@ -129,6 +129,7 @@ int glob(const char *pattern, int flags, int (*report)(const char *name, int err
     char name[LONGEST] = "";
     size_t first = flags & GLOB_DOOFFS ? found->gl_offs : 0, before;
 
+    found->gl_offs = first;
     if (!(flags & GLOB_APPEND)) {
         found->gl_pathc = 0;
         found->gl_pathv = NULL;
