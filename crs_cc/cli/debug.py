@@ -55,6 +55,11 @@ _OPTIONS: Final = (
     click.option(
         "--input", metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
+        help="Type the lines of FILE at simulated times, as in crs run.",
+    ),
+    click.option(
+        "--stdin", metavar="FILE",
+        type=click.Path(exists=True, dir_okay=False, path_type=Path),
         help="File to use as the programs' standard input. Default: the terminal, or with --batch "
         "the standard input of crs.",
     ),

@@ -17,7 +17,8 @@ class DebugOptions(ProgramOptions):
         scripts: files of commands to execute first.
         commands: commands to execute after them.
         batch: exit after these.
-        input: the programs' standard input; None for the terminal.
+        input: the file of what is typed at simulated times; None for none.
+        stdin: the programs' standard input; None for the terminal.
         tui: show the full-screen interface; None to decide by whether there is a terminal.
         record: the file to which the run is recorded when the debugger ends.
         record_every_s: simulated time between two recorded frames [s].
@@ -31,6 +32,7 @@ class DebugOptions(ProgramOptions):
     commands: tuple[str, ...] = ()
     batch: bool = False
     input: Path | None = None
+    stdin: Path | None = None
     tui: bool | None = None
     dap: str | None = None
     at_s: float | None = None

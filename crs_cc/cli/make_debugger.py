@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.timeline.console import WaitingAfter
 from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.preprocess.options import Dialect, Options
-from crs_cc.session.host import Input, Output, Waiting, never_waits
+from crs_cc.session.host import Input, Output, never_waits
 from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def make_debugger(
     read: Input,
     *,
     observer: Listener | None = None,
-    waiting: Waiting = never_waits,
+    waiting: WaitingAfter = never_waits,
 ) -> Debugger:
     """Return a debugger of loaded programs.
 

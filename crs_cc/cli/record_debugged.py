@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from crs_cc.cli.load import Loaded
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.timeline.change import Change
-    from crs_cc.session.host import Waiting
+    from crs_cc.debug.timeline.console import WaitingAfter
 
 
 def record_debugged(
-    debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: Waiting
+    debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter
 ) -> None:
     """Record a run up to the timestep that the debugger is in, and up to the last change in it.
 
@@ -43,8 +43,8 @@ def record_debugged(
         recorder.read(robot, content)
         return content
 
-    def waits(robot: int, clock_s: float) -> tuple[int, float]:
-        answer = waiting(robot, clock_s)
+    def waits(robot: int, clock_s: float, read: int) -> tuple[int, float]:
+        answer = waiting(robot, clock_s, read)
         recorder.waiting(robot, clock_s, answer)
         return answer
 

@@ -51,7 +51,7 @@ class RecordedRunCheck:
         """Return a piece of a program's recorded input."""
         return self._input.read(robot, wanted)
 
-    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+    def waiting(self, robot: int, clock_s: float, _read: int = 0) -> tuple[int, float]:
         """Return what a program was told of its input at a time."""
         return self._input.waiting(robot, clock_s)
 

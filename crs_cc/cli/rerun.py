@@ -102,7 +102,7 @@ class RecordedInput:
                     answer = int(data["ready"]), float(data["wait_s"])
                     self._waiting[robot, float(data["clock_s"])] = answer
 
-    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+    def waiting(self, robot: int, clock_s: float, _read: int = 0) -> tuple[int, float]:
         """Return what a program was told of its input at a time; its end if nothing is known."""
         return self._waiting.get((robot, clock_s), (0, 0.0))
 

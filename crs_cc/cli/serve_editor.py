@@ -10,7 +10,7 @@ import click
 from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
-from crs_cc.cli.start_debugger import file_input
+from crs_cc.cli.start_debugger import given_input
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.dap.serve import serve_port, serve_stdio
 from crs_cc.debug.engine import Debugger
@@ -54,5 +54,5 @@ def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) ->
     if len(messages) > WARNINGS_BEFORE_RUN:
         left_out = len(messages) - WARNINGS_BEFORE_RUN
         tell(f"... and {left_out} more warnings; crs check shows them all")
-    given = no_input if options.input is None else file_input(options.input)
-    return make_debugger(loaded, options, output, given)
+    read, waiting = given_input(options)
+    return make_debugger(loaded, options, output, read or no_input, waiting=waiting)

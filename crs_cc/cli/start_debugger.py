@@ -8,17 +8,21 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
+
 from crs_cc.cli import full_screen
 from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import is_coloured, show_before_run
 from crs_cc.cli.save_files import save_all
+from crs_cc.cli.typed_input import read_script
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
+from crs_cc.debug.timeline.console import WaitingAfter
 from crs_cc.session.host import Input, Output, never_waits, no_input
 
 if TYPE_CHECKING:
@@ -40,51 +44,61 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     """
     on_screen = full_screen.is_wanted(options)
     loaded = _load(options)
+    read, waiting = given_input(options, recorded)
+    make = functools.partial(_made, loaded, options, recorded=recorded, waiting=waiting)
     if on_screen:
-        given = None if options.input is None else file_input(options.input)
-        if recorded is not None:
-            given = recorded.read
-        make = functools.partial(_made, loaded, options, recorded)
-        debugger = full_screen.show(options, make, given)
-        _record(debugger, loaded, options, recorded)
+        debugger = full_screen.show(options, make, read)
+        _record(debugger, loaded, options, waiting)
         return 0 if _save_files(debugger, options) else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)
-    given = _input(options, keyboard) if recorded is None else recorded.read
-    debugger = _made(loaded, options, recorded, terminal.program, given)
+    debugger = make(terminal.program, read or _typed_input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
-    _record(debugger, loaded, options, recorded)
+    _record(debugger, loaded, options, waiting)
     if not _save_files(debugger, options):
         return SYSTEM
     return int(bool(failed)) if options.batch else 0
 
 
 def _record(
-    debugger: Debugger,
-    loaded: Loaded,
-    options: DebugOptions,
-    recorded: RecordedRunCheck | None,
+    debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter
 ) -> None:
     """Record the run as it stands when the debugger ends, if requested."""
     if options.record is not None:
         from crs_cc.cli.record_debugged import record_debugged
 
-        waiting = never_waits if recorded is None else recorded.waiting
         record_debugged(debugger, loaded, options, waiting)
 
 
-def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
-    """Return the programs' standard input, which is never a debugger script."""
+def given_input(
+    options: DebugOptions, recorded: RecordedRunCheck | None = None
+) -> tuple[Input | None, WaitingAfter]:
+    """Return the programs' standard input if it is given, and what is known of it.
+
+    Raises:
+        click.UsageError: there are two, or a line of a script is invalid.
+        OSError: the file cannot be read.
+    """
+    if options.input is not None and options.stdin is not None:
+        raise click.UsageError("--input and --stdin are mutually exclusive.")
+    if recorded is not None:
+        return recorded.read, recorded.waiting
     if options.input is not None:
-        return file_input(options.input)
+        script = read_script(options.input)
+        return script.read, script.waiting
+    return None if options.stdin is None else _file_input(options.stdin), never_waits
+
+
+def _typed_input(options: DebugOptions, keyboard: Keyboard) -> Input:
+    """Return what is typed at the debugger for programs, which is never a script of commands."""
     if keyboard.is_typed or options.batch:
         return keyboard.read
     return no_input  # stdin holds commands
 
 
-def file_input(path: Path) -> Input:
+def _file_input(path: Path) -> Input:
     """Return a reader of a file, line by line; raise OSError if the file cannot be read."""
     stream = io.BytesIO(path.read_bytes())
     return lambda _robot, wanted: stream.readline(wanted)
@@ -109,15 +123,14 @@ def _load(options: DebugOptions) -> Loaded:
 def _made(
     loaded: Loaded,
     options: DebugOptions,
-    recorded: RecordedRunCheck | None,
     output: Output,
     read: Input,
+    *,
+    waiting: WaitingAfter,
+    recorded: RecordedRunCheck | None,
 ) -> Debugger:
     """Return a debugger of a new run, or of a recorded one, whose changes it knows."""
-    if recorded is None:
-        return make_debugger(loaded, options, output, read)
-    debugger = make_debugger(
-        loaded, options, output, read, observer=recorded, waiting=recorded.waiting
-    )
-    recorded.begin(debugger)
+    debugger = make_debugger(loaded, options, output, read, observer=recorded, waiting=waiting)
+    if recorded is not None:
+        recorded.begin(debugger)
     return debugger

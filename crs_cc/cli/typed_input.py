@@ -14,7 +14,9 @@ from __future__ import annotations
 
 import re
 import sys
+from bisect import bisect_right
 from collections.abc import Sequence
+from itertools import accumulate
 from pathlib import Path
 from typing import Final
 
@@ -86,14 +88,22 @@ class Script:
 
     def __init__(self, typed: Sequence[Typed]) -> None:
         self._typed = [each for each in typed if each[1]]
-        self._at: dict[int, tuple[int, int]] = {}
+        self._ends = list(accumulate(len(text) for _, text in self._typed))
+        self._read: dict[int, int] = {}
 
-    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        """Return how many bytes have been typed and not read, and when the next are [s]."""
-        number, read = self._at.get(robot, (0, 0))
+    def waiting(self, robot: int, clock_s: float, read: int | None = None) -> tuple[int, float]:
+        """Return how many bytes have been typed and not read, and when the next are [s].
+
+        Args:
+            robot: the robot's number.
+            clock_s: the clock of its program [s].
+            read: how many bytes it has read, for a program that has gone back; None for all that
+                were given out.
+        """
+        number, done = self._place(self._read.get(robot, 0) if read is None else read)
         if number == len(self._typed):
             return 0, 0.0  # the end of the input
-        ready = -read
+        ready = -done
         for time_s, text in self._typed[number:]:
             if time_s > clock_s:
                 return max(ready, 0), 0.0 if ready > 0 else time_s - clock_s
@@ -102,14 +112,19 @@ class Script:
 
     def read(self, robot: int, size: int) -> bytes:
         """Return the next bytes, of one line and typed at one time."""
-        number, read = self._at.get(robot, (0, 0))
+        read = self._read.get(robot, 0)
+        number, done = self._place(read)
         if number == len(self._typed):
             return b""
         text = self._typed[number][1]
-        end = text.find(b"\n", read) + 1 or len(text)
-        end = min(end, read + size)
-        self._at[robot] = (number, end) if end < len(text) else (number + 1, 0)
-        return text[read:end]
+        end = min(text.find(b"\n", done) + 1 or len(text), done + size)
+        self._read[robot] = read + end - done
+        return text[done:end]
+
+    def _place(self, read: int) -> tuple[int, int]:
+        """Return the number of the first text that is not read wholly, and how much of it is."""
+        number = bisect_right(self._ends, read)
+        return number, read - (self._ends[number - 1] if number else 0)
 
 
 class OwnInput:

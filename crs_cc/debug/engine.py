@@ -32,14 +32,14 @@ from crs_cc.debug.step_conditions import (
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.stop_points import StopPoints
 from crs_cc.debug.timeline.change import Change, MemoryPatch
-from crs_cc.debug.timeline.console import ReplayConsole
+from crs_cc.debug.timeline.console import ReplayConsole, WaitingAfter
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import WorldEvent
-from crs_cc.session.host import Client, Input, Output, Waiting, discard, never_waits, no_input
+from crs_cc.session.host import Client, Input, Output, discard, never_waits, no_input
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.model.world import WorldModel
 
@@ -75,20 +75,19 @@ class Debugger:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
         observer: Listener | None = None,
-        waiting: Waiting = never_waits,
+        waiting: WaitingAfter = never_waits,
     ) -> None:
         """Load the programs into the robots; for the arguments see `Session`."""
         self.run = RecordedRun(
             world,
             programs,
             seed,
-            ReplayConsole(output, read),
+            ReplayConsole(output, read, waiting),
             History(robots=len(programs)),
             arguments=arguments,
             files=files,
             client=client,
             observer=observer,
-            waiting=waiting,
         )
         self.view = View(self.run)
         self.stop_points = StopPoints(self.view)

@@ -41,7 +41,7 @@ def no_input(_robot: int, _wanted: int) -> bytes:
     return b""
 
 
-def never_waits(_robot: int, _clock_s: float) -> tuple[int, float]:
+def never_waits(_robot: int, _clock_s: float, _read: int = 0) -> tuple[int, float]:
     """Return that a read returns at once."""
     return 0, 0.0
 

@@ -88,7 +88,8 @@ ATTRIBUTES: Final = (
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    LaunchAttribute("input", "string", "The standard input of the programs.", "--input"),
+    LaunchAttribute("input", "string", "A file of what is typed at simulated times.", "--input"),
+    LaunchAttribute("stdin", "string", "The standard input of the programs.", "--stdin"),
     LaunchAttribute("include", "array", "Directories searched by `#include`.", "--include"),
     LaunchAttribute(
         "define", "array", "Macro definitions, each as `NAME` or `NAME=VALUE`.", "--define"

@@ -24,13 +24,16 @@ from __future__ import annotations
 
 import copy
 from array import array
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Location
-from crs_cc.session.host import Input, Output
+from crs_cc.session.host import Input, Output, never_waits
+
+WaitingAfter = Callable[[int, float, int], tuple[int, float]]
+"""As `Waiting`, with the number of bytes that the program has read."""
 
 _STREAMS: Final = 4
 """More than any stream's number: a robot and a stream are kept as one number."""
@@ -52,11 +55,12 @@ class ReplayConsole:
         shows_new: whether new output is shown in any case.
     """
 
-    def __init__(self, output: Output, read: Input) -> None:
-        """Store the functions that show output and read input."""
+    def __init__(self, output: Output, read: Input, waiting: WaitingAfter = never_waits) -> None:
+        """Store the functions that show output, read input and know when there is some."""
         self.is_live = self.shows_new = False
         self._show = output
         self._ask = read
+        self._waiting = waiting
         self._content = bytearray()
         self._ends = array("q", [0])  # the ends of pieces, preceded by 0
         self._writers = array("q")  # of each piece
@@ -97,6 +101,11 @@ class ReplayConsole:
             known[at : at + 1] = known[at][:wanted], known[at][wanted:]
         self._read_at[robot] = at + 1
         return known[at]
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return what a program can read, and how long a read waits [s], see `Session`."""
+        known = self._reads.get(robot, [])[: self._read_at.get(robot, 0)]
+        return self._waiting(robot, clock_s, sum(map(len, known)))
 
     def given(self) -> dict[int, list[bytes]]:
         """Return the pieces of input that each robot's program has read up to here."""

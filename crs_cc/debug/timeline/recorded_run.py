@@ -96,6 +96,7 @@ class RecordedRun:
             seed,
             output=self._write,
             read=self._read,
+            waiting=self._waiting,
             trace=self,
             **options,
         )
@@ -110,6 +111,9 @@ class RecordedRun:
 
     def _read(self, robot: int, wanted: int) -> bytes:
         return self.console.read(robot, wanted)
+
+    def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        return self.console.waiting(robot, clock_s)
 
     def step(self, step: Step) -> None:
         """Receive the events of a timestep from the session."""
