@@ -69,7 +69,6 @@ class ProgramOutput:
     Attributes:
         robots: the robots' names.
         streams: where their standard output (1) and standard error (2) go.
-        wrote_s: when something was written last, by the real clock [s].
     """
 
     def __init__(
@@ -77,7 +76,6 @@ class ProgramOutput:
     ) -> None:
         self.robots = robots
         self.streams = {1: out, 2: err}
-        self.wrote_s = time.monotonic()
         self._progress = progress
         self._prefixes = [f"[{name}] ".encode() for name in robots]
         self._shared = {fd: stream.isatty() for fd, stream in self.streams.items()}
@@ -112,7 +110,6 @@ class ProgramOutput:
     def _put(self, fd: int, data: bytes) -> None:
         if not data:
             return
-        self.wrote_s = time.monotonic()
         if self._shared[fd]:
             self._progress.clear()
         if fd != self._last_fd:

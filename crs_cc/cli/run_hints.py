@@ -11,7 +11,10 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
 
 SILENT_S: Final = 5.0
-"""Real time without output after which a run without a limit says where it stands."""
+"""Real time without output after which a run on a terminal says where it stands [s]."""
+
+SILENT_SIMULATED_S: Final = 600.0
+"""Simulated time after which other runs do, so that what they say depends on no clock [s]."""
 
 
 class RunHints:
@@ -25,21 +28,29 @@ class RunHints:
         self.found: list[Diagnostic] = []
         self._session = session
         self._executables = executables
+        self._wrote_s, self._wrote_at_s = time.monotonic(), 0.0
 
-    def silence(self, wrote_s: float) -> Diagnostic | None:
-        """Return a hint if nothing has been written for long, and the run may have no end.
+    def wrote(self) -> None:
+        """Note that a program has written something."""
+        self._wrote_s = time.monotonic()
+        self._wrote_at_s = self._session.time_s
 
-        Args:
-            wrote_s: when something was written last, by the real clock.
-        """
-        if self.found or time.monotonic() < wrote_s + SILENT_S:
+    def silence(self, *, on_terminal: bool) -> Diagnostic | None:
+        """Return a hint if nothing has been written for long, and the run may have no end."""
+        if self.found:
+            return None
+        silent_s = time.monotonic() - self._wrote_s
+        if not on_terminal:
+            silent_s = self._session.time_s - self._wrote_at_s
+        limit_s, kind = (SILENT_S, "") if on_terminal else (SILENT_SIMULATED_S, "simulated ")
+        if silent_s < limit_s:
             return None
         robot = next((each for each, alive in enumerate(self._session.state.alive) if alive), 0)
         call = self._session.state.current_call(robot)
         where = f", in '{call.function}'" if call else ""
         place = call.location if call and call.location else None
         time_s = self._session.time_s
-        text = f"no output for {SILENT_S:.0f} s and no end after {time_s:.0f} simulated ones{where}"
+        text = f"no output for {limit_s:.0f} {kind}s and no end at {time_s:.0f} s{where}"
         hint = "Ctrl-C stops the run; --max-time S limits it"
         self.found.append(self._diagnostic(robot, place, text, hint, "silent-run"))
         return self.found[0]

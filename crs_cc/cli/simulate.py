@@ -177,7 +177,7 @@ class Runner:
             self._output.flush()
             if self._pace.is_limited:
                 self._pace.wait(self.session.time_s, lambda: self._interrupt.requested)
-            if end_s is None and not self._options.quiet and is_terminal(sys.stderr):
+            if end_s is None and not self._options.quiet:
                 self._hint_at_silence()
             if self._progress.is_due():
                 self._progress.draw(self._progress_text())
@@ -188,7 +188,7 @@ class Runner:
 
     def _hint_at_silence(self) -> None:
         """Say where a run stands that has no limit and has written nothing."""
-        hint = self.hints.silence(self._output.wrote_s)
+        hint = self.hints.silence(on_terminal=is_terminal(sys.stderr))
         if hint is not None and self._options.compiler.warnings.severity(hint.flag) is not None:
             self._progress.clear()
             show([hint])
@@ -266,6 +266,7 @@ class Runner:
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         self._output.write(robot, stream, content)
+        self.hints.wrote()
         if self._kept is not None:
             self._kept.add(robot, stream, content)
         if self._recorder is not None:

@@ -76,7 +76,7 @@ WARNINGS: Final = {
     # The command line and the run
     "missing-file": "a program did not find a file that exists outside its disk",
     "sensor-range": "a reading is compared with a number that it cannot reach",
-    "silent-run": "on a terminal, a run without --max-time that is silent for five seconds",
+    "silent-run": "a run without --max-time that writes nothing for long, and may have no end",
     "speed-limit": "vm asks for more than the robot's maximum speed",
     "stale-state": "a loop waits for State to change without asking for sensors",
     "unconnected": "a robot function is called without a connection",

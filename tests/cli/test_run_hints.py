@@ -96,11 +96,15 @@ def test_a_silent_run_without_a_limit_says_where_it_stands(
     )
     monkeypatch.setattr(run_hints, "SILENT_S", 0.0)
     assert main(["run", "silent.c"]) == 0
-    assert "warning" not in capfd.readouterr().err  # nobody waits for it
+    assert "warning" not in capfd.readouterr().err  # it is over soon
+    monkeypatch.setattr(run_hints, "SILENT_SIMULATED_S", 4.0)
+    assert main(["run", "silent.c"]) == 0
+    shown = capfd.readouterr().err
+    assert "silent.c:6:9: warning: no output for 4 simulated s and no end at " in shown
     monkeypatch.setattr(simulate, "is_terminal", lambda _stream: True)
     assert main(["run", "silent.c"]) == 0
     shown = capfd.readouterr().err
-    assert "silent.c:6:9: warning: no output for 0 s and no end after " in shown
+    assert "silent.c:6:9: warning: no output for 0 s and no end at " in shown
     assert shown.count("[-Wsilent-run]") == 1
     assert main(["run", "silent.c", "--max-time", "99"]) == 0
     assert "warning" not in capfd.readouterr().err
