@@ -20,6 +20,7 @@ from crs_cc.sim.model.world import Pose, Robot
 
 if TYPE_CHECKING:
     from crs_cc.session.session import Session as InnerSession
+    from crs_cc.sim.comms.control import CommunicationControl
     from crs_cc.sim.devices.degradation.control import DegradationControl
 
 _EVERYBODY: Final = -1
@@ -148,13 +149,10 @@ class Edits:
 
     # -- messages ------------------------------------------------------------------------------
 
-    def shut(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
-        """Block the messages of a channel, a sender, a receiver, or a combination of these."""
-        self.inner.environment.communication.shut(channel=channel, sender=sender, receiver=receiver)
-
-    def open(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
-        """Unblock what was shut with the same arguments."""
-        self.inner.environment.communication.open(channel=channel, sender=sender, receiver=receiver)
+    @property
+    def communication(self) -> CommunicationControl:
+        """The links between robots: `shut`, `open` and `counts`."""
+        return self.inner.environment.communication
 
     def message(
         self,
@@ -174,6 +172,8 @@ class Edits:
             channel: the channel.
             kind: the message's type, a number that the programs agree on.
         """
+        if not -(2**31) <= kind < 2**31:
+            raise ValueError(f"invalid type of a message {kind!r} (expected a 32-bit integer)")
         data = content.encode() if isinstance(content, str) else content
         if len(data) > DATA_SIZE:
             raise ValueError(f"the message has {len(data)} bytes (maximum: {DATA_SIZE})")

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 
+import numpy as np
 import pytest
+from lxml import etree
 
 import crs_cc
 from crs_cc.cli.main import main
@@ -51,3 +55,187 @@ def test_a_run_ends_when_all_programs_have_ended(session: crs_cc.Session) -> Non
     assert [robot.exit_status for robot in result.robots] == [3, 3]
     assert session.is_over
     assert session.robots["robot1"].stdout == "off\n"
+
+
+def test_arrays_are_read_only_and_of_now() -> None:
+    session = crs_cc.Session(WORLD, {"robot0": None, "robot1": AHEAD})
+    session.robots["robot0"].drive(0.2, 0.2)
+    assert not any(
+        array.flags.writeable
+        for array in (session.positions_m, session.headings_rad, session.robots["robot0"].sonar)
+    )
+    before = session.poses
+    session.step(20)
+    robot = session.robots["robot0"]
+    assert before[0].tolist() == [1.0, 1.0, 0.0]
+    assert session.poses[0].tolist() == robot.pose.tolist()
+    assert robot.pose[0] - before[0, 0] == pytest.approx(robot.odometry[0], abs=1e-4)
+    assert robot.axis_speeds.tolist() == pytest.approx([0.2, 0.2])
+    assert robot.axis_names == ("right", "left")
+    with pytest.raises(ValueError, match="read-only"):
+        robot.sonar[0] = 1.0
+
+
+def test_readings_are_in_metres_and_nothing_is_measured_for_them(session: crs_cc.Session) -> None:
+    before = session.state_hash()
+    robot = session.robots["robot1"]
+    assert robot.sensors == ("bumper", "heat", "sonar")
+    assert robot.sonar[0] == pytest.approx(3.0 - 2 * robot.model.radius_m, abs=0.03)
+    assert robot.bumper.shape == (24,)
+    assert np.isnan(robot.heat).all()
+    assert session.state_hash() == before
+    assert robot.measure("heat").tolist() == [0.0]
+    assert "sonar" in dir(robot)
+    with pytest.raises(AttributeError, match="unknown sensor 'lidar'"):
+        robot.lidar  # noqa: B018
+    with pytest.raises(ValueError, match="unknown sensor 'lidar'"):
+        robot.measure("lidar")
+
+
+def test_events_call_functions_which_may_change_the_world(session: crs_cc.Session) -> None:
+    seen: list[crs_cc.WorldEvent] = []
+    session.on("collision", seen.append)
+    session.on("exit", seen.append)
+    session.on("collision", lambda event: session.move("crate", 5.0, 0.6))
+    session.move("crate", 1.6, 1.0)
+    session.run()
+    assert [event.kind for event in seen] == ["exit", "exit"]  # the programs end at once
+    session = crs_cc.Session(WORLD, {"robot0": None, "robot1": None})
+    session.on("bumper", seen.append)
+    session.on("collision", lambda event: session.remove("crate"))
+    session.move("crate", 1.6, 1.0)
+    session.robots["robot0"].drive(0.3, 0.3)
+    session.run()
+    assert {event.kind for event in seen[2:]} == {"bumper-pressed", "bumper-released"}
+    assert seen[0].text == "robot0 exited with status 3"
+    with pytest.raises(ValueError, match="unknown event kind 'crash'"):
+        session.on("crash", print)
+
+
+def test_a_world_is_changed_while_it_runs() -> None:
+    session = crs_cc.Session(WORLD, {"robot0": None, "robot1": None})
+    session.step()
+    session.move("robot1", 4.0, 2.0, math.pi / 2)
+    session.set_heat("crate", 30.0)
+    name = session.degrade("robot0", "drive", "left", dead=True)
+    session.degrade("robot0", "sonar", 3, bias=0.5)
+    assert [each.element for each in session.degradations.all()] == [1, 3]
+    session.robots["robot0"].drive(0.2, 0.2)
+    session.step(10)
+    assert session.robots["robot0"].heading_rad > 0.1  # the left wheel is dead
+    assert session.robots["robot1"].pose.tolist() == pytest.approx([4.0, 2.0, math.pi / 2])
+    session.heal(name)
+    session.heal("robot0")
+    assert session.degradations.all() == ()
+    scout = session.robots["robot0"].model
+    number = session.add(crs_cc.Robot("third", scout, crs_cc.Pose(3.0, 3.0)), AHEAD)
+    session.step(5)
+    session.remove("third")
+    assert session.result().robots[number].exit_status == 3
+    assert not session.robots["third"].is_present
+    session.set_charge("robot1", 0.5)
+    assert session.robots["robot1"].charge == pytest.approx(0.5)
+    assert session.edit("turn robot1 to 90") == "robot1 has heading 90.0 deg now"
+
+
+def test_messages_are_sent_as_programs_send_them() -> None:
+    listens = """#include <crs.h>
+    #include <stdio.h>
+    int main(void) { struct crs_message m; while (crs_receive(&m, CRS_FOREVER))
+      printf("%d %d %.*s\\n", m.from, m.type, m.size, m.data); }"""
+    session = crs_cc.Session(WORLD, {"robot0": None, "robot1": listens})
+    session.message("robot0", "hello", "robot1", kind=7)
+    session.step(2)
+    session.message("robot0", b"all")
+    session.communication.shut(channel="radio")
+    session.step(2)
+    assert session.robots["robot1"].stdout == "0 7 hello\n"
+    session.communication.open(channel="radio")
+    session.message("robot0", "again")
+    session.step(4)
+    assert session.robots["robot1"].stdout.splitlines()[-1] == "0 0 again"
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (lambda run: run.move("robot9", 1.0, 1.0), "unknown robot or movable object 'robot9'"),
+        (lambda run: run.move("screen", 1.0, 1.0), "unknown robot or movable object 'screen'"),
+        (lambda run: run.move("robot0", 4.0, 1.0), "it would overlap 'robot1'"),
+        (lambda run: run.move("robot0", math.nan, 1.0), "a coordinate must be finite, not nan"),
+        (lambda run: run.remove("robot9"), "robot9"),
+        (lambda run: run.edit("move robot0 1 1"), "expected: move NAME to X Y"),
+        (lambda run: run.degrade("robot9", "sonar", dead=True), "unknown robot 'robot9'"),
+        (lambda run: run.degrade("robot0", "radar", dead=True), "unknown device 'radar'"),
+        (lambda run: run.degrade("robot0", "sonar", "x", dead=True), "unknown element 'x'"),
+        (lambda run: run.degrade("robot0", "sonar", size=1), "unknown fault 'size'"),
+        (lambda run: run.heal("robot0"), "no degradation of robot0"),
+        (lambda run: run.set_heat("stove", 1.0), "unknown object 'stove'"),
+        (lambda run: run.set_heat("crate", -1.0), "invalid heat -1.0 (expected 0 or more)"),
+        (lambda run: run.set_charge("robot0", 2.0), "invalid state of charge 2.0"),
+        (lambda run: run.message("robot0", "x" * 249), "249 bytes (maximum: 248)"),
+        (lambda run: run.message("robot0", "x", "robot0"), "cannot send a message to itself"),
+        (lambda run: run.message("robot0", "x", channel="tv"), "unknown channel 'tv'"),
+        (lambda run: run.message("robot0", "x", kind=2**40), "invalid type of a message"),
+        (lambda run: run.robots["robot0"].drive(1.0), "expected 2 finite numbers"),
+    ],
+)
+def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
+    session: crs_cc.Session, change: object, expected: str
+) -> None:
+    before = session.state_hash()
+    with pytest.raises(ValueError, match=re.escape(expected)):
+        change(session)
+    assert session.state_hash() == before
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        ((WORLD, [AHEAD]), "1 programs for 2 robots (expected one each)"),
+        ((WORLD, {"robot2": AHEAD}), "unknown robot 'robot2' (known: robot0, robot1)"),
+        (("no/such.xml", AHEAD), "no/such.xml: error: cannot be read: No such file"),
+        ((WORLD, "no/such.c"), "no/such.c: error: no such file"),
+        (
+            (WORLD, "int main(void) { return x; }"),
+            "program.c:1:25: error: use of undeclared identifier 'x'",
+        ),
+        (("<world/>", AHEAD), "world:1: error: missing attribute 'version'"),
+    ],
+)
+def test_wrong_input_of_a_session_is_one_clear_error(
+    arguments: tuple[object, ...], expected: str
+) -> None:
+    with pytest.raises((ValueError, crs_cc.CrsError), match=re.escape(expected)):
+        crs_cc.Session(*arguments)
+
+
+def test_snapshots_go_back(session: crs_cc.Session) -> None:
+    session.step(5)
+    snapshot, there = session.snapshot(), session.state_hash()
+    session.step(5)
+    session.restore(snapshot)
+    assert session.state_hash() == there
+
+
+def test_notebooks_show_a_small_picture(session: crs_cc.Session) -> None:
+    session.run()
+    html = session._repr_html_()
+    etree.fromstring(html)
+    assert len(html) < 12_000
+    assert 'width="' not in html.partition(">")[0]
+    assert repr(session) == "<Session of world: 2 robots, 0.05 s>"
+    assert repr(session.robots) == "<robots robot0, robot1>"
+    assert repr(session.robots["robot0"]).startswith("<robot robot0 at 1.")
+    with pytest.raises(KeyError, match="unknown robot 'robot7'"):
+        session.robots["robot7"]
+
+
+def test_source_text_is_compiled_once_and_named_in_errors() -> None:
+    first, second = crs_cc.compile_c(AHEAD), crs_cc.compile_c(AHEAD)
+    assert first.machine_code == second.machine_code
+    assert (first.name, first.command) == ("program.c", "program")
+    with pytest.raises(ValueError, match="source text must be the only argument"):
+        crs_cc.compile_c(AHEAD, "other.c")
+    with pytest.raises(crs_cc.CompileError, match=r"^program\.c:2:2: error: "):
+        crs_cc.compile_c("int main(void) {\n}}\n")
