@@ -103,10 +103,9 @@ class RobotView:
         """Return the last reading of a sensor [SI unit]; nothing is measured for it."""
         if name.startswith("_"):
             raise AttributeError(name)
-        if name not in self.sensors:
-            raise AttributeError(f"{self.name}: {unknown('sensor', name, self.sensors)}")
         reading = self._environment.reading(name, self.number)
-        assert reading is not None
+        if reading is None:
+            raise AttributeError(f"{self.name}: {unknown('sensor', name, self.sensors)}")
         return read_only(reading)
 
     def __dir__(self) -> list[str]:
@@ -121,7 +120,8 @@ class RobotView:
         Raises:
             ValueError: the robot has no such sensor.
         """
-        self._check_sensor(name)
+        if name not in self.sensors:
+            raise ValueError(f"{self.name}: {unknown('sensor', name, self.sensors)}")
         self._environment.measure(name, np.array([self.number]))
         reading = self._environment.reading(name, self.number)
         assert reading is not None
@@ -131,10 +131,6 @@ class RobotView:
     def charge(self) -> float:
         """The state of charge of its motor battery, 0 to 1."""
         return self._environment.charges(self.number)[1]
-
-    def _check_sensor(self, name: str) -> None:
-        if name not in self.sensors:
-            raise ValueError(f"{self.name}: {unknown('sensor', name, self.sensors)}")
 
     # -- what it does --------------------------------------------------------------------------
 

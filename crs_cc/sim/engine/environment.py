@@ -337,7 +337,8 @@ class Environment:
         """
         data, state = self._data, self.state
         at_s = np.full(len(robots), self.time_s)
-        data.advance_to(robots, at_s)
+        if (state.drive.clock_s[robots] != at_s).any():  # in the middle of a cycle
+            data.advance_to(robots, at_s)
         drive.renew_deadline(state, robots)
         drive.run_at(state, data.constants, robots, speed)
         state.commands[robots] += 1
@@ -362,9 +363,12 @@ class Environment:
     def reading(self, name: str, robot: int) -> npt.NDArray[np.generic] | None:
         """Return the last reading of a robot's device [SI unit], see `Device.reading`.
 
-        None if the robot has no such device.
+        None if there is no such device, or the robot does not have it.
         """
-        row, number = device(name), int(self._data.constants.numbers[name][robot])
+        numbers = self._data.constants.numbers
+        if name not in numbers:
+            return None
+        row, number = device(name), int(numbers[name][robot])
         if row.reading is None or number < 0:
             return None
         model = self.world.robots[robot].model.device(name)

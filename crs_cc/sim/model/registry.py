@@ -51,6 +51,7 @@ def devices() -> tuple[Device, ...]:
     return rows
 
 
+@cache
 def device(name: str) -> Device:
     """Return the device with a name; raise KeyError if there is no such device."""
     return {each.name: each for each in devices()}[name]
