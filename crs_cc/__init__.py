@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from crs_cc.session.result import RobotResult, RunResult
     from crs_cc.sim.model.beacons import Light, Sound
     from crs_cc.sim.model.degradation import Degradation
+    from crs_cc.sim.model.registry import add_device
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import (
         Area,
@@ -56,6 +57,7 @@ _HOMES: Final = {
         "crs_cc.session.result": "RobotResult RunResult",
         "crs_cc.sim.model.beacons": "Light Sound",
         "crs_cc.sim.model.degradation": "Degradation",
+        "crs_cc.sim.model.registry": "add_device",
         "crs_cc.sim.model.robot": "RobotModel",
         "crs_cc.sim.model.world": "Area Box Cylinder Material Polygon Pose Robot Wall WorldModel",
     }.items()
@@ -91,6 +93,7 @@ __all__ = [
     "WorldError",
     "WorldEvent",
     "WorldModel",
+    "add_device",
     "compile_c",
     "load_robot",
     "load_world",

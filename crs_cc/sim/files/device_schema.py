@@ -37,7 +37,7 @@ def add_to_schema(schema: etree._Element) -> None:
 def _types(device: Device) -> list[etree._Element]:
     """Return the types of a device's element: its own, or one derived from its model."""
     own = device.folder / "element.xsd"
-    return list(etree.parse(own).getroot()) if own.is_file() else [_type(device)]
+    return list(etree.parse(own).getroot()) if device.source and own.is_file() else [_type(device)]
 
 
 def _type(device: Device) -> etree._Element:

@@ -29,15 +29,33 @@ _FOREIGN: Final = 100  # first code of other packages' devices; those below are 
 _STREAMS: Final = 1000  # streams below are reserved, see `state.random_streams`
 
 
+_added: Final[list[Device]] = []
+
+
+def add_device(row: Device) -> None:
+    """Add a device without a package, for this process; to be called before all else.
+
+    Raises:
+        ValueError: the devices are in use already.
+    """
+    if devices.cache_info().currsize:
+        text = "add_device must be called before anything else of crs_cc is used"
+        raise ValueError(f"device {row.name!r} cannot be added: {text}")
+    _added.append(row)
+
+
 @cache
 def devices() -> tuple[Device, ...]:
     """Return all devices with their numbers, codes and streams: built-in ones first, then by name.
+
+    Those of `add_device` are the last.
 
     Raises:
         DeviceError: a device's row is invalid, or its name is in use.
     """
     found: dict[str, Device] = {}
     ours, others = list(_ours()), list(_of_other_packages())
+    others += [(row.source or row.name, row) for row in _added]
     for where, device in (*ours, *others):
         if not isinstance(device, Device):
             raise DeviceError.at(Location(where), "not a crs_cc.sim.model.device.Device")
