@@ -21,7 +21,7 @@ from environment import PROGRAM, SETUPS, world_text
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.frames import encode
+from crs_cc.recording.frames import encode, grouped
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.recorder import Recorder, RecorderOptions
@@ -122,8 +122,8 @@ def as_mcap(path: Path, frames: list, names: tuple[str, ...]) -> None:
         for begin in range(0, len(frames), 20):
             block = frames[begin : begin + 20]
             data = encode(np.array([frame.values for frame in block]))
-            for frame, each in zip(block, data, strict=True):
-                writer.add(FRAME, frame.time_ns, each)
+            for time_ns, each in grouped([frame.time_ns for frame in block], data):
+                writer.add(FRAME, time_ns, each)
             writer.cut()
         writer.finish()
 

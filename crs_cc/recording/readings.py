@@ -1,38 +1,45 @@
 """Readings: the `State` vectors that programs were given, in the vendor's units.
 
-A message has all readings of about a second, a row for each answer, in the order of time. Of a
-vector only those elements are written that differ from the row before of the same robot, or from 0
-in its first row; so each message can be read on its own.
+A message has all readings of about a second, a row for each answer, by robot and then in the order
+of time. Of a vector only those elements are written that differ from the one before of the same
+robot, as differences, one element of all rows after the other: most of these are small, and zstd
+shortens their bytes well. The first message of each ten seconds begins anew, from zeros, so that a
+reader need not begin with the file.
 
 >>> states = np.zeros((2, STATE), np.int32)
 >>> states[:, 3] = -7
 >>> rows = Readings(np.array([2, 2]), np.array([4, 4]), np.array([0.03, 0.1]), states)
->>> data = encode(rows, 0)
->>> again = decode(data, 0)
+>>> data = ReadingEncoder().encode(rows, 0)
+>>> again = ReadingDecoder().decode(data, 0)
 >>> len(data), again.robots.tolist(), again.clock_s.tolist(), again.states[1, :4].tolist()
-(48, [4, 4], [0.03, 0.1], [0, 0, 0, -7])
+(45, [4, 4], [0.03, 0.1], [0, 0, 0, -7])
 """
 
 from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
+import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.recording.frames import folded, unfolded
 from crs_cc.recording.mcap_records import NS
 
-HEAD: Final = struct.Struct("<HHII")
-"""Version, 0, number of rows, number of elements that changed."""
+HEAD: Final = struct.Struct("<HHIIQ")
+"""Version, number of the message in its period, rows, elements that changed, a bit for each column
+that has any."""
 
-VERSION: Final = 1
+VERSION: Final = 2
 STATE: Final = 45
-MAX_ROWS: Final = 1_000_000
+PERIOD_NS: Final = 10 * NS
+"""After so long differences begin anew."""
+
+MAX_ROWS: Final = 200_000
 _US: Final = 1_000_000
-_MASK: Final = -(-STATE // 8)
-_ROW: Final = 2 + 4 + 4 + _MASK  # code, robot, microseconds, mask
+_ROW: Final = 2 + 4 + 4  # code, robot, microseconds
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,75 +57,164 @@ class Readings:
     clock_s: FloatArray
     states: Int32Array
 
-
-def encode(rows: Readings, time_ns: int) -> bytes:
-    """Return a message.
-
-    Args:
-        rows: the readings.
-        time_ns: the message's time, not after any of theirs.
-    """
-    states = rows.states
-    order, is_first = _by_robot(rows.robots)
-    sorted_states = states[order]
-    before = np.zeros_like(sorted_states)
-    before[1:] = sorted_states[:-1]
-    before[is_first] = 0
-    differs = np.empty(states.shape, np.bool_)
-    differs[order] = sorted_states != before
-    changed = states[differs]
-    after_us = np.rint((rows.clock_s - time_ns / NS) * _US).clip(-(2.0**31), 2.0**31 - 1)
-    parts = (
-        HEAD.pack(VERSION, 0, len(states), len(changed)),
-        rows.codes.astype("<u2").tobytes(),
-        rows.robots.astype("<u4").tobytes(),
-        after_us.astype("<i4").tobytes(),
-        np.packbits(differs, axis=1, bitorder="little").tobytes(),
-        changed.astype("<i4").tobytes(),
-    )
-    return b"".join(parts)
+    def of(self, rows: Any) -> Readings:
+        """Return some of the rows."""
+        return Readings(self.codes[rows], self.robots[rows], self.clock_s[rows], self.states[rows])
 
 
-def decode(data: bytes, time_ns: int) -> Readings:
-    """Return the readings in a message of a time; raise ValueError if it is no such message."""
-    if len(data) < HEAD.size:
-        raise ValueError("readings are too short")
-    version, _, count, changed = HEAD.unpack_from(data)
-    if (
-        version != VERSION
-        or count > MAX_ROWS
-        or len(data) != HEAD.size + count * _ROW + changed * 4
-    ):
-        raise ValueError("readings have an unknown form")
-    at = HEAD.size
-    codes = np.frombuffer(data, "<u2", count, at).astype(np.int64)
-    robots = np.frombuffer(data, "<u4", count, at + 2 * count).astype(np.intp)
-    after_us = np.frombuffer(data, "<i4", count, at + 6 * count)
-    masks = np.frombuffer(data, np.uint8, count * _MASK, at + 10 * count).reshape(count, _MASK)
-    bits = np.unpackbits(masks, axis=1, count=STATE, bitorder="little")
-    differs = bits.view(np.bool_)
-    if int(differs.sum()) != changed:
-        raise ValueError("readings have an unknown form")
-    states = np.zeros((count, STATE), np.int32)
-    states[differs] = np.frombuffer(data, "<i4", changed, at + count * _ROW)
-    return Readings(codes, robots, time_ns / NS + after_us / _US, _filled(states, differs, robots))
+class _Memory:
+    """The last vector of each robot, and where in its period a recording is."""
+
+    def __init__(self) -> None:
+        self._period, self._number = -1, 0
+        self._robots: IndexArray = np.zeros(0, np.intp)
+        self._states: Int32Array = np.zeros((0, STATE), np.int32)
+
+    def begin(self, time_ns: int) -> int:
+        """Return the number of the next message in its period, 0 for the first."""
+        if time_ns // PERIOD_NS != self._period:
+            self.__init__()  # type: ignore[misc]
+            self._period = time_ns // PERIOD_NS
+        self._number += 1
+        return self._number - 1
+
+    def last(self, robots: IndexArray) -> Int32Array:
+        """Return the last vectors of robots, zeros for those not known."""
+        place = np.searchsorted(self._robots, robots)
+        place[place == len(self._robots)] = 0
+        found = np.zeros((len(robots), STATE), np.int32)
+        if len(self._robots):
+            known = self._robots[place] == robots
+            found[known] = self._states[place[known]]
+        return found
+
+    def keep(self, robots: IndexArray, states: Int32Array) -> None:
+        """Remember vectors; each robot is there once, rising."""
+        if not np.array_equal(robots, self._robots):
+            old = ~np.isin(self._robots, robots)
+            robots = np.concatenate([self._robots[old], robots])
+            order = np.argsort(robots, kind="stable")
+            states = np.concatenate([self._states[old], states])[order]
+            robots = robots[order]
+        self._robots, self._states = robots, states
 
 
-def _filled(states: Int32Array, differs: BoolArray, robots: IndexArray) -> Int32Array:
-    """Return the vectors, with what did not differ taken from the row before of the same robot."""
-    order, is_first = _by_robot(robots)
-    rows = np.arange(len(robots))[:, None]
-    written = np.where(differs[order] | is_first[:, None], rows, 0)
-    source = np.maximum.accumulate(written, axis=0)
-    filled = np.empty_like(states)
-    filled[order] = np.take_along_axis(states[order], source, axis=0)
-    return filled
+class ReadingEncoder:
+    """Encodes the readings of a recording in their order."""
+
+    def __init__(self) -> None:
+        self._memory = _Memory()
+
+    def encode(self, rows: Readings, time_ns: int) -> bytes:
+        """Return a message.
+
+        Args:
+            rows: the readings, at most `MAX_ROWS`.
+            time_ns: the message's time, not after any of theirs.
+        """
+        number = self._memory.begin(time_ns)
+        order = np.argsort(rows.robots, kind="stable")
+        robots, states = rows.robots[order], rows.states[order]
+        first = _firsts(robots)
+        changes = states.copy()
+        changes[1:] -= states[:-1]
+        changes[first] = states[first] - self._memory.last(robots[first])
+        ends = np.append(first[1:], len(robots)) - 1
+        self._memory.keep(robots[ends], states[ends])
+        columns = np.flatnonzero(changes.any(axis=0))
+        by_column = np.ascontiguousarray(changes[:, columns].T)
+        differs = by_column != 0
+        values = by_column[differs]
+        after_us = np.rint((rows.clock_s[order] - time_ns / NS) * _US).astype(np.int64)
+        bits = int((1 << columns.astype(object)).sum()) if len(columns) else 0
+        parts = (
+            HEAD.pack(VERSION, number, len(states), len(values), bits),
+            rows.codes[order].astype("<u2").tobytes(),
+            _planes(np.diff(robots, prepend=0)),
+            _planes(np.diff(after_us, prepend=0)),
+            np.packbits(differs.ravel(), bitorder="little").tobytes(),
+            _planes(values),
+        )
+        return b"".join(parts)
 
 
-def _by_robot(robots: IndexArray) -> tuple[IndexArray, BoolArray]:
-    """Return the order of rows by robot, and which in that order are the first of their robot."""
-    order = np.argsort(robots, kind="stable")
-    by_robot = robots[order]
+class ReadingDecoder:
+    """Decodes the readings of a recording in their order."""
+
+    def __init__(self) -> None:
+        self._memory = _Memory()
+
+    def decode(self, data: bytes, time_ns: int) -> Readings | None:
+        """Return the readings in a message of a time; None if one before it is missing.
+
+        Raises:
+            ValueError: it is no such message.
+        """
+        if len(data) < HEAD.size:
+            raise ValueError("readings are too short")
+        version, number, count, changed, bits = HEAD.unpack_from(data)
+        columns = np.array([column for column in range(STATE) if bits >> column & 1], np.intp)
+        mask = -(-count * len(columns) // 8)
+        size = HEAD.size + count * _ROW + mask + changed * 4
+        if version != VERSION or count > MAX_ROWS or bits >> STATE or len(data) != size:
+            raise ValueError("readings have an unknown form")
+        if number != self._memory.begin(time_ns):
+            self._memory = _Memory()
+            if number:
+                return None
+            self._memory.begin(time_ns)
+        at = HEAD.size
+        codes = np.frombuffer(data, "<u2", count, at).astype(np.int64)
+        robots = np.cumsum(_values(data, at + 2 * count, count))
+        after_us = np.cumsum(_values(data, at + 6 * count, count))
+        differs = _bits(data, at + 10 * count, count * len(columns))
+        if int(differs.sum()) != changed or (count and (robots.min() < 0 or robots.max() >> 32)):
+            raise ValueError("readings have an unknown form")
+        by_column = np.zeros(len(columns) * count, np.int32)
+        by_column[differs] = _values(data, at + 10 * count + mask, changed)
+        changes = np.zeros((count, STATE), np.int32)
+        changes[:, columns] = by_column.reshape(len(columns), count).T
+        states = self._summed(robots, changes)
+        clock_s = time_ns / NS + after_us / _US
+        return Readings(codes, robots, clock_s, states).of(np.argsort(clock_s, kind="stable"))
+
+    def _summed(self, robots: IndexArray, changes: Int32Array) -> Int32Array:
+        """Return the vectors, and remember each robot's last."""
+        if not len(robots):
+            return changes
+        if (np.diff(robots) < 0).any():
+            raise ValueError("readings are not in the order of robots")
+        first = _firsts(robots)
+        changes[first] += self._memory.last(robots[first])
+        sums = np.cumsum(changes, axis=0, dtype=np.int32)
+        lengths = np.diff(np.append(first, len(robots)))
+        before = np.zeros((len(first), STATE), np.int32)
+        before[1:] = sums[first[1:] - 1]
+        states = sums - np.repeat(before, lengths, axis=0)
+        ends = first + lengths - 1
+        self._memory.keep(robots[ends], states[ends])
+        return states
+
+
+def _firsts(robots: IndexArray) -> IndexArray:
+    """Return the first row of each robot."""
     is_first = np.ones(len(robots), np.bool_)
-    is_first[1:] = by_robot[1:] != by_robot[:-1]
-    return order, is_first
+    is_first[1:] = robots[1:] != robots[:-1]
+    return np.flatnonzero(is_first)
+
+
+def _planes(values: npt.NDArray[Any]) -> bytes:
+    """Return numbers as the lowest bytes of all, then the second ones, ..."""
+    u = folded(values.astype(np.int32))
+    return u.view(np.uint8).reshape(-1, 4).T.tobytes()
+
+
+def _values(data: bytes, at: int, count: int) -> Int64Array:
+    planes = np.frombuffer(data, np.uint8, 4 * count, at).reshape(4, count)
+    u = np.ascontiguousarray(planes.T).view("<u4").ravel()
+    return unfolded(u).view(np.int32).astype(np.int64)
+
+
+def _bits(data: bytes, at: int, count: int) -> BoolArray:
+    packed = np.frombuffer(data, np.uint8, -(-count // 8), at)
+    return np.unpackbits(packed, count=count, bitorder="little").view(np.bool_)

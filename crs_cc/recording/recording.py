@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Final, Self
 
 from crs_cc.recording import readings, topics
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.frames import COLUMNS, MAX_ROWS, FrameDecoder, is_key
+from crs_cc.recording.frames import COLUMNS, MAX_ROWS, FrameDecoder, frames_in, is_key
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import NS, Message
 from crs_cc.recording.source_tree import INPUTS, SOURCES, write_tree
@@ -187,21 +187,23 @@ class Recording:
                 continue
             is_broken = False
             try:
-                values = decoder.decode(message.data)
+                parts = frames_in(message.time_ns, message.data)
+                found = [Frame(time_ns, decoder.decode(data)) for time_ns, data in parts]
             except ValueError:
                 is_broken = True
                 decoder.forget()
                 continue
-            frame = Frame(message.time_ns, values)
-            if not self._fits(frame, topic):
-                raise self._mcap.error(f"a frame at {frame.time_s:.3f} s does not fit the roster")
-            if message.time_ns < since_ns:
-                last = frame
-                continue
-            if last is not None:
-                yield last
-                last = None
-            yield frame
+            for frame in found:
+                if not self._fits(frame, topic):
+                    text = f"a frame at {frame.time_s:.3f} s does not fit the roster"
+                    raise self._mcap.error(text)
+                if frame.time_ns < since_ns:
+                    last = frame
+                elif frame.time_ns <= until_ns:
+                    if last is not None:
+                        yield last
+                        last = None
+                    yield frame
         if last is not None:
             yield last
 
@@ -219,9 +221,13 @@ class Recording:
             RecordingError: they cannot be decoded.
         """
         second_ns = max(0, since_ns - 2 * NS)
-        for message in self.messages(topics.STATE.topic, since_ns=second_ns, until_ns=until_ns):
+        begin_ns = second_ns // readings.PERIOD_NS * readings.PERIOD_NS
+        decoder = readings.ReadingDecoder()
+        for message in self.messages(topics.STATE.topic, since_ns=begin_ns, until_ns=until_ns):
             with self.errors():
-                yield readings.decode(message.data, message.time_ns)
+                found = decoder.decode(message.data, message.time_ns)
+            if found is not None and message.time_ns >= second_ns:
+                yield found
 
     def sources(self) -> dict[str, bytes]:
         """Return the files that the run was loaded from, by name."""

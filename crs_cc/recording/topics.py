@@ -10,7 +10,7 @@ from typing import Final
 
 from crs_cc.recording.mcap_records import Channel
 
-FORMAT_VERSION: Final = 1
+FORMAT_VERSION: Final = 2
 """Increased when a reader of today could not read what is written then."""
 
 RUN: Final = "crs.run"

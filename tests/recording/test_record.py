@@ -13,7 +13,8 @@ from mcap.reader import NonSeekingReader, make_reader
 
 from crs_cc.cli.main import main
 from crs_cc.recording import recorder, topics
-from crs_cc.recording.frames import FrameDecoder, encode
+from crs_cc.recording.frames import FrameDecoder, encode, frames_in, grouped
+from crs_cc.recording.readings import STATE, ReadingDecoder, ReadingEncoder, Readings
 from crs_cc.recording.recording import Recording
 
 
@@ -78,10 +79,45 @@ def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian() -> N
     block[2:4, :, 1] = np.nan
     block[6, 0, 0] = 1e12  # farther than a frame can tell
     decoder = FrameDecoder()
-    again = np.array([decoder.decode(data) for data in encode(block)])
+    times_ns = [5, 50_000_005, 3_000_000_005, 3_000_000_006, *(4 * 10**9 + n for n in range(3))]
+    ((time_ns, message),) = grouped(times_ns, encode(block))
+    parts = frames_in(time_ns, message)
+    assert [each for each, _ in parts] == times_ns
+    again = np.array([decoder.decode(data) for _, data in parts])
     assert again[6, 0, 0] == pytest.approx(214748.3647)
     block[6, 0, 0] = again[6, 0, 0]
     np.testing.assert_allclose(again, block, atol=0.5e-4)
+
+
+def test_readings_are_exact_and_none_are_wrong_after_a_lost_message() -> None:
+    random = np.random.default_rng(4)
+    encoder, decoder, sparse = ReadingEncoder(), ReadingDecoder(), ReadingDecoder()
+    states = random.integers(-(2**31), 2**31, (50, STATE))
+    unreadable = []
+    for number in range(30):
+        time_ns = number * 700_000_000
+        rows = int(random.integers(0, 60))
+        robots = random.integers(0, 50, rows)
+        clock_s = np.arange(rows, dtype=np.float64) * 0.01 + time_ns / 1e9
+        vectors = np.zeros((rows, STATE), np.int32)
+        for row, robot in enumerate(robots):  # some elements change, by little or by much
+            states[robot, random.integers(0, STATE, 3)] += random.integers(-9, 9)
+            states[robot, random.integers(STATE)] = random.integers(-(2**31), 2**31)
+            vectors[row] = states[robot].astype(np.int32)
+        meant = Readings(np.arange(rows), robots, clock_s, vectors)
+        data = encoder.encode(meant, time_ns)
+        found = decoder.decode(data, time_ns)
+        assert found is not None
+        for name in ("codes", "robots", "states"):
+            np.testing.assert_array_equal(getattr(found, name), getattr(meant, name))
+        np.testing.assert_allclose(found.clock_s, clock_s, atol=1e-6)
+        if number % 10 != 4:  # lost
+            other = sparse.decode(data, time_ns)
+            if other is None:
+                unreadable.append(number)
+            else:
+                np.testing.assert_array_equal(other.states, vectors)
+    assert unreadable == [*range(5, 14), *range(25, 29)]  # up to the end of ten seconds
 
 
 def test_a_run_that_is_killed_loses_its_last_second_at_most(recorded: Path, tmp_path: Path) -> None:

@@ -114,9 +114,11 @@ def test_another_run_is_told_with_its_second_and_the_versions(
 def test_a_damaged_recording_is_mended(
     recorded: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    whole = recorded.read_bytes()
+    whole, reader = recorded.read_bytes(), McapReader(recorded)
+    half = reader.chunks[len(reader.chunks) // 2].place.at + 20
+    reader.close()
     broken, mended = tmp_path / "broken.mcap", tmp_path / "mended.mcap"
-    broken.write_bytes(whole[: len(whole) * 2 // 3])
+    broken.write_bytes(whole[:half])
     assert main(["replay", str(broken)]) == 0
     assert "before the end of the run" in capfd.readouterr().err
     assert main(["replay", str(broken), "--recover", str(broken)]) == 2
@@ -135,7 +137,7 @@ def test_a_damaged_recording_is_mended(
 @pytest.mark.parametrize(
     ("run", "reason"),
     [
-        ({"format": "7"}, "its format is 7 (this version reads 1)"),
+        ({"format": "7"}, "its format is 7 (this version reads 2)"),
         ({"run": "[" * 100_000}, "not valid JSON"),
         ({"run": '{"sources": ["../../etc/passwd"]}'}, "not a name of a file below a folder"),
         ({"run": '{"seed": 1e400}'}, "invalid seed"),

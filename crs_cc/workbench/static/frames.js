@@ -25,9 +25,10 @@ export async function inflate(packed) {
  * Decode one frame; docs/recordings.md describes the form.
  * @param {Uint8Array} data
  * @param {Int32Array | null} before the whole numbers of the frame before
+ * @param {Int32Array | null} [earlier] those of the frame before that
  * @returns {{whole: Int32Array, columns: number, rows: number}}
  */
-export function decodeFrame(data, before) {
+export function decodeFrame(data, before, earlier = null) {
   const view = new DataView(data.buffer, data.byteOffset);
   const [kind, columns] = data;
   const rows = view.getUint32(4, true);
@@ -40,7 +41,8 @@ export function decodeFrame(data, before) {
         data[low] | (data[low + rows] << 8) | (data[low + 2 * rows] << 16) | (data[low + 3 * rows] << 24);
       const index = column * rows + row;
       const value = (u >>> 1) ^ -(u & 1);
-      whole[index] = kind === 1 && before ? value + before[index] : value;
+      if (kind === 2 && before && earlier) whole[index] = value + 2 * before[index] - earlier[index];
+      else whole[index] = kind === 1 && before ? value + before[index] : value;
     }
   }
   return { whole, columns, rows };
@@ -50,12 +52,12 @@ export function decodeFrame(data, before) {
 export function decodeBlock(content) {
   const view = new DataView(content.buffer, content.byteOffset, content.byteLength);
   const frames = [];
-  let before = null;
+  let [before, earlier] = [null, null];
   for (let at = 0; at < content.length; ) {
     const time = view.getFloat64(at, true);
     const size = view.getUint32(at + 8, true);
-    const frame = decodeFrame(content.subarray(at + 12, at + 12 + size), before);
-    before = frame.whole;
+    const frame = decodeFrame(content.subarray(at + 12, at + 12 + size), before, earlier);
+    [earlier, before] = [before, frame.whole];
     const values = Float32Array.from(before, (each) => (each === NOWHERE ? NaN : each / PER_UNIT));
     frames.push({ time, columns: frame.columns, rows: frame.rows, values });
     at += 12 + size;
