@@ -209,7 +209,7 @@ class Environment:
     def _begin_cycle(self) -> None:
         state = self.state
         state.cycle += 1
-        state.drive.moved_m = np.zeros_like(state.drive.moved_m)  # the physics keeps the old array
+        state.drive.moved_m[:] = 0.0
         state.drive.slice[:] = 0.0
         state.drive.facing_rad[:] = state.heading_rad
         self._dispatcher.served = []

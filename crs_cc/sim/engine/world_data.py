@@ -42,6 +42,7 @@ from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.teleport import carry_object, carry_robot
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
+from crs_cc.sim.kernels.program import ADVANCED
 from crs_cc.sim.model.world import Pose, Robot, WorldModel
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.state.add_row import grown
@@ -49,6 +50,7 @@ from crs_cc.sim.state.bodies import PhysicsSnapshot
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.events import Event, EventLog
 from crs_cc.sim.state.obstacles import without
+from crs_cc.sim.state.rows import ALL
 from crs_cc.sim.state.snapshot_codec import Packed, packed
 
 
@@ -246,7 +248,8 @@ class WorldData:
 
         Robots that had been added before the snapshot are present again, later ones are not.
         """
-        self.state = snapshot.state.state()
+        before, self.state = self.state, snapshot.state.state()
+        self.state.replace(before)
         if snapshot.world is not self.world:
             self._equip(snapshot.world)
         elif not self._is_furnished():
@@ -263,10 +266,14 @@ class WorldData:
             rows: which robots, rising, k of them.
             to_s: the time of each, not before the last one, (k,).
         """
+        state, constants = self.state, self.constants
+        last_s = constants.last_instant_s(state.cycle)
+        some = ALL if len(rows) == len(state.drive.clock_s) else rows
+        if drive.advance_freely(state, constants, some, to_s, last_s) == ADVANCED:
+            return
         # Sensors measure during the motion of the wheels, so before that is advanced.
-        self.devices.advance(self.state, self.constants, self.rays, rows, to_s)
-        everybody = len(rows) == len(self.state.drive.clock_s)
-        drive.advance(self.state, self.constants, slice(None) if everybody else rows, to_s)
+        self.devices.advance(state, constants, self.rays, rows, to_s)
+        drive.advance(state, constants, some, to_s)
 
     def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
         """Make the axes of robots with empty batteries limp."""

@@ -1,23 +1,18 @@
-/* The motion of axes, see `state/motion_profile.py`, `devices/drive` and `devices/odometry`. The
-   columns of all robots lie one after the other in the order in which Python lists them. */
+/* The motion of axes, see `state/motion_profile.py`, `devices/drive` and `devices/odometry`: of whole
+   robots, by rows; or parts of it, by columns that lie one after the other as Python lists them. */
 #include <math.h>
 
 #include "kernels.h"
+#include "robot.h"
 
-#define AXES 3
 #define TURN (2 * M_PI)
-
-/* A row of the table of constants, see `devices/drive/constants.py`. */
-struct drive {
-    double turn[AXES], forward[AXES], true_turn[AXES], true_forward[AXES], count[AXES], turret;
-};
 
 struct profiles {
     double *start, *first, *ramp, *ramp_time, *cruise, *cruise_time, *brake_time, *begun, *total,
         *travelled, *to, *way, *speed;
 };
 
-struct odometry {
+struct columns {
     double *shaft, *told, *x, *y, *heading, *turret;
 };
 
@@ -33,7 +28,7 @@ static double *take_profiles(struct profiles *p, int count, double *column)
     return column + count;
 }
 
-static double *take_odometry(struct odometry *o, int count, double *column)
+static double *take_columns(struct columns *o, int count, double *column)
 {
     o->shaft = column;
     o->told = o->shaft + AXES * count;
@@ -92,7 +87,7 @@ static double in_turn(double angle)
 }
 
 /* Add a robot's motion to its odometry, in whole counts of the encoders. */
-static void count_turns(const struct drive *drive, const struct odometry *o, int i,
+static void count_turns(const struct drive *drive, const struct columns *o, int i,
                         const double *way)
 {
     double whole[AXES], turn, x, y;
@@ -131,43 +126,85 @@ void __crs_profiles(int count, double *columns)
 void __crs_counts(int count, double *columns)
 {
     const struct drive *drives = (const struct drive *)columns;
-    struct odometry o;
-    double *way = take_odometry(&o, count, (double *)(drives + count));
+    struct columns o;
+    double *way = take_columns(&o, count, (double *)(drives + count));
     int i;
 
     for (i = 0; i < count; i++)
         count_turns(&drives[i], &o, i, way + AXES * i);
 }
 
-/* Columns: the profiles, the time of each robot, its constants, its odometry, the distances of its
-   axes in this cycle, its displacement, the directions of wheels and turret. Adds ways and speeds. */
-void __crs_moves(int count, double *columns)
+/* Return the profiles of one robot. */
+static struct profiles profiles_of(struct axes *axes, double *way)
 {
-    struct profiles p;
-    struct odometry o;
-    const struct drive *drives = (const struct drive *)take_profiles(&p, count, columns);
-    double *slice = take_odometry(&o, count, (double *)(drives + count));
-    double *moved = slice + AXES * count, *facing = moved + 2 * count, *turret = facing + count;
-    int i, axis;
+    struct profiles p = { axes->start, axes->first, axes->ramp, axes->ramp_time, axes->cruise,
+        axes->cruise_time, axes->brake_time, axes->begun, axes->total, axes->travelled, 0, way,
+        axes->speed };
 
-    p.way = turret + count;
-    p.speed = p.way + AXES * count;
+    return p;
+}
+
+static struct columns columns_of(struct odometry *o)
+{
+    struct columns found = { o->shaft, o->told, &o->x, &o->y, &o->heading, &o->turret };
+
+    return found;
+}
+
+/* Advance a robot to a time. */
+static void move(struct robot *robot, const struct drive *drive, double to)
+{
+    double way[AXES], turn, x, y;
+    struct profiles p = profiles_of(&robot->axes, way);
+    struct columns o;
+    int axis;
+
+    robot->clock = to;
+    for (axis = 0; axis < AXES; axis++)
+        advance(&p, axis, to);
+    if (way[0] == 0 && way[1] == 0 && way[2] == 0)
+        return;
+    for (axis = 0; axis < AXES; axis++)
+        robot->slice[axis] += way[axis];
+    o = columns_of(&robot->odometry);
+    count_turns(drive, &o, 0, way);
+    turn = weighted(way, drive->true_turn);
+    __crs_arc(robot->facing, weighted(way, drive->true_forward), turn, &x, &y);
+    robot->moved[0] += x;
+    robot->moved[1] += y;
+    robot->facing += turn;
+    robot->turret += way[2];
+}
+
+/* Return whether something is to happen to a robot before a time, or at it. */
+static int is_due(const struct robot *robot, double time)
+{
+    if (robot->timer <= time || robot->fires <= time)
+        return 1;
+    return robot->listening != -1 && robot->hears <= time;
+}
+
+/* Advance robots to the time of each. If anything happens to one of them before, none is advanced:
+   then return what. What sensors do counts up to the time `last`. */
+int __crs_advance(int count, const long long *rows, double last, const double *to,
+                  const struct drive *drives, struct robot *robots)
+{
+    int i;
+
     for (i = 0; i < count; i++) {
-        const struct drive *drive = &drives[i];
-        double *way = p.way + AXES * i, turn, x, y;
+        const struct robot *robot = &robots[rows ? rows[i] : i];
 
-        for (axis = 0; axis < AXES; axis++)
-            advance(&p, AXES * i + axis, p.to[i]);
-        if (way[0] == 0 && way[1] == 0 && way[2] == 0)
-            continue;
-        for (axis = 0; axis < AXES; axis++)
-            slice[AXES * i + axis] += way[axis];
-        count_turns(drive, &o, i, way);
-        turn = weighted(way, drive->true_turn);
-        __crs_arc(facing[i], weighted(way, drive->true_forward), turn, &x, &y);
-        moved[2 * i] += x;
-        moved[2 * i + 1] += y;
-        facing[i] += turn;
-        turret[i] += way[2];
+        if (is_due(robot, least(to[i], last)))
+            return SENSOR_DUE;
+        if (robot->deadline < to[i])
+            return TIMEOUT_DUE;
+        if (robot->hindered)
+            return HELD_UP;
     }
+    for (i = 0; i < count; i++) {
+        int row = rows ? rows[i] : i;
+
+        move(&robots[row], &drives[row], to[i]);
+    }
+    return ADVANCED;
 }

@@ -3,6 +3,7 @@
 #define CRS_KERNELS_H
 
 #define BLOCK 0x20000               /* elements of an array; complex numbers are two doubles each */
+#define ROBOTS 11000                /* rows of the tables of robots */
 #define RAY_BINS 256                /* of directions in a turn, see rays.c */
 
 /* Elementwise functions, see functions.c. */
@@ -11,13 +12,23 @@ void __crs_apply(int function, int count, double *a, double *b, double *out);
 /* The displacement along an arc with a heading before, a length and a change of heading. */
 void __crs_arc(double heading, double way, double turn, double *x, double *y);
 
+struct drive;
+struct robot;
+
 /* The motion of axes and robots, see drive.c: arrays in columns, changed in place. */
 void __crs_profiles(int count, double *columns);
 void __crs_counts(int count, double *columns);
-void __crs_moves(int count, double *columns);
+
+/* What `__crs_advance` returns. */
+enum { ADVANCED, SENSOR_DUE, TIMEOUT_DUE, HELD_UP };
+
+/* Kernels on robots: `rows` are their rows in the tables, 0 for the first `count` ones. */
+int __crs_advance(int count, const long long *rows, double last, const double *to,
+                  const struct drive *drives, struct robot *robots);
 
 /* What `State` says of motions, see report.c: eight integers of each robot. */
-void __crs_reports(int count, const double *columns, int *out);
+void __crs_reports(int count, const long long *rows, const struct drive *drives,
+                   const struct robot *robots, int *out);
 
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
 void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,

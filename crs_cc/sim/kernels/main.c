@@ -2,11 +2,21 @@
 #include <crs_request.h>
 
 #include "kernels.h"
+#include "robot.h"
 
-enum { ECHOES = 100, RAYS, PROFILES, COUNTS, MOVES, REPORTS };       /* other numbers are those of elementwise functions */
+/* Other numbers are those of elementwise functions. */
+enum { ECHOES = 100, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS };
 
 static int arguments[10];
 static double arena[3][2 * BLOCK];
+static struct robot robots[ROBOTS];
+static struct drive drives[ROBOTS];
+
+/* Return the rows of some robots, which follow a number for each and one for all. */
+static const long long *rows(int count, int is_selection)
+{
+    return is_selection ? (const long long *)(arena[0] + 1 + count) : 0;
+}
 
 int __crs_start(void)
 {
@@ -15,6 +25,8 @@ int __crs_start(void)
 
     message.i[0] = (int)arguments;
     message.i[1] = (int)arena;
+    message.i[2] = (int)robots;
+    message.i[3] = (int)drives;
     for (;;) {
         __crs_request(1, &message);
         if (n[0] == ECHOES)
@@ -27,10 +39,10 @@ int __crs_start(void)
             __crs_profiles(n[1], arena[0]);
         else if (n[0] == COUNTS)
             __crs_counts(n[1], arena[0]);
-        else if (n[0] == MOVES)
-            __crs_moves(n[1], arena[0]);
+        else if (n[0] == ADVANCE)
+            n[0] = __crs_advance(n[1], rows(n[1], n[2]), arena[0][0], arena[0] + 1, drives, robots);
         else if (n[0] == REPORTS)
-            __crs_reports(n[1], arena[0], (int *)arena[1]);
+            __crs_reports(n[1], rows(n[1], n[2]), drives, robots, (int *)arena[1]);
         else
             __crs_apply(n[0], n[1], arena[0], arena[1], arena[2]);
     }

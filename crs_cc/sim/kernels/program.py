@@ -39,11 +39,28 @@ _RAYS_NUMBER: Final = 101
 
 PROFILES: Final = 102
 COUNTS: Final = 103
-MOVES: Final = 104
-"""Kernels of `drive.c`."""
+"""Kernels of `drive.c` on columns."""
+_ADVANCE: Final = 104
 _REPORTS: Final = 105
 ROBOTS_AT_ONCE: Final = 8192
 """A kernel of `drive.c` has room for so many."""
+
+ADVANCED: Final = 0
+SENSOR_DUE: Final = 1
+TIMEOUT_DUE: Final = 2
+HELD_UP: Final = 3
+"""What `Kernels.advance` returns, as in `kernels.h`."""
+
+ROBOTS: Final = 11000
+"""Rows of the tables of robots, as in `kernels.h`."""
+ROBOT_BYTES: Final = 63 * 8
+_DRIVE_BYTES: Final = 19 * 8
+"""Sizes of the rows, see `robot.h`."""
+
+_NUMBER: Final = 8  # bytes
+_SELECTION: Final = struct.Struct("<3i")
+_LAST: Final = struct.Struct("<d")
+_RESULT: Final = struct.Struct("<i")
 
 _Column: TypeAlias = Any  # contiguous arrays of float64, or bool at the end
 
@@ -60,6 +77,8 @@ class Kernels:
         room: numbers that the tables of a kernel have room for.
         reals: two arguments and the result of a function of real arrays, `BLOCK` elements each.
         complexes: the same memory as complex numbers.
+        robots: the bytes of the rows of robots, see `robot.h`.
+        drives: those of their constants.
     """
 
     def __init__(self, *, checked: bool = False) -> None:
@@ -72,13 +91,15 @@ class Kernels:
         from crs_cc.runtime.kernel_instance import KernelInstance
 
         instance = KernelInstance(_executable(checked=checked))
-        arguments, arena = (int(each) for each in instance.message[:2])
+        arguments, arena, robots, drives = (int(each) for each in instance.message[:4])
         self._place, self._memory = arguments, instance.memory.data
         memory = instance.memory[arena : arena + 3 * _BYTES].reshape(3, _BYTES)
         self.reals = tuple(memory.view(np.float64)[:, :BLOCK])
         self.complexes = tuple(memory.view(np.complex128))
         self._arena = memory.view(np.float64).reshape(-1)
         self._bytes = self._arena.data.cast("B")
+        self.robots = instance.memory[robots : robots + ROBOTS * ROBOT_BYTES].data
+        self.drives = instance.memory[drives : drives + ROBOTS * _DRIVE_BYTES].data
         self._second = memory[1].view(np.int32)
         self.room = len(self._arena)
         self._resume = instance.resume
@@ -173,15 +194,43 @@ class Kernels:
         Returns:
             the arena, with the arrays one after the other, changed in place; until the next call.
         """
-        joined = b"".join(arrays)  # far quicker than numpy's `concatenate` for short arrays
+        # Far quicker than numpy's `concatenate` for short arrays.
+        joined = b"".join([array.tobytes() for array in arrays])
         self._bytes[: len(joined)] = joined
         self.apply(kernel, count)
         return self._arena
 
-    def reports(self, count: int, arrays: Sequence[_Column]) -> Int32Array:
-        """Return what `State` says of the motions of robots, shape (k, 8), see `report.c`."""
-        self.columns(_REPORTS, count, arrays)
-        return np.array(self._second[: 8 * count]).reshape(count, 8)
+    def advance(self, rows: IndexArray | None, to_s: FloatArray, last_s: float) -> int:
+        """Advance robots to a time each, if nothing happens to them before, see `drive.c`.
+
+        Args:
+            rows: their rows in `robots`, None for the first ones.
+            to_s: the times, (k,).
+            last_s: the time up to which sensors matter.
+
+        Returns:
+            `ADVANCED`, or what happens before.
+        """
+        self._select(_ADVANCE, len(to_s), _LAST.pack(last_s) + to_s.tobytes(), rows)
+        found: int = _RESULT.unpack_from(self._memory, self._place)[0]
+        return found
+
+    def reports(self, rows: IndexArray | None, count: int) -> Int32Array:
+        """Return what `State` says of the motions of robots, shape (k, 8), see `report.c`.
+
+        Args:
+            rows: their rows in `robots`, None for the first ones.
+            count: the number of robots.
+        """
+        self._select(_REPORTS, count, bytes(_NUMBER * (1 + count)), rows)
+        return self._second[: 8 * count].reshape(count, 8).copy()
+
+    def _select(self, kernel: int, count: int, numbers: bytes, rows: IndexArray | None) -> None:
+        """Run a kernel on some of the `robots`."""
+        joined = numbers if rows is None else numbers + rows.tobytes()
+        self._bytes[: len(joined)] = joined
+        _SELECTION.pack_into(self._memory, self._place, kernel, count, rows is not None)
+        self._resume()
 
     def number(self, function: int, a: float, b: float) -> float:
         """Return a function of one or two numbers."""

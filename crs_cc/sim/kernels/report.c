@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "kernels.h"
+#include "robot.h"
 
-#define AXES 3
 #define TENTH_INCH (0.0254 / 10)        /* [m] */
 #define TENTH_DEGREE (M_PI / 1800)      /* [rad] */
 #define FULL_TURN 3600
@@ -22,29 +22,29 @@ static int angle(double value)
     return tenths < 0 ? tenths + FULL_TURN : tenths;
 }
 
-/* Columns: x, y, heading, turret, time of each robot; start and durations of ramp, cruise and
-   braking, speed and unit of each axis; whether it is limp, in bytes. Each report is position,
-   angles and speeds, and a bit for each motor that works. */
-void __crs_reports(int count, const double *columns, int *out)
+/* Each report is position, angles and speeds, and a bit for each motor that works. */
+void __crs_reports(int count, const long long *rows, const struct drive *drives,
+                   const struct robot *robots, int *out)
 {
-    const double *x = columns, *y = x + count, *heading = y + count, *turret = heading + count;
-    const double *time = turret + count, *start = time + count, *ramp = start + AXES * count;
-    const double *cruise = ramp + AXES * count, *brake = cruise + AXES * count;
-    const double *speed = brake + AXES * count, *unit = speed + AXES * count;
-    const unsigned char *limp = (const unsigned char *)(unit + AXES * count);
-    int i, axis, place = 0;
+    int i, axis;
 
     for (i = 0; i < count; i++, out += 8) {
-        out[0] = whole(x[i] / TENTH_INCH);
-        out[1] = whole(y[i] / TENTH_INCH);
-        out[2] = angle(heading[i]);
-        out[3] = angle(turret[i]);
-        out[7] = 0;
-        for (axis = 0; axis < AXES; axis++, place++) {
-            double end = start[place] + ramp[place] + cruise[place] + brake[place];
+        int row = rows ? rows[i] : i;
+        const struct robot *robot = &robots[row];
+        const struct axes *a = &robot->axes;
+        const double *unit = drives[row].unit;
 
-            out[4 + axis] = unit[place] > 0 ? whole(speed[place] / unit[place]) : 0;
-            if (end > time[i] && !limp[place])
+        out[0] = whole(robot->odometry.x / TENTH_INCH);
+        out[1] = whole(robot->odometry.y / TENTH_INCH);
+        out[2] = angle(robot->odometry.heading);
+        out[3] = angle(robot->odometry.turret);
+        out[7] = 0;
+        for (axis = 0; axis < AXES; axis++) {
+            double end = a->start[axis] + a->ramp_time[axis];
+
+            end = end + a->cruise_time[axis] + a->brake_time[axis];
+            out[4 + axis] = unit[axis] > 0 ? whole(a->speed[axis] / unit[axis]) : 0;
+            if (end > robot->clock && !robot->limp[axis])
                 out[7] |= 1 << axis;
         }
     }

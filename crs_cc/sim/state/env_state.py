@@ -40,14 +40,22 @@ from crs_cc.sim.state.obstacles import ObstacleState
 from crs_cc.sim.state.odometry import OdometryState
 from crs_cc.sim.state.pos_data import PosDataState
 from crs_cc.sim.state.presence import PresenceState
+from crs_cc.sim.state.robot_rows import RobotRows
 from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
 
 S = TypeVar("S")
 
 
+class _InRows:
+    """What a state has besides its fields."""
+
+    __slots__ = ("_rows",)
+    _rows: RobotRows | None
+
+
 @dataclass(slots=True, kw_only=True)
-class EnvState:
+class EnvState(_InRows):
     """The state of a world at one time; arrays have a row for each robot unless noted otherwise.
 
     The state of each device is in a dataclass of its own.
@@ -143,6 +151,21 @@ class EnvState:
             commands=_whole(count),
             goals=GoalState.at_start(world),
         )
+
+    def __post_init__(self) -> None:
+        self._rows = None
+
+    @property
+    def rows(self) -> RobotRows:
+        """What kernels change, as rows: the memory of some of the arrays, once asked for."""
+        if self._rows is None:
+            self._rows = RobotRows(self)
+        return self._rows
+
+    def replace(self, before: EnvState) -> None:
+        """Use the memory of another state, which is not used any more."""
+        if before._rows is not None:
+            self._rows = RobotRows(self, before._rows)
 
     @property
     def x_m(self) -> FloatArray:

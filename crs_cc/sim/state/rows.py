@@ -24,8 +24,10 @@ ALL: Final = slice(None)
 
 
 def take(values: npt.NDArray[Scalar], rows: Rows) -> npt.NDArray[Scalar]:
-    """Return `values[rows]`, read-only: four times as fast as indexing if rows have columns."""
-    return values[rows] if isinstance(rows, slice) else values.take(rows, axis=0)
+    """Return `values[rows]`, read-only: faster than indexing if they lie together."""
+    if isinstance(rows, slice) or not values.flags.c_contiguous:
+        return values[rows]
+    return values.take(rows, axis=0)
 
 
 def simplest(rows: IndexArray, count: int) -> Rows:

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.sim.devices import drive, odometry
+from crs_cc.sim.devices import drive, odometry, vendor_state
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.kernels import program
 from crs_cc.sim.kernels.program import Kernels
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state import motion_profile
+from crs_cc.sim.state import motion_profile, robot_rows
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.motion_profile import ALL, Axes
 
@@ -141,20 +141,28 @@ def test_some_robots_are_advanced_as_all(rows: np.ndarray) -> None:
 
 
 def test_the_checked_build_computes_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    (state, constants), (again, _) = moving(2), moving(2)
+    state, constants = moving(2)
     to_s = state.drive.clock_s + 0.4
     drive.advance(state, constants, ALL, to_s)
-    monkeypatch.setattr(program._threads, "kernels", Kernels(checked=True))
+    checked = Kernels(checked=True)
+    monkeypatch.setattr(program._threads, "kernels", checked)
+    monkeypatch.setattr(robot_rows, "Kernels", lambda: checked)
+    again, _ = moving(2)
     drive.advance(again, constants, ALL, to_s)
     assert values(state) == values(again)
 
 
 @pytest.mark.parametrize("most", [1, 7])
 def test_one_call_and_many_compute_the_same(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    (state, constants), (again, _) = moving(4), moving(4)
+    state, constants = moving(4)
     to_s = state.drive.clock_s + 0.4
     drive.advance(state, constants, ALL, to_s)
-    for module in (drive, odometry, motion_profile):
+    for module in (robot_rows, odometry, motion_profile):
         monkeypatch.setattr(module, "ROBOTS_AT_ONCE", most)
+    monkeypatch.setattr(robot_rows, "ROBOTS", most)  # more robots do not fit
+    again, _ = moving(4)
     drive.advance(again, constants, ALL, to_s)
     assert values(state) == values(again)
+    rows = np.arange(ROBOTS)
+    reports = [vendor_state.report(each, constants, rows).tolist() for each in (state, again)]
+    assert reports[0] == reports[1]

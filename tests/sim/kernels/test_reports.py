@@ -10,6 +10,7 @@ from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.sim.devices import vendor_state
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.state import robot_rows
 from crs_cc.sim.state.env_state import EnvState
 from tests.sim.kernels.test_drive import moving
 
@@ -48,7 +49,7 @@ def test_reports_are_those_of_numpy(seed: int, monkeypatch: pytest.MonkeyPatch) 
     assert vendor_state.report(state, constants, rows).tolist() == wanted.tolist()
     assert vendor_state.report(state, constants, rows[3::7]).tolist() == wanted[3::7].tolist()
     assert {0, 1, 3} <= set(wanted[:, 7].tolist())
-    monkeypatch.setattr(vendor_state, "ROBOTS_AT_ONCE", 9)
     checked = Kernels(checked=True)
-    monkeypatch.setattr(vendor_state, "kernels", lambda: checked)
+    monkeypatch.setattr(robot_rows, "Kernels", lambda: checked)
+    state, constants = changed(seed)
     assert vendor_state.report(state, constants, rows).tolist() == wanted.tolist()

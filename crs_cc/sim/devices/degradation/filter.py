@@ -50,7 +50,7 @@ from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.delay import delayed, delayed_speeds
 from crs_cc.sim.devices.degradation.pipeline import distorted, mix, pass_of, stuck_at
 from crs_cc.sim.model.degradation import degradables
-from crs_cc.sim.state.degradation import OVER, DegradationState, number_of
+from crs_cc.sim.state.degradation import MOTIONS, OVER, DegradationState, number_of
 from crs_cc.sim.state.random_streams import DEGRADATION, NormalUniformStreams
 
 if TYPE_CHECKING:
@@ -81,11 +81,21 @@ class Degradations:
     def __init__(self, seed: int) -> None:
         self._seed = seed
         self._of: BoolArray | None = None
+        self._known: BoolArray | None = None
+        self._concerns_motions = False
         self._layers: dict[int, list[_Layer]] = {}
 
     def concern(self, state: EnvState, device: str) -> bool:
         """Return whether any robot has a degradation of a device."""
         return bool(state.degradation.present[number_of(device)])
+
+    def concern_motions(self, state: EnvState) -> bool:
+        """Return whether any robot has a degradation of `MOTIONS`."""
+        present = state.degradation.present
+        if present is not self._known:
+            self._known = present
+            self._concerns_motions = any(self.concern(state, device) for device in MOTIONS)
+        return self._concerns_motions
 
     def alter(
         self,

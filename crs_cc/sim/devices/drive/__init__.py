@@ -36,12 +36,11 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
-from crs_cc.sim.devices.drive.constants import DRIVE_SIZE, weighted
-from crs_cc.sim.kernels.program import MOVES, ROBOTS_AT_ONCE, kernels
+from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.kernels.program import ADVANCED, HELD_UP
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
-from crs_cc.sim.state.degradation import MOTIONS
-from crs_cc.sim.state.rows import parts, take
+from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -77,6 +76,8 @@ def advance(
         rows: which robots, k of them.
         to_s: the time of each, not before the last one, shape (k,).
     """
+    if advance_freely(state, constants, rows, to_s) == ADVANCED:
+        return
     late = state.drive.deadline_s[rows] < to_s
     if late.any():
         stopped = np.arange(len(state.drive.clock_s))[rows][late]
@@ -86,6 +87,30 @@ def advance(
         state.drive.deadline_s[stopped] = np.inf
         _note_command(state, stopped, CODES["CONF_TM"])
     _turn(state, constants, rows, to_s)
+
+
+def advance_freely(
+    state: EnvState,
+    constants: RobotConstants,
+    rows: IndexArray | slice,
+    to_s: FloatArray,
+    last_s: float = -math.inf,
+) -> int:
+    """Advance the axes as commanded, if nothing else happens to any of the robots before.
+
+    Args:
+        state: changed in place.
+        constants: the robots' constants.
+        rows: which robots, k of them.
+        to_s: the time of each, not before the last one, shape (k,).
+        last_s: the time up to which it matters what sensors do.
+
+    Returns:
+        `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
+    """
+    if constants.inclines is not None or constants.degradations.concern_motions(state):
+        return HELD_UP
+    return state.rows.advance(rows, to_s, last_s, constants.drives.table)
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:
@@ -110,10 +135,7 @@ def rest_s(state: EnvState, rows: IndexArray) -> FloatArray:
 def _turn(
     state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
-    if _is_free(state, constants):
-        for some, part in parts(rows, len(to_s), ROBOTS_AT_ONCE):
-            _turn_freely(state, constants, some, to_s[part])
-        return
+    """Advance the axes of robots, some of which are held up or degraded, or on slopes."""
     way = motion_profile.advance(state.drive.axes, rows, to_s)
     from_s = state.drive.clock_s[rows].copy()
     move, limit = constants.degradations.move, constants.drives.speed_limit
@@ -139,40 +161,6 @@ def _turn(
     state.drive.facing_rad[rows] = facing_rad + turn_rad
     if constants.drives.turrets:
         state.drive.turret_rad[rows] += way[:, 2]
-
-
-def _is_free(state: EnvState, constants: RobotConstants) -> bool:
-    """Return whether wheels turn as commanded, and robots move as their wheels turn."""
-    if constants.inclines is not None or state.drive.hindered.any():
-        return False
-    return not any(constants.degradations.concern(state, device) for device in MOTIONS)
-
-
-def _turn_freely(
-    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
-) -> None:
-    """Do what `_turn` does, by one kernel, see `kernels/drive.c`."""
-    drive, axes, k = state.drive, state.drive.axes, len(to_s)
-    moves = drive.slice, drive.moved_m, drive.facing_rad, drive.turret_rad
-    columns = [
-        *axes.profiles(rows),
-        to_s,
-        take(constants.drives.table, rows),
-        *odometry.columns(state.odometry, rows),
-        *(take(column, rows) for column in moves),
-    ]
-    begin = (10 * AXES + 1 + DRIVE_SIZE) * k
-    found = kernels().columns(MOVES, k, columns)
-    after = found[begin + odometry.COLUMNS * k :]
-    drive.clock_s[rows] = to_s
-    way, axes.speed[rows] = after[7 * k : 13 * k].reshape(2, k, AXES)
-    if not way.any():
-        return
-    axes.travelled[rows] = found[9 * AXES * k : 10 * AXES * k].reshape(k, AXES)
-    odometry.note(state.odometry, rows, found[begin:], k)
-    drive.slice[rows] = after[: 3 * k].reshape(k, AXES)
-    drive.moved_m[rows] = after[3 * k : 5 * k].reshape(k, 2)
-    drive.facing_rad[rows], drive.turret_rad[rows] = after[5 * k : 7 * k].reshape(2, k)
 
 
 def face(state: EnvState, constants: RobotConstants) -> None:

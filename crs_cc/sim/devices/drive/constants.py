@@ -27,7 +27,7 @@ from crs_cc.sim.model.axis import STILL
 from crs_cc.sim.model.robot import Drive, Odometry, RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-DRIVE_SIZE: Final = 16
+DRIVE_SIZE: Final = 19
 """Numbers in a row of `Drives.table`."""
 
 _FINEST: Final = 1e-12  # resolution of an ideal encoder
@@ -56,7 +56,7 @@ class Drives:
         turret: whether it has a turret of its own.
         synchros: whether any robot has a synchro drive.
         turrets: whether any robot has a turret.
-        table: what kernels need to know, see `kernels/drive.c`, (robots, `DRIVE_SIZE`).
+        table: what kernels need to know, see `kernels/robot.h`, (robots, `DRIVE_SIZE`).
     """
 
     unit: FloatArray
@@ -102,8 +102,9 @@ class Drives:
         true_forward = _rows([_forward(drive, wrong) for drive, wrong in both])
         count = _rows([_counts(drive, wrong) for drive, wrong in both])
         turret = _flags([drive.turret is not None for drive in drives])
+        unit = _rows([_units(drive) for drive in drives])
         return cls(
-            unit=_rows([_units(drive) for drive in drives]),
+            unit=unit,
             speed_limit=_rows([[axis.speed_limit for axis in three] for three in axes]),
             ramp_limit=_rows([[axis.acceleration_limit for axis in three] for three in axes]),
             forward=forward,
@@ -120,7 +121,7 @@ class Drives:
             turret=turret,
             synchros=any(drive.steering is not None for drive in drives),
             turrets=bool(turret.any()),
-            table=np.column_stack([turn, forward, true_turn, true_forward, count, turret]),
+            table=np.column_stack([turn, forward, true_turn, true_forward, count, turret, unit]),
         )
 
 

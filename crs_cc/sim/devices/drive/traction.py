@@ -51,7 +51,7 @@ _ARRIVED_UNITS: Final = 2  # within this distance of its goal is complete; chose
 def pull(state: EnvState, constants: RobotConstants) -> Pull:
     """Return the drives' action in a cycle to whose end all axes have been turned."""
     facing_rad = (state.heading_rad + state.drive.facing_rad) / 2
-    return Pull(state.drive.moved_m, facing_rad, is_limp(state, constants))
+    return Pull(state.drive.moved_m.copy(), facing_rad, is_limp(state, constants))
 
 
 def is_limp(state: EnvState, constants: RobotConstants) -> BoolArray:
