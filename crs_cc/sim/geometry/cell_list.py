@@ -82,7 +82,12 @@ def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None
     >>> few_pairs(2, 2)
     (array([0, 0, 1, 1]), array([0, 1, 0, 1]))
     """
-    return None if queries * points > _FEW_PAIRS else _all_pairs(queries, points)
+    return _all_pairs(queries, points) if are_few(queries, points) else None
+
+
+def are_few(queries: int, points: int) -> bool:
+    """Return whether all pairs of query and point are few enough to be tried."""
+    return queries * points <= _FEW_PAIRS
 
 
 @functools.lru_cache(maxsize=64)

@@ -29,13 +29,16 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry import cell_list
-from crs_cc.sim.geometry.cell_list import CellList, blocks, few_pairs
+from crs_cc.sim.geometry.cell_list import CellList, are_few, blocks, few_pairs, parts
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.program import kernels, pairs
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
+_NO_THING: Final = -1.0
+_SHARE: Final = 8  # of the kernels' memory, one in so many numbers is for beams
 _ON_M: Final = 1e-9  # a sensor on a side must not be outside here and inside for `rays`
 
 
@@ -70,8 +73,18 @@ class Pieces:
         self._along = exact.product(facing, self._own_along)
         self._half_length_m = np.array([piece.half_length_m for piece in pieces])
         self._half_width_m = np.array([piece.half_width_m for piece in pieces])
-        self._slants = np.array([piece.slants for piece in pieces]).reshape(-1, 2)
-        self._slants_m = np.array([piece.slants_m for piece in pieces]).reshape(-1, 2)
+        slants = np.array([piece.slants for piece in pieces], dtype=np.complex128).reshape(-1, 2)
+        slants_m = np.array([piece.slants_m for piece in pieces]).reshape(-1, 2)
+        self._rows = np.column_stack([
+            np.full(len(pieces), -1.0),
+            self._objects,
+            pairs(self._middle),
+            pairs(self._along),
+            self._half_length_m,
+            self._half_width_m,
+            slants.view(np.float64),
+            slants_m,
+        ])  # fmt: skip
         self._start_m = start_m + _ON_M
         self._grid = self._grid_of_fixed()
         half_m = exact.hypot(self._half_length_m[self._fixed :], self._half_width_m[self._fixed :])
@@ -88,6 +101,9 @@ class Pieces:
         self._middle[self._fixed :] = x_m + 1j * y_m + off_m
         self._along[self._fixed :] = exact.product(facing, self._own_along[self._fixed :])
         self._cells = None
+        moving = self._rows[self._fixed :]
+        moving[:, 2:4] = pairs(self._middle[self._fixed :])
+        moving[:, 4:6] = pairs(self._along[self._fixed :])
 
     def cover(self, fan: Fan, poses: FloatArray, objects: IndexArray | None = None) -> BoolArray:
         """Return which beams of each robot start on or inside an object.
@@ -101,55 +117,35 @@ class Pieces:
         Returns:
             shape (k, beams), in the order of the list that the fan was made from.
         """
-        covered = np.zeros((len(poses), len(fan)), dtype=np.bool_)
-        if not len(self._objects):
-            return covered
         place = poses[:, 0] + 1j * poses[:, 1]
-        for part in self._blocks(place):
-            hit = None if objects is None else objects[part]
-            self._cover(fan, poses[part], covered[part], hit)
-        return covered
+        if are_few(len(poses), len(self._rows)):
+            covers = kernels().covers(fan.table, poses, self._rows)
+        else:
+            covers = np.full((len(poses), len(fan)), _NO_THING)
+            for part in self._blocks(place, len(fan)):
+                rows = self._rows_near(place[part])
+                covers[part] = kernels().covers(fan.table, poses[part], rows)
+        covered = covers != _NO_THING
+        if objects is not None:
+            objects[covered] = covers[covered]
+        return np.asarray(covered)
 
-    def _cover(
-        self, fan: Fan, poses: FloatArray, covered: BoolArray, objects: IndexArray | None
-    ) -> None:
-        """Mark the beams that start on or inside an object, see `cover`."""
-        place = poses[:, 0] + 1j * poses[:, 1]
+    def _rows_near(self, place: ComplexArray) -> FloatArray:
+        """Return the rows of pieces near robots, each with its robot."""
         robots, shapes = self._near(place)
-        # In the frame of the piece: its centre is the origin, x is its long axis.
-        backturn = np.conjugate(self._along.take(shapes))
-        local = exact.product(place.take(robots) - self._middle.take(shapes), backturn)
-        close = np.flatnonzero(self._within(local, shapes, self._start_m))
-        if not len(close):
-            return
-        robots, shapes, local = robots.take(close), shapes.take(close), local.take(close)
-        facing = exact.product(exact.turn(poses[robots, 2]), backturn.take(close))
-        for part in blocks(np.full(len(close), len(fan))):
-            starts = local[part][:, None] + exact.product(facing[part][:, None], fan.start)
-            pairs, beams = np.nonzero(self._within(starts, shapes[part][:, None], _ON_M))
-            left = self._left_of_slants(starts[pairs, beams], shapes[part].take(pairs))
-            pairs, beams = pairs[left] + part.start, fan.order.take(beams[left])
-            covered[robots.take(pairs), beams] = True
-            if objects is not None:
-                objects[robots.take(pairs), beams] = self._objects[shapes.take(pairs)]
+        rows = self._rows.take(shapes, axis=0)
+        rows[:, 0] = robots
+        return rows
 
-    def _within(self, local: ComplexArray, shapes: IndexArray, margin_m: float) -> BoolArray:
-        along = np.abs(local.real) <= self._half_length_m.take(shapes) + margin_m
-        across = np.abs(local.imag) <= self._half_width_m.take(shapes) + margin_m
-        return np.asarray(along & across)
-
-    def _left_of_slants(self, local: ComplexArray, shapes: IndexArray) -> BoolArray:
-        outward = exact.dot(self._slants[shapes], local[:, None])
-        return np.asarray((outward <= self._slants_m[shapes] + _ON_M).all(axis=1))
-
-    def _blocks(self, place: ComplexArray) -> Iterator[slice]:
-        """Yield parts of the robots whose pairs are few enough to be listed."""
+    def _blocks(self, place: ComplexArray, beams: int) -> Iterator[slice]:
+        """Yield parts of the robots whose pairs and beams are few enough to be listed."""
         counts = np.full(len(place), len(self._objects))
         if counts.sum() > cell_list.PAIRS_IN_BLOCK:
             counts = self._grid.counts(place)
             if len(self._bodies):
                 counts = counts + self._cells_of_bodies().counts(place.real, place.imag)
-        return blocks(counts)
+        most = max(1, kernels().room // (_SHARE * max(beams, 1)))
+        return (part for block in blocks(counts) for part in parts(block, most))
 
     def _near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         """Return pairs of robot and piece, including all in which a sensor can be."""

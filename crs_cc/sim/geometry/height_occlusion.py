@@ -43,6 +43,7 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.kernels import exact
+from crs_cc.sim.kernels.program import pairs
 from crs_cc.sim.model.ground import Ground, Patch
 from crs_cc.sim.model.world import TALL_M
 
@@ -165,6 +166,18 @@ class Level:
             values = (np.asarray(value) for value in (self.z_m, self.spread))
             z_m, spread = (value[part] if value.ndim else value for value in values)
             yield part, Level(outlook, z_m, spread)
+
+    def segment_rows(self, place: ComplexArray) -> FloatArray:
+        """Return what `segments_near` returns, with objects, as `kernels/rays.c` reads it."""
+        viewers, start, end, length_m = self.segments_near(place)
+        objects = self.segment_objects(place)
+        return np.column_stack([viewers, objects, pairs(start), pairs(end), length_m])
+
+    def circle_rows(self, place: ComplexArray, own: IndexArray) -> FloatArray:
+        """Return what `circles_near` returns, with objects, as `kernels/rays.c` reads it."""
+        viewers, middle, radius_m = self.circles_near(place, own)
+        objects = self.circle_objects(place, own)
+        return np.column_stack([viewers, objects, pairs(middle), radius_m])
 
     def segments_near(self, place: ComplexArray) -> Segments:
         """Return `Obstacles.segments_near` without objects below the beams, and with ground."""

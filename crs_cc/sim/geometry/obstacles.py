@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Final, Self
+from functools import cached_property
+from typing import Final
 
 import numpy as np
 
 from crs_cc.core import segment
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry import cell_list
-from crs_cc.sim.geometry.cell_list import CellList, blocks, expand, few_pairs
+from crs_cc.sim.geometry.cell_list import CellList, are_few, blocks, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
 from crs_cc.sim.kernels import exact
 
@@ -45,7 +45,7 @@ class Obstacles:
         """
         circles = fixed.circles
         self._reach_m = reach_m
-        self._fixed = _Places.of(fixed)
+        self._fixed = _Places(fixed)
         self._fixed_owners = fixed.owners, fixed.segment_owners
         flat = np.zeros(len(fixed.segments))
         self._segment_grid = Grid(fixed.segments, flat, reach_m, behind_m=start_m)
@@ -54,7 +54,7 @@ class Obstacles:
 
     def place(self, moving: Outlines) -> None:
         """Update the movable outlines."""
-        self._moving = _Places.of(moving)
+        self._moving = _Places(moving)
         self._owners, self._segment_owners = moving.owners, moving.segment_owners
         self._segment_cells: CellList | None = None
         self._circle_cells: CellList | None = None
@@ -69,7 +69,7 @@ class Obstacles:
             more: the number of pairs of each robot besides, if any.
         """
         most = self._segment_grid.count + self._circle_grid.count
-        most += len(self._moving.length_m) + len(self._moving.radius_m)
+        most += len(self._moving.segment_rows) + len(self._moving.circle_rows)
         most += 0 if more is None else int(more.max(initial=0))
         if len(place) * most <= cell_list.PAIRS_IN_BLOCK:
             yield slice(0, len(place)), self
@@ -81,9 +81,9 @@ class Obstacles:
     def _counts(self, place: ComplexArray) -> IndexArray:
         """Return how many pairs each robot has at most."""
         counts = self._segment_grid.counts(place) + self._circle_grid.counts(place)
-        if len(self._moving.length_m):
+        if len(self._moving.segment_rows):
             counts = counts + self._cells_of_segments().counts(place.real, place.imag)
-        if len(self._moving.radius_m):
+        if len(self._moving.circle_rows):
             counts = counts + self._cells_of_circles().counts(place.real, place.imag)
         return np.asarray(counts)
 
@@ -100,7 +100,7 @@ class Obstacles:
         """
         robots, shapes = self._segment_grid.near(place)
         found = self._fixed.segments(shapes)
-        if len(self._moving.length_m) == 0:
+        if len(self._moving.segment_rows) == 0:
             return robots, *found
         others, movers = self._moving_segments(place)
         more = self._moving.segments(movers)
@@ -125,6 +125,29 @@ class Obstacles:
         middle, radius_m = (np.concatenate(pair) for pair in zip(fixed, moving, strict=True))
         return np.concatenate([robots, others]), middle, radius_m
 
+    def segment_rows(self, place: ComplexArray) -> FloatArray:
+        """Return what `segments_near` returns, with objects, as `kernels/rays.c` reads it."""
+        fixed, moving, count = self._fixed.segment_rows, self._moving.segment_rows, len(place)
+        if not are_few(count, len(fixed)):
+            fixed = _paired(fixed, *self._segment_grid.near(place))
+        if len(moving) == 0:
+            return fixed
+        if not are_few(count, len(moving)):
+            moving = _paired(moving, *self._moving_segments(place))
+        return np.concatenate([fixed, moving])
+
+    def circle_rows(self, place: ComplexArray, own: IndexArray) -> FloatArray:
+        """Return what `circles_near` returns, with objects, as `kernels/rays.c` reads it.
+
+        Bodies of robots may be among them.
+        """
+        fixed, moving, count = self._fixed.circle_rows, self._moving.circle_rows, len(place)
+        if not are_few(count, len(fixed)):
+            fixed = _paired(fixed, *self._circle_grid.near(place))
+        if not are_few(count, len(moving)):
+            moving = _paired(moving, *self._moving_circles(place, own))
+        return np.concatenate([fixed, moving])
+
     def segment_objects(self, place: ComplexArray) -> IndexArray:
         """Return the object, as in `Scene.names`, of each pair of `segments_near`."""
         _, shapes = self._segment_grid.near(place)
@@ -140,7 +163,7 @@ class Obstacles:
 
     def _moving_segments(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
-        if pairs := few_pairs(len(place), len(moving.length_m)):
+        if pairs := few_pairs(len(place), len(moving.segment_rows)):
             return pairs
         return self._cells_of_segments().near(place.real, place.imag)
 
@@ -163,7 +186,7 @@ class Obstacles:
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
-        if pairs := few_pairs(len(place), len(moving.radius_m)):
+        if pairs := few_pairs(len(place), len(moving.circle_rows)):
             others, movers = pairs
         else:
             others, movers = self._cells_of_circles().near(place.real, place.imag)
@@ -175,32 +198,60 @@ class Obstacles:
         return others.take(near), movers.take(near)
 
 
-@dataclass(frozen=True, slots=True)
 class _Places:
-    """Outlines with points as complex numbers."""
+    """Outlines as rows for kernels, and with points as complex numbers.
 
-    start: ComplexArray
-    end: ComplexArray
-    length_m: FloatArray
-    middle: ComplexArray
-    radius_m: FloatArray
+    Attributes:
+        segment_rows: -1, object, x and y of both ends and length [m] of each segment.
+        circle_rows: -1, object, x, y and radius [m] of each circle.
+    """
 
-    @classmethod
-    def of(cls, outlines: Outlines) -> Self:
+    def __init__(self, outlines: Outlines) -> None:
         segments, circles = outlines.segments, outlines.circles
-        return cls(
-            segments[:, 0] + 1j * segments[:, 1],
-            segments[:, 2] + 1j * segments[:, 3],
-            segments[:, 4].copy(),
-            circles[:, 0] + 1j * circles[:, 1],
-            circles[:, 2].copy(),
-        )
+        self.segment_rows = np.empty((len(segments), 7))
+        self.segment_rows[:, 0], self.segment_rows[:, 1] = -1.0, outlines.segment_owners
+        self.segment_rows[:, 2:] = segments
+        self.circle_rows = np.empty((len(circles), 5))
+        self.circle_rows[:, 0], self.circle_rows[:, 1] = -1.0, outlines.owners
+        self.circle_rows[:, 2:] = circles
+
+    @cached_property
+    def start(self) -> ComplexArray:
+        """The start of each segment."""
+        return self.segment_rows[:, 2] + 1j * self.segment_rows[:, 3]
+
+    @cached_property
+    def end(self) -> ComplexArray:
+        """The end of each segment."""
+        return self.segment_rows[:, 4] + 1j * self.segment_rows[:, 5]
+
+    @cached_property
+    def length_m(self) -> FloatArray:
+        """The length of each segment."""
+        return self.segment_rows[:, 6].copy()
+
+    @cached_property
+    def middle(self) -> ComplexArray:
+        """The centre of each circle."""
+        return self.circle_rows[:, 2] + 1j * self.circle_rows[:, 3]
+
+    @cached_property
+    def radius_m(self) -> FloatArray:
+        """The radius of each circle."""
+        return self.circle_rows[:, 4].copy()
 
     def segments(self, which: IndexArray) -> tuple[ComplexArray, ComplexArray, FloatArray]:
         return self.start.take(which), self.end.take(which), self.length_m.take(which)
 
     def circles(self, which: IndexArray) -> tuple[ComplexArray, FloatArray]:
         return self.middle.take(which), self.radius_m.take(which)
+
+
+def _paired(rows: FloatArray, viewers: IndexArray, shapes: IndexArray) -> FloatArray:
+    """Return the rows of shapes, each with its viewer."""
+    found = rows.take(shapes, axis=0)
+    found[:, 0] = viewers
+    return found
 
 
 class Grid:

@@ -17,6 +17,15 @@ class Prospect(Protocol):
     def blocks(self, place: ComplexArray) -> Iterator[tuple[slice, Prospect]]:
         """Yield parts of the robots whose pairs are few enough, each with the outlines for it."""
 
+    def segment_rows(self, place: ComplexArray) -> FloatArray:
+        """Return what `segments_near` returns, with objects, as `kernels/rays.c` reads it."""
+
+    def circle_rows(self, place: ComplexArray, own: IndexArray) -> FloatArray:
+        """Return what `circles_near` returns, with objects, as `kernels/rays.c` reads it.
+
+        Bodies of robots may be among them.
+        """
+
     def segments_near(
         self, place: ComplexArray
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:

@@ -34,7 +34,7 @@ from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import parts
 from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.kernels import exact
-from crs_cc.sim.kernels.program import RAY_BINS, kernels, pairs
+from crs_cc.sim.kernels.program import RAY_BINS, kernels
 
 NO_THING: Final = -1
 """The object of a beam that hits nothing."""
@@ -115,43 +115,20 @@ def nearest(
         distances from the beams' starts [m], infinite if there is no object within range, shape
         (k, beams), in the order of the list that the fan was made from.
     """
-    found = np.empty((len(poses), len(fan)))
     if own is None:
-        own = np.full(len(poses), -1, dtype=np.intp)
+        own = np.full(len(poses), NO_THING, dtype=np.intp)
+    found = np.empty((len(poses), len(fan)))
+    most, is_named = max(1, kernels().room // (_SHARE * max(len(fan), 1))), objects is not None
     for block, outlines in obstacles.blocks(poses[:, 0] + 1j * poses[:, 1]):
-        for part in parts(block, max(1, kernels().room // (_SHARE * max(len(fan), 1)))):
-            place = poses[part, 0] + 1j * poses[part, 1]
-            shapes = (
-                _segments(outlines, place, names=objects is not None),
-                _circles(outlines, place, own[part], names=objects is not None),
-            )
-            hit = None if objects is None else objects[part]
-            found[part] = kernels().rays(fan.table, poses[part], *shapes, hit)
+        for part in parts(block, most):
+            some, mine = poses[part], own[part]
+            place = some[:, 0] + 1j * some[:, 1]
+            rows = outlines.segment_rows(place), outlines.circle_rows(place, mine)
+            results = kernels().rays(fan.table, some, mine, *rows, wants_objects=is_named)
+            found[part] = results[0]
+            if objects is not None:
+                objects[part] = results[1]
     return found
-
-
-def _segments(obstacles: Prospect, place: ComplexArray, *, names: bool) -> FloatArray:
-    """Return the rows of segments that the kernel reads."""
-    viewers, start, end, length_m = obstacles.segments_near(place)
-    table = np.empty((len(viewers), 7))
-    table[:, 0] = viewers
-    table[:, 1] = obstacles.segment_objects(place) if names else NO_THING
-    table[:, 2:4], table[:, 4:6] = pairs(start), pairs(end)
-    table[:, 6] = length_m
-    return table
-
-
-def _circles(
-    obstacles: Prospect, place: ComplexArray, own: IndexArray, *, names: bool
-) -> FloatArray:
-    """Return the rows of circles that the kernel reads."""
-    viewers, middle, radius_m = obstacles.circles_near(place, own)
-    table = np.empty((len(viewers), 5))
-    table[:, 0] = viewers
-    table[:, 1] = obstacles.circle_objects(place, own) if names else NO_THING
-    table[:, 2:4] = pairs(middle)
-    table[:, 4] = radius_m
-    return table
 
 
 def _beams_behind(axis: ComplexArray) -> IndexArray:

@@ -5,7 +5,7 @@
 #include "robot.h"
 
 /* Other numbers are those of elementwise functions. */
-enum { ECHOES = 100, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS };
+enum { ECHOES = 100, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS };
 
 static int arguments[10];
 static double arena[3][2 * BLOCK];
@@ -35,6 +35,9 @@ int __crs_start(void)
         else if (n[0] == RAYS)
             __crs_rays(n[1], n[2], n[3], n[4], n[5], arena[0], arena[0] + n[6], arena[0] + n[7],
                        arena[0] + n[8]);
+        else if (n[0] == COVERS)
+            __crs_covers(n[1], n[2], n[4], arena[0], arena[0] + n[6], arena[0] + n[7],
+                         arena[0] + n[8]);
         else if (n[0] == PROFILES)
             __crs_profiles(n[1], arena[0]);
         else if (n[0] == COUNTS)

@@ -36,12 +36,14 @@ _ECHOES_NUMBER: Final = 100
 
 _RAYS: Final = struct.Struct("<9i")
 _RAYS_NUMBER: Final = 101
+_VIEWER: Final = 5  # numbers of a robot
 
 PROFILES: Final = 102
 COUNTS: Final = 103
 """Kernels of `drive.c` on columns."""
 _ADVANCE: Final = 104
 _REPORTS: Final = 105
+_COVERS: Final = 106
 ROBOTS_AT_ONCE: Final = 8192
 """A kernel of `drive.c` has room for so many."""
 
@@ -154,39 +156,80 @@ class Kernels:
         self,
         fan: FloatArray,
         poses: FloatArray,
+        own: IndexArray,
         segments: FloatArray,
         circles: FloatArray,
-        objects: IndexArray | None,
+        *,
+        wants_objects: bool = False,
     ) -> FloatArray:
         """Return the distance that each beam of each robot measures [m], see `rays.c`.
 
         Args:
             fan: the beams.
             poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
-            segments: a row for each pair of robot and segment; the arena need not hold all.
+            own: the number of each robot's own body, (k,).
+            segments: a row for each segment, and robot if not of all of them, see `rays.c`; the
+                arena need not hold all.
             circles: the same of circles.
-            objects: receives the object that each beam hits, shape (k, beams); None if not needed.
+            wants_objects: whether to return what the beams hit, too.
+
+        Returns:
+            the distances, and the number of the object that each beam hits, shape (1 or 2, k,
+            beams).
         """
-        count, beams, arena = len(poses), int(fan[0]), self._arena
-        robots, wanted = len(fan), objects is not None
-        out = robots + 4 * count
-        shapes = out + (1 + wanted) * count * beams
+        numbers = _RAYS_NUMBER, 1 + wants_objects, wants_objects
+        return self._survey(numbers, fan, poses, own, (segments, circles))
+
+    def covers(self, fan: FloatArray, poses: FloatArray, pieces: FloatArray) -> FloatArray:
+        """Return the number of the object that each beam starts in or on, -1 for none, (k, beams).
+
+        Args:
+            fan: the beams.
+            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+            pieces: a row for each piece, as of segments for `rays`.
+        """
+        return self._survey((_COVERS, 1, 1), fan, poses, 0, (pieces, pieces[:0]))[0]
+
+    def _survey(
+        self,
+        numbers: tuple[int, int, int],
+        fan: FloatArray,
+        poses: FloatArray,
+        own: IndexArray | int,
+        tables: tuple[FloatArray, FloatArray],
+    ) -> FloatArray:
+        """Run a kernel of `rays.c`, in as many calls as the tables of shapes need.
+
+        Args:
+            numbers: the kernel, the number of results for each beam, and whether it wants objects.
+            fan: the beams.
+            poses: the poses of robots.
+            own: the numbers of their bodies.
+            tables: the shapes.
+        """
+        kernel, results, wanted = numbers
+        count, arena, robots = len(poses), self._arena, len(fan)
+        out = robots + _VIEWER * count
+        shapes = out + results * count * int(fan[0])
         arena[:robots] = fan
-        arena[robots:out].reshape(-1, 4)[:, :3] = poses
-        rows = max(0, self.room - shapes) // sum(table.shape[1] for table in (segments, circles))
-        for first in range(0, max(len(segments), len(circles), 1), max(rows, 1)):
+        viewers = arena[robots:out].reshape(-1, _VIEWER)
+        viewers[:, :3], viewers[:, 4] = poses, own
+        first, longest = 0, max(len(tables[0]), len(tables[1]))
+        rows = max(1, (self.room - shapes) // sum(table.shape[1] for table in tables))
+        while first == 0 or first < longest:
             end, sizes = shapes, []
-            for table in (segments[first : first + rows], circles[first : first + rows]):
-                arena[end : end + table.size] = table.ravel()
-                end += table.size
-                sizes.append(len(table))
-            numbers = (count, *sizes, first == 0, wanted, robots, out, shapes)
-            _RAYS.pack_into(self._memory, self._place, _RAYS_NUMBER, *numbers)
+            for table in tables:
+                part = table[first : first + rows]
+                arena[end : end + part.size] = part.reshape(-1)
+                end += part.size
+                sizes.append(len(part))
+            _RAYS.pack_into(
+                self._memory, self._place, kernel, count, *sizes, first == 0, wanted,
+                robots, out, shapes,
+            )  # fmt: skip
             self._resume()
-        found = arena[out : out + (1 + wanted) * count * beams].reshape(-1, count, beams)
-        if objects is not None:
-            objects[:] = found[1]
-        return np.array(found[0])
+            first += rows
+        return arena[out:shapes].reshape(results, count, -1).copy()
 
     def columns(self, kernel: int, count: int, arrays: Sequence[_Column]) -> FloatArray:
         """Run a kernel of `drive.c` on arrays with a row for each robot, of consecutive numbers.

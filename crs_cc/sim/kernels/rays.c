@@ -5,6 +5,7 @@
 
 #define SLACK 1e-9          /* [rad] rounding must not lose a beam */
 #define WIDE 0.7            /* [rad] beams that are wider are all tried */
+#define ON 1e-9             /* [m] a sensor on a side must not be outside of a piece, and inside for rays */
 
 struct point {
     double x, y;
@@ -22,7 +23,10 @@ struct beam {
 
 struct robot {
     struct point place, facing;         /* facing.x is the heading until `prepare` */
+    double own;                         /* the number of its own body */
 };
+
+/* The robot of a shape is -1 if all may see it. */
 
 struct segment {
     double robot, object;
@@ -34,6 +38,15 @@ struct circle {
     double robot, object;
     struct point middle;
     double radius;
+};
+
+/* A rectangle, or a triangle in one, see `geometry/contact_mask.py`. */
+struct piece {
+    double robot, object;
+    struct point middle, along;
+    double half_length, half_width;
+    struct point slants[2];
+    double slant_distances[2];
 };
 
 static const struct fan *fan;
@@ -59,7 +72,7 @@ static struct point margin;             /* the direction at the angle of the wid
         (result).x = x_;                                \
     } while (0)
 
-static void prepare(int count, int wants_objects)
+static void prepare(int count, int measured, int wants_objects)
 {
     int i;
 
@@ -69,7 +82,7 @@ static void prepare(int count, int wants_objects)
         robots[i].facing.x = cos(heading);
         robots[i].facing.y = sin(heading);
     }
-    for (i = 0; i < count * beam_count; i++)
+    for (i = 0; i < measured; i++)
         distances[i] = INFINITY;
     for (i = 0; wants_objects && i < count * beam_count; i++)
         objects[i] = -1;
@@ -174,9 +187,9 @@ static void take(int robot, const struct beam *beam, double distance, double obj
     }
 }
 
-static void try_segment(const struct segment *segment, int wants_objects)
+static void try_segment(int number, const struct segment *segment, int wants_objects)
 {
-    int number = (int)segment->robot, first, count, i;
+    int first, count, i;
     const struct robot *robot = &robots[number];
     struct point a, b, along, foot, near_a, near_b;
     double dot, cross, share, square;
@@ -218,13 +231,15 @@ static void try_segment(const struct segment *segment, int wants_objects)
     }
 }
 
-static void try_circle(const struct circle *circle, int wants_objects)
+static void try_circle(int number, const struct circle *circle, int wants_objects)
 {
-    int number = (int)circle->robot, first, count, i;
+    int first, count, i;
     const struct robot *robot = &robots[number];
     double radius = circle->radius, away, square;
     struct point middle, begin, end, half;
 
+    if (circle->object == robot->own)
+        return;
     middle.x = circle->middle.x - robot->place.x;
     middle.y = circle->middle.y - robot->place.y;
     away = __builtin_sqrt(DOT(middle, middle));
@@ -249,25 +264,88 @@ static void try_circle(const struct circle *circle, int wants_objects)
     }
 }
 
-void __crs_rays(int count, int segments, int circles, int is_first, int wants_objects,
-                const double *fan_table, double *robot_table, double *out, const double *shapes)
+static int is_within(const struct piece *piece, const struct point *place, double margin)
 {
+    return __builtin_fabs(place->x) <= piece->half_length + margin
+        && __builtin_fabs(place->y) <= piece->half_width + margin;
+}
+
+static int is_left_of_slants(const struct piece *piece, const struct point *place)
+{
+    return DOT(piece->slants[0], *place) <= piece->slant_distances[0] + ON
+        && DOT(piece->slants[1], *place) <= piece->slant_distances[1] + ON;
+}
+
+/* Find the beams that start on a piece or in it. The last piece of several counts. */
+static void try_piece(int number, const struct piece *piece)
+{
+    const struct robot *robot = &robots[number];
+    struct point local, facing, start;
     int i;
 
-    fan = (const struct fan *)fan_table;
+    /* In the frame of the piece: its centre is the origin, x is its long axis. */
+    local.x = robot->place.x - piece->middle.x;
+    local.y = robot->place.y - piece->middle.y;
+    TURNED_BACK(local, local, piece->along);
+    if (!is_within(piece, &local, fan->start + 2 * ON))
+        return;
+    TURNED_BACK(facing, robot->facing, piece->along);
+    for (i = 0; i < beam_count; i++) {
+        TURNED(start, facing, beams[i].start);
+        start.x += local.x;
+        start.y += local.y;
+        if (is_within(piece, &start, ON) && is_left_of_slants(piece, &start))
+            objects[number * beam_count + (int)beams[i].order] = piece->object;
+    }
+}
+
+static void take_fan(const double *table, double *robot_table)
+{
+    fan = (const struct fan *)table;
     beam_count = (int)fan->beams;
     beams = (const struct beam *)(fan + 1);
     behind = (const double *)(beams + beam_count);
     robots = (struct robot *)robot_table;
-    distances = out;
-    objects = out + count * beam_count;
     margin.x = cos(fan->widest + 2 * SLACK);
     margin.y = sin(fan->widest + 2 * SLACK);
+}
+
+/* Each shape is tried with one robot or with all. */
+#define FOR_ROBOTS(i, shape, count)                                             \
+    for (i = (shape)->robot < 0 ? 0 : (int)(shape)->robot;                      \
+         i < ((shape)->robot < 0 ? (count) : (int)(shape)->robot + 1); i++)
+
+void __crs_rays(int count, int segments, int circles, int is_first, int wants_objects,
+                const double *fan_table, double *robot_table, double *out, const double *shapes)
+{
+    const struct segment *segment = (const struct segment *)shapes;
+    const struct circle *circle = (const struct circle *)(segment + segments);
+    int i;
+
+    take_fan(fan_table, robot_table);
+    distances = out;
+    objects = out + count * beam_count;
     if (is_first)
-        prepare(count, wants_objects);
-    for (i = 0; i < segments; i++)
-        try_segment((const struct segment *)shapes + i, wants_objects);
-    shapes = (const double *)((const struct segment *)shapes + segments);
-    for (i = 0; i < circles; i++)
-        try_circle((const struct circle *)shapes + i, wants_objects);
+        prepare(count, count * beam_count, wants_objects);
+    for (; segments > 0; segments--, segment++)
+        FOR_ROBOTS(i, segment, count)
+            try_segment(i, segment, wants_objects);
+    for (; circles > 0; circles--, circle++)
+        FOR_ROBOTS(i, circle, count)
+            try_circle(i, circle, wants_objects);
+}
+
+void __crs_covers(int count, int pieces, int is_first, const double *fan_table,
+                  double *robot_table, double *out, const double *shapes)
+{
+    const struct piece *piece = (const struct piece *)shapes;
+    int i;
+
+    take_fan(fan_table, robot_table);
+    objects = out;
+    if (is_first)
+        prepare(count, 0, 1);
+    for (; pieces > 0; pieces--, piece++)
+        FOR_ROBOTS(i, piece, count)
+            try_piece(i, piece);
 }
