@@ -1,4 +1,9 @@
-"""The array types of the whole package, by element type."""
+"""The array types of the whole package, by element type; and questions about flags.
+
+>>> flags = np.array([True, False])
+>>> any_of(flags), all_of(flags), any_of(flags[1:]), all_of(flags[:0])
+(True, False, False, True)
+"""
 
 from __future__ import annotations
 
@@ -33,3 +38,13 @@ def read_only(array: npt.NDArray[Scalar]) -> npt.NDArray[Scalar]:
     view = array.view()
     view.flags.writeable = False
     return view
+
+
+def any_of(flags: BoolArray) -> bool:
+    """Return whether any flag is set, in a fraction of the time of `flags.any()` for few."""
+    return b"\1" in flags.tobytes()
+
+
+def all_of(flags: BoolArray) -> bool:
+    """Return whether all flags are set, in a fraction of the time of `flags.all()`."""
+    return b"\0" not in flags.tobytes()

@@ -75,6 +75,7 @@ class Fleet:
 
     Attributes:
         slots: the slots, an array of dtype `SLOT`, one for each robot.
+        codes: the codes in them.
         timing: the programs' clocks, an array of dtype `TIMING`; of no use to `run_round`.
         marks: for each robot with a debug build, a byte for each statement: 1 to stop
             before it. A round ends at the first robot that stops.
@@ -127,7 +128,7 @@ class Fleet:
     def add(self, executable: Executable) -> int:
         """Create a sandbox for one more program, and return its number.
 
-        Replaces `slots` and `timing`.
+        Replaces `slots`, `codes` and `timing`.
 
         Raises:
             OSError: as for a new fleet.
@@ -158,6 +159,8 @@ class Fleet:
         records = mailbox[SLOTS : SLOTS + count * RECORD.itemsize].view(RECORD)
         records[first:] = np.zeros((), RECORD)
         self.slots, self.timing = records["slot"], records["timing"]
+        self.codes, self._asks = self.slots["code"], self.timing["asks"]
+        self._messages = self.slots["message"].view(_BYTES)
 
     def _instantiate(self, executable: Executable) -> None:
         """Append a new program."""
@@ -219,11 +222,11 @@ class Fleet:
 
     def messages(self, robots: IndexArray) -> Records:
         """Return copies of the messages that robots posted, of dtype `MESSAGE`."""
-        return self.slots["message"].view(_BYTES)[robots].view(MESSAGE)
+        return self._messages[robots].view(MESSAGE)
 
     def reply(self, robots: IndexArray, messages: Records) -> None:
         """Overwrite posted messages with replies."""
-        self.slots["message"].view(_BYTES)[robots] = messages.view(_BYTES)
+        self._messages[robots] = messages.view(_BYTES)
 
     def run_round(self) -> int | None:
         """Resume every robot whose slot has `run` set.
@@ -237,6 +240,11 @@ class Fleet:
             return self._run_by_robot()
         self._run_shards(None)
         return None
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether `run_rounds` runs as many rounds as no program asks for anything."""
+        return len(self._shards) == 1
 
     def run_rounds(self, end_s: float) -> int:
         """Run rounds of all robots whose clocks have not reached a time; see `turns`.
@@ -263,9 +271,9 @@ class Fleet:
 
     def take_asking(self) -> IndexArray:
         """Return the robots that have asked for anything since the last call."""
-        asks = self.timing["asks"]
-        asking = asks.nonzero()[0]
-        asks[asking] = 0
+        asking = self._asks.nonzero()[0]
+        if asking.size:
+            self._asks[asking] = 0
         return asking
 
     def _run_by_robot(self) -> int | None:

@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 import numpy as np
 
 from crs_cc import __version__
-from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.core.arrays import IndexArray, Int32Array, all_of
 from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED, SYSTEM_CALL
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.hints import Hint, Hints
@@ -328,10 +328,16 @@ class Session:
             return True
         end_s = self.environment.end_s
         self._answer_robots(end_s)
-        rounds = self.fleet.run_rounds(end_s)
+        fleet = self.fleet
+        rounds = fleet.run_rounds(end_s)
+        if not rounds:
+            return False
         self.state.rounds += rounds
-        self._answer(self.fleet.take_asking())
-        return rounds > 0
+        asking = fleet.take_asking()
+        if asking.size:
+            self._answer(asking)
+            return True
+        return not fleet.is_whole
 
     def begin_round(self) -> bool:
         """Select the programs to run and their fuel; return False when there is none.
@@ -361,14 +367,14 @@ class Session:
         """Answer programs that have asked for anything, by a request or as they have ended."""
         if not asking.size:
             return
-        slots = self.fleet.slots
-        posted = slots["status"][asking] == SUSPENDED
-        if not posted.all():
+        fleet = self.fleet
+        posted = fleet.slots["status"][asking] == SUSPENDED
+        if not all_of(posted):
             self.state.end(asking[~posted])
             asking = asking[posted]
-        codes = slots["code"][asking]
+        codes = fleet.codes[asking]
         on_link = _ON_LINK.take(codes, mode="clip")
-        if on_link.all():
+        if all_of(on_link):
             self._send(asking, codes)
             return
         if on_link.any():
@@ -399,8 +405,7 @@ class Session:
     @property
     def _is_quiet(self) -> bool:
         """Whether nothing can happen in the world in this cycle, and nobody is to hear of it."""
-        environment = self.environment
-        return self._trace is None and environment.quiet_until() > environment.cycle
+        return self._trace is None and self.environment.is_quiet
 
     @property
     def _can_continue(self) -> bool:
@@ -468,9 +473,10 @@ class Session:
         due = (state.due_s < end_s).nonzero()[0]
         if not due.size:
             return
-        codes = self.fleet.slots["code"][due]
-        for code in sorted(set(codes.tolist())):
-            robots = due[codes == code]
+        codes = self.fleet.codes[due]
+        kinds = sorted(set(codes.tolist()))
+        for code in kinds:
+            robots = due if len(kinds) == 1 else due[codes == code]
             messages, at_s = self.fleet.messages(robots), state.due_s[robots]
             self._hints.note_requests(code, robots, messages, at_s)
             state.clock_s[robots] = self.environment.serve(code, robots, messages, at_s)

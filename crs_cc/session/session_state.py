@@ -117,7 +117,7 @@ class SessionState:
     @property
     def running(self) -> int:
         """Number of programs that are running."""
-        return int(self.alive.sum())
+        return int(np.count_nonzero(self.alive))
 
     def add_robot(self, robot: Robot, executable: Executable, arguments: Sequence[str] = ()) -> int:
         """Add a robot to the world, between two timesteps, and return its number.

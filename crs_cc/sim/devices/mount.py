@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.core.arrays import FloatArray, IndexArray, any_of
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
@@ -28,10 +28,14 @@ if TYPE_CHECKING:
 
 def mount_poses(state: EnvState, constants: RobotConstants, rows: IndexArray) -> FloatArray:
     """Return x, y [m] and direction [rad] of robots' mounts, world frame, shape (k, 3)."""
-    moved_m = np.where(state.bodies.slipping[rows, None], 0.0, take(state.drive.moved_m, rows))
-    place_m = take(state.bodies.position_m, rows) + moved_m
+    moved_m, slipping = take(state.drive.moved_m, rows), state.bodies.slipping
+    if any_of(slipping):
+        moved_m = np.where(slipping[rows, None], 0.0, moved_m)
     facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
-    return np.column_stack([place_m, mount_rad(state, constants, rows, facing_rad, turret_rad)])
+    poses = np.empty((len(rows), 3))
+    np.add(take(state.bodies.position_m, rows), moved_m, out=poses[:, :2])
+    poses[:, 2] = mount_rad(state, constants, rows, facing_rad, turret_rad)
+    return poses
 
 
 def mount_rad(

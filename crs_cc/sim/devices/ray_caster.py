@@ -56,7 +56,7 @@ class RayCaster:
         self._pieces = Pieces(scene, start_m)
         self._outlook = Outlook(scene, self._obstacles, reach_m) if is_needed(scene) else None
         self._placed = -1
-        self._places: FloatArray = np.zeros((0, 3))
+        self._places = b""
 
     def forget(self) -> None:
         """Forget the poses of the last query: bodies may have moved within the cycle."""
@@ -71,8 +71,8 @@ class RayCaster:
 
     def _place(self, bodies: Bodies) -> None:
         """Index the moving objects, unless none has moved."""
-        places = np.column_stack([bodies.position_m, bodies.angle_rad])
-        if np.array_equal(places, self._places):
+        places = bodies.position_m.tobytes() + bodies.angle_rad.tobytes()
+        if places == self._places:
             return
         self._places = places
         self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
@@ -105,7 +105,8 @@ class RayCaster:
         if self._outlook is not None:
             return self.seen(state, fan, poses, own)[0]
         distance_m = nearest(fan, poses, self.obstacles(state), own=own)
-        distance_m[self._pieces.cover(fan, poses)] = 0.0
+        if self._pieces:
+            distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m
 
     def seen(

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 
 _ALL: Final = slice(None)
+_INT32: Final = np.dtype("<i4")
 
 
 @dataclass(slots=True)
@@ -100,7 +101,7 @@ class RequestContext:
             numbers: the numbers, shape (replies, n); of a single reply (n,).
             where: which of the replies.
         """
-        content = np.ascontiguousarray(numbers, dtype="<i4").view(np.uint8)
+        content = np.ascontiguousarray(numbers, dtype=_INT32).view(np.uint8)
         size = content.shape[-1]
         self.messages["data"][where, :size] = content
         self.messages["size"][where] = size

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, all_of
 from crs_cc.requests import NUM_STATE
 from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import pos_data
@@ -36,6 +36,7 @@ from crs_cc.sim.devices.vendor_state import (
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.model import registry
 from crs_cc.sim.state import mask
+from crs_cc.sim.state.rows import ALL, Rows, take
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -156,24 +157,28 @@ def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_state(state).reading_in(rows)
-    level = rings(state).level
+    level, mode, reading = rings(state).level, laser_state(state).mode, compasses(state).reading
     if len(level):
-        numbers = constants.numbers["infrared"][rows]
-        has = numbers >= 0
-        vector[has, IR_0:SONAR_0] = np.rint(level[numbers[has]])
-    mode = laser_state(state).mode
+        has, mine = _having(constants.numbers["infrared"], rows)
+        vector[has, IR_0:SONAR_0] = np.rint(take(level, mine))
     if len(mode):
-        numbers = constants.numbers["laser"][rows]
-        has = numbers >= 0
-        vector[has, LASER_MODE] = mode[numbers[has]]
-    reading = compasses(state).reading
+        has, mine = _having(constants.numbers["laser"], rows)
+        vector[has, LASER_MODE] = mode[mine]
     if len(reading):
-        numbers = constants.numbers["compass"][rows]
-        has = numbers >= 0
-        vector[has, COMPASS] = reading[numbers[has]]
+        has, mine = _having(constants.numbers["compass"], rows)
+        vector[has, COMPASS] = reading[mine]
     vector[:, BUMPER] = bumper_state(state).pressed[rows]
     vector[:, CONF_X : MOTOR_STATUS + 1] = report(state, constants, rows)
     return vector
+
+
+def _having(numbers: IndexArray, rows: IndexArray) -> tuple[Rows, IndexArray]:
+    """Return which of some robots have a device, and the numbers of these devices."""
+    mine = numbers[rows]
+    has = mine >= 0
+    if all_of(has):
+        return ALL, mine
+    return np.flatnonzero(has), mine[has]
 
 
 def _is_requested(context: RequestContext, group: slice) -> BoolArray:

@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, any_of
 from crs_cc.requests import CODES, DATA_SIZE, DEVICE_CODES, REQUESTS
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.model.world import WorldModel
@@ -65,7 +65,7 @@ class SerialLine:
         robot = np.asarray(robots)
         place = self._kind[robot], np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
         count, sends_data = self._byte_count[place], self._sends_data[place]
-        if sends_data.any():
+        if any_of(sends_data):
             count = count + np.where(sends_data, np.clip(sizes, 0, DATA_SIZE), 0)
         return np.asarray(self._network_s[place] + count * _BITS_PER_BYTE / state.baud[robot])
 

@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.core.arrays import IndexArray, Int32Array, any_of
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.robot_constants import RobotConstants
@@ -46,7 +46,7 @@ def report(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int3
     """Return the part of `State` with positions, speeds and the motors' status, shape (k, 8)."""
     drives = constants.drives.table
     reports = state.rows.reports(simplest(rows, len(drives)), len(rows), drives)
-    if np.count_nonzero(state.drive.hindered) or constants.degradations.concern_motions(state):
+    if any_of(state.drive.hindered) or constants.degradations.concern_motions(state):
         now_s, speed = state.drive.clock_s[rows], traction.speed(state, constants, rows)
         speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
         unit, told = constants.drives.unit[rows], np.zeros_like(speed)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
 from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.world_data import WorldData
+
+_NO_WAITS: Final = np.zeros(0, np.intp), np.zeros(0), np.zeros(0, MESSAGE)
 
 
 class Dispatcher:
@@ -33,13 +37,14 @@ class Dispatcher:
         if code not in data.handlers or not len(rows):
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
-        request = REQUESTS[code]
-        now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), data.end_s)
+        request, drives = REQUESTS[code], state.drive
+        now_s = np.fmin(np.fmax(clock_s, drives.clock_s[rows]), data.end_s)
         data.advance_to(rows, now_s)
         arguments = messages["i"].copy()
         state.commands[rows] += 1
         drive.renew_deadline(state, rows)
-        good = self._handle(request, rows, messages, now_s)
+        context = self._context(request, rows, messages, now_s)
+        good = self._handle(context)
         if request.moves:
             data.let_go_if_empty(rows, now_s)
         goes_on_s = now_s.copy()
@@ -47,26 +52,26 @@ class Dispatcher:
             goes_on_s[:] = data.end_s
             data.refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
             data.advance_to(rows, goes_on_s)
-        if request.waits:
-            waiting = messages[good]
-            goes_on_s[good] = self._wait(request, rows[good], waiting)
-            messages[good] = waiting
+            context = self._context(request, rows, messages, goes_on_s)
+        if not request.waits:
+            self._reply(context, good, arguments=arguments)
+            return goes_on_s
+        waiting = messages[good]
+        goes_on_s[good] = self._wait(request, rows[good], waiting)
+        messages[good] = waiting
         answered = np.isfinite(goes_on_s)
-        if answered.all():
-            self._reply(request, rows, messages, goes_on_s, good, arguments=arguments)
-        else:
-            replies = messages[answered]
-            at_s, good, arguments = goes_on_s[answered], good[answered], arguments[answered]
-            self._reply(request, rows[answered], replies, at_s, good, arguments=arguments)
-            messages[answered] = replies
-        return goes_on_s.copy()
+        replies = messages[answered]
+        context = self._context(request, rows[answered], replies, goes_on_s[answered])
+        self._reply(context, good[answered], arguments=arguments[answered])
+        messages[answered] = replies
+        return goes_on_s
 
     def end_waits(self) -> tuple[IndexArray, FloatArray, Records]:
         """Answer the waits that end in the cycle that begins."""
         waits = self._data.state.waits
+        if not np.count_nonzero(waits.code):
+            return _NO_WAITS
         waiting = np.flatnonzero(waits.code)
-        if not len(waiting):
-            return waiting, np.zeros(0), np.zeros(0, MESSAGE)
         codes, asked = waits.code[waiting], waits.asked[waiting]
         ends_s = self._end_waits_of(waiting)
         ended = np.isfinite(ends_s)
@@ -76,7 +81,8 @@ class Dispatcher:
             replies, arguments = messages[mine], messages["i"][mine].copy()
             self._finish(request, rows[mine], replies, at_s[mine])
             good = np.ones(len(replies), dtype=np.bool_)
-            self._reply(request, rows[mine], replies, at_s[mine], good, arguments=arguments)
+            context = self._context(request, rows[mine], replies, at_s[mine])
+            self._reply(context, good, arguments=arguments)
             messages[mine] = replies
         return rows, at_s, messages
 
@@ -128,47 +134,38 @@ class Dispatcher:
         data = self._data
         return RequestContext(request, data.state, data.constants, data.rays, rows, messages, at_s)
 
-    def _handle(
-        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
-    ) -> BoolArray:
+    def _handle(self, context: RequestContext) -> BoolArray:
         """Execute the requests of connected robots; return which requests were good."""
+        request, rows, messages = context.request, context.rows, context.messages
         messages["result"] = 1
         if request.needs_connection:
             good = self._data.state.connected[rows]
         else:
             good = self._data.state.presence.present[rows]
         handler = self._data.handlers[request.code]
-        if good.all():
-            verdict = handler(self._context(request, rows, messages, at_s))
-        else:
-            connected = messages[good]
-            verdict = handler(self._context(request, rows[good], connected, at_s[good]))
-            messages[good] = connected
+        if all_of(good):
+            verdict = handler(context)
+            return good if verdict is None else verdict
+        connected = messages[good]
+        verdict = handler(self._context(request, rows[good], connected, context.at_s[good]))
+        messages[good] = connected
         if verdict is not None:
             good[good] = verdict
         return good
 
-    def _reply(
-        self,
-        request: Request,
-        rows: IndexArray,
-        messages: Records,
-        at_s: FloatArray,
-        good: BoolArray,
-        *,
-        arguments: Int32Array,
-    ) -> None:
+    def _reply(self, context: RequestContext, good: BoolArray, *, arguments: Int32Array) -> None:
         """Complete replies, and record them for traces."""
-        messages["result"][~good] = 0
+        request, messages = context.request, context.messages
+        if not all_of(good):
+            messages["result"][~good] = 0
         states = None
         if request.replies_state:
-            context = self._context(request, rows, messages, at_s)
             states = self._data.devices.sensor_board.reply(context, good)
         self.served.append(
             Served(
                 code=request.code,
-                robots=rows,
-                clock_s=at_s,
+                robots=context.rows,
+                clock_s=context.at_s,
                 arguments=arguments,
                 results=messages["result"].copy(),
                 states=states,

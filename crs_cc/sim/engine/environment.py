@@ -102,7 +102,8 @@ class Environment:
         Returns:
             the times, in the broadcast shape of the three arguments.
         """
-        return self._data.line.time_s(self.state.link, codes, robots, sizes)
+        data = self._running
+        return data.line.time_s(data.state.link, codes, robots, sizes)
 
     def serve(
         self, code: int, robots: IndexArray, messages: Records, clock_s: FloatArray
@@ -169,6 +170,11 @@ class Environment:
             events=data.log.take(self.time_s),
             traffic=traffic,
         )
+
+    @property
+    def is_quiet(self) -> bool:
+        """Whether nothing can happen in this cycle without a request, see `quiet_until`."""
+        return self._is_untouched and self.quiet_until() > self._running.state.cycle
 
     def quiet_until(self) -> int:
         """Return the number of a cycle before which nothing can happen without a request.

@@ -91,6 +91,9 @@ class Pieces:
         self._reach_m = self._start_m + float(half_m.max(initial=0.0))
         self._cells: CellList | None = None
 
+    def __len__(self) -> int:
+        return len(self._rows)
+
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Update the poses of the movable bodies, as for `Scene.moving`."""
         if not len(self._bodies):
@@ -117,10 +120,10 @@ class Pieces:
         Returns:
             shape (k, beams), in the order of the list that the fan was made from.
         """
-        place = poses[:, 0] + 1j * poses[:, 1]
         if are_few(len(poses), len(self._rows)):
             covers = kernels().covers(fan.table, poses, self._rows)
         else:
+            place = poses[:, 0] + 1j * poses[:, 1]
             covers = np.full((len(poses), len(fan)), _NO_THING)
             for part in self._blocks(place, len(fan)):
                 rows = self._rows_near(place[part])

@@ -117,18 +117,19 @@ def nearest(
     """
     if own is None:
         own = np.full(len(poses), NO_THING, dtype=np.intp)
-    found = np.empty((len(poses), len(fan)))
+    place = poses[:, 0] + 1j * poses[:, 1]
     most, is_named = max(1, kernels().room // (_SHARE * max(len(fan), 1))), objects is not None
-    for block, outlines in obstacles.blocks(poses[:, 0] + 1j * poses[:, 1]):
+    found = []
+    for block, outlines in obstacles.blocks(place):
         for part in parts(block, most):
-            some, mine = poses[part], own[part]
-            place = some[:, 0] + 1j * some[:, 1]
-            rows = outlines.segment_rows(place), outlines.circle_rows(place, mine)
-            results = kernels().rays(fan.table, some, mine, *rows, wants_objects=is_named)
-            found[part] = results[0]
+            rows = outlines.segment_rows(place[part]), outlines.circle_rows(place[part], own[part])
+            results = kernels().rays(
+                fan.table, poses[part], own[part], *rows, wants_objects=is_named
+            )
+            found.append(results[0])
             if objects is not None:
                 objects[part] = results[1]
-    return found
+    return found[0] if len(found) == 1 else np.concatenate([np.zeros((0, len(fan))), *found])
 
 
 def _beams_behind(axis: ComplexArray) -> IndexArray:

@@ -208,28 +208,24 @@ class Kernels:
             tables: the shapes.
         """
         kernel, results, wanted = numbers
-        count, arena, robots = len(poses), self._arena, len(fan)
-        out = robots + _VIEWER * count
-        shapes = out + results * count * int(fan[0])
-        arena[:robots] = fan
-        viewers = arena[robots:out].reshape(-1, _VIEWER)
+        count, robots = len(poses), len(fan)
+        viewers = np.empty((count, _VIEWER))
         viewers[:, :3], viewers[:, 4] = poses, own
+        shapes, out = robots + _VIEWER * count, self.room - results * count * int(fan[0])
+        rows = max(1, (out - shapes) // (tables[0].shape[1] + tables[1].shape[1]))
+        place, head = 0, (fan.tobytes(), viewers.tobytes())
         first, longest = 0, max(len(tables[0]), len(tables[1]))
-        rows = max(1, (self.room - shapes) // sum(table.shape[1] for table in tables))
         while first == 0 or first < longest:
-            end, sizes = shapes, []
-            for table in tables:
-                part = table[first : first + rows]
-                arena[end : end + part.size] = part.reshape(-1)
-                end += part.size
-                sizes.append(len(part))
+            some = [table[first : first + rows] for table in tables]
+            joined = b"".join((*head, *[table.tobytes() for table in some]))
+            self._bytes[place : place + len(joined)] = joined
             _RAYS.pack_into(
-                self._memory, self._place, kernel, count, *sizes, first == 0, wanted,
-                robots, out, shapes,
+                self._memory, self._place, kernel, count, len(some[0]), len(some[1]), first == 0,
+                wanted, robots, out, shapes,
             )  # fmt: skip
             self._resume()
-            first += rows
-        return arena[out:shapes].reshape(results, count, -1).copy()
+            first, place, head = first + rows, shapes * _NUMBER, ()
+        return self._arena[out : self.room].reshape(results, count, int(fan[0])).copy()
 
     def columns(self, kernel: int, count: int, arrays: Sequence[_Column]) -> FloatArray:
         """Run a kernel of `drive.c` on arrays with a row for each robot, of consecutive numbers.

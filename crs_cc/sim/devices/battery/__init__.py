@@ -67,6 +67,7 @@ class Batteries:
         least = np.array([_least_charge(battery) for battery in motors])
         self._least_charge = least[self._kind]
         self._in_status = np.array([battery.is_in_status for battery in motors])[self._kind]
+        self._are_in_status = bool(self._in_status.any())
         has = np.array([model.device("motor_battery") is not None for model in models])
         self._number, self._robots = np.cumsum(has) - 1, np.flatnonzero(has)
         self._rows: Rows = ALL if has.all() else self._robots
@@ -122,8 +123,12 @@ class Batteries:
         self, state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
     ) -> tuple[Int32Array, Int32Array]:
         """Return the bytes of the computers' and of the motors' battery, shape (k,) each."""
-        kinds, charge = self._kind[rows], self.left(state, rows, at_s)
-        if not constants.degradations.concern(state, "battery"):
+        kinds, degrades = self._kind[rows], constants.degradations.concern(state, "battery")
+        if self._supplies.full_bytes is not None and not degrades:
+            found = self._supplies.full_bytes[kinds]
+            return found[:, 0], found[:, 1]
+        charge = self.left(state, rows, at_s)
+        if not degrades:
             found = self._supplies.bytes(kinds, charge)
         else:
             volts = self._supplies.volts(kinds, charge)
@@ -133,9 +138,9 @@ class Batteries:
 
     def status(self, state: EnvState, rows: IndexArray, at_s: FloatArray) -> Int32Array | None:
         """Return bits 2 and 3 of the motors' status, None if no robot reports its charge there."""
-        asks = self._in_status[rows]
-        if not asks.any():
+        if not self._are_in_status:
             return None
+        asks = self._in_status[rows]
         charge = self.left(state, rows, at_s)[:, 1]
         level = np.minimum((charge * _LEVELS).astype(np.int32), _LEVELS - 1)
         return np.asarray(np.where(asks, level << 2, 0))
@@ -163,6 +168,7 @@ class _Supplies:
         start: charge at the start, 0 to 1.
         power_w: power that is used all the time.
         capacity_j: energy in a full battery.
+        full_bytes: the bytes that are sent if all are unlimited, else None.
     """
 
     def __init__(self, computers: Sequence[Battery], motors: Sequence[Battery]) -> None:
@@ -174,6 +180,9 @@ class _Supplies:
         self._curves_v = list(zip(curves_v[::2], curves_v[1::2], strict=True))
         tables = [_bytes(curve_v, _FACTORS[place % 2]) for place, curve_v in enumerate(curves_v)]
         self._bytes = np.array(tables, np.int32).reshape(-1, 2, _STEPS + 1)
+        self.full_bytes: Int32Array | None = None
+        if np.isinf(self.capacity_j).all():
+            self.full_bytes = self.bytes(np.arange(len(computers)), self.start)
 
     def charge(
         self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float

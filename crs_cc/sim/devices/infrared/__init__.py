@@ -30,7 +30,15 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import (
+    BoolArray,
+    FloatArray,
+    IndexArray,
+    Int32Array,
+    Int64Array,
+    all_of,
+    any_of,
+)
 from crs_cc.core.distinct import distinct
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.sim.devices import range_scan
@@ -167,9 +175,11 @@ class InfraredRing:
         self._step_m = np.array([ring.step_m for ring in found])[:, None]
         self._reflectance = np.array([ring.reflectance for ring in found])[:, None]
         self._noise_m = np.array([ring.noise_m for ring in found])[:, None]
-        self._noise = Noise(
-            seed, row.stream, MAX_INFRARED, len(world.robots) if self._noise_m.any() else 0
-        )
+        self._is_noisy = bool(self._noise_m.any())
+        robots = len(world.robots) if self._is_noisy else 0
+        self._noise = Noise(seed, row.stream, MAX_INFRARED, robots)
+        shine = np.sqrt(np.tile(self._reflectance, MAX_INFRARED))
+        self._shining_m = self._step_m * shine  # where no surface has a reflectance of its own
 
     def installed(self) -> Installed:
         """Return the rings with the handlers of their requests."""
@@ -192,23 +202,23 @@ class InfraredRing:
         ring = rings(state)
         mine = constants.numbers[self._row.name][rows]
         due = ring.measured.are_due(mine, at_s, self._interval_s)
-        if not due.any():
+        if not any_of(due):
             return
-        rows, mine = rows[due], mine[due]
+        if not all_of(due):
+            rows, mine, at_s = rows[due], mine[due], at_s[due]
         poses = mount_poses(state, constants, rows)
         distance_m, step_m = self._see(state, constants, rays, rows, poses)
-        if self._noise_m.any():
+        if self._is_noisy:
             distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
-        distance_m = constants.degradations.alter(
-            state, self._row.name, rows, distance_m, at_s[due]
-        )
-        distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
-        new = np.clip(_steps(distance_m, step_m), 0.0, FARTHEST)
+        if constants.degradations.concern(state, self._row.name):
+            distance_m = constants.degradations.alter(state, self._row.name, rows, distance_m, at_s)
+            distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
+        new = np.minimum(np.maximum(_steps(distance_m, step_m), 0.0), FARTHEST)
         share = ring.share[mine, None]
         level = share * ring.level[mine] + (1.0 - share) * new
         ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
         ring.count[mine] += 1
-        ring.measured.note(mine, at_s[due], configuration(state, constants, rows))
+        ring.measured.note(mine, at_s, configuration(state, constants, rows))
 
     def get_ir(self, context: RequestContext) -> BoolArray:
         """Answer GET_IR: measure, for `State`; refuse robots without infrared sensors."""
@@ -258,9 +268,12 @@ class InfraredRing:
             of shape (k, 16).
         """
         mine = constants.numbers[self._row.name][rows]
+        own = rays.surfaces.infrared
+        if own is None and len(self.fans) == 1:
+            distance_m = rays.distances_m(state, self.fans[0], poses, own=rows)
+            return distance_m, self._shining_m[mine]
         distance_m = np.empty((len(rows), MAX_INFRARED))
         shine = np.tile(self._reflectance[mine], MAX_INFRARED)
-        own = rays.surfaces.infrared
         for kind, some in range_scan.alike(self._kind[mine]):
             fan = self.fans[kind]
             if own is None:

@@ -52,7 +52,7 @@ def keep(
         kinds: the kinds of sensors whose readings the reply carries, as the vendor's bits.
     """
     wanted = state.mask[rows, POS_DATA] & kinds
-    if not wanted.any():
+    if not np.count_nonzero(wanted):
         return
     for kind, places in PLACES.items():
         robots = rows[wanted & kind != 0]
