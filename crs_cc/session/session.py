@@ -390,9 +390,11 @@ class Session:
         if self._is_quiet:
             self._skip(1)
             return self._can_continue
-        step = self.environment.step()
-        state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
-        self.fleet.reply(step.robots, step.messages)
+        is_told = self._trace is not None or self._observer is not None
+        step = self.environment.step(tells_slices=is_told)
+        if len(step.robots):
+            state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
+            self.fleet.reply(step.robots, step.messages)
         state.timesteps += 1
         state.rounds = 0
         state.update_presence()

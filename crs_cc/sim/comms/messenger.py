@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, all_of
 from crs_cc.requests import DATA_SIZE
 from crs_cc.sim.comms import inbox, outages, outbox
 from crs_cc.sim.comms.channel_model import ChannelModel
@@ -126,7 +126,7 @@ class Messenger:
         if len(messages.shuts):
             names = self._robots
             outages.log_changes(messages, self._channels, names, from_s=from_s, to_s=to_s, log=log)
-        if not state.presence.present.all():
+        if not all_of(state.presence.present):
             inbox.clear(messages, state.presence.present)
             outbox.clear(messages, state.presence.present, from_s)
         if len(messages.receptions):

@@ -126,23 +126,30 @@ class Environment:
         self._catch_up()
         return self._dispatcher.serve(code, robots, messages, clock_s)
 
-    def step(self) -> Step:
-        """End the cycle; return what happened in it and which waits end in the next."""
-        data, state, end_s = self._data, self.state, self.end_s
-        present = np.flatnonzero(state.presence.present)
+    def step(self, *, tells_slices: bool = True) -> Step:
+        """End the cycle; return what happened in it and which waits end in the next.
+
+        Args:
+            tells_slices: whether the result has the slices of motion commands.
+        """
+        data = self._data
+        state, end_s, time_s = data.state, data.end_s, data.time_s
+        present = state.presence.present.nonzero()[0]
         data.advance_to(present, np.full(len(present), end_s))
         data.rolling.add(state, data.constants)
-        slices, contacts = self._move()
+        slices, contacts = self._move(tells_slices=tells_slices)
         # Motors without power are limp from the next cycle on.
-        worked = data.devices.sensor_board.batteries.drain(state, self.timestep_s)
+        worked = data.devices.sensor_board.batteries.drain(state, data.timestep_s)
         data.let_go_if_empty(worked, end_s)
         # Contacts use the numbers of objects before robots join or leave below.
         before = bumper_state(state).pressed
         began = data.devices.bumpers.touch(state, data.constants, contacts, end_s)
         now, names = bumper_state(state).pressed, data.names
-        pressed, released = now & ~before, before & ~now
+        pressed = released = np.zeros_like(before)
+        if now is not before:
+            pressed, released = now & ~before, before & ~now
         # Degradations that begin are logged before the devices' work at the end of the cycle.
-        cycle, time_s, served = state.cycle, self.time_s, tuple(self._dispatcher.served)
+        cycle, served = state.cycle, tuple(self._dispatcher.served)
         if state.degradation.next_s < end_s:
             self.degradations.log_changes(end_s)
         data.devices.end_cycle(state, data.constants, time_s, end_s)
@@ -167,7 +174,7 @@ class Environment:
             names=names,
             slices=slices,
             served=served,
-            events=data.log.take(self.time_s),
+            events=data.log.take(end_s),
             traffic=traffic,
         )
 
@@ -193,31 +200,32 @@ class Environment:
         self._running.state.cycle += cycles
         self._skipped += cycles
 
-    def _move(self) -> tuple[Slices, Contacts]:
+    def _move(self, *, tells_slices: bool) -> tuple[Slices | None, Contacts]:
         """Move the bodies along the slices of the cycle, which are complete now."""
-        data, state, constants = self._data, self.state, self._data.constants
-        before_m = state.bodies.position_m[: len(self.world.robots)].copy()
+        data, end_s = self._running, self._running.end_s
+        state, constants = data.state, data.constants
+        before_m = state.bodies.position_m[: len(state.heading_rad)].copy()
         handling, pull = data.devices.handling, traction.pull(state, constants)
-        pull = handling.pull(state, constants, pull, self.end_s)
+        pull = handling.pull(state, constants, pull, end_s)
         contacts = data.physics.step(state.bodies, pull)
         # Wheels that were held up have not turned; only now the robots' true motion is known.
         went_m = state.bodies.position_m[: len(before_m)] - before_m
         traction.apply_contacts(state, constants, went_m)
-        slices = slices_of(state, data.axes, self.timestep_s)
-        log_falls(constants, data.log, self.end_s, before_m, went_m)
+        slices = slices_of(state, data.axes, data.timestep_s) if tells_slices else None
+        log_falls(constants, data.log, end_s, before_m, went_m)
         state.distance_m += traction.ways_m(constants, before_m, went_m)
         drive.face(state, constants)
         # Hands grasp what is there now; held objects change the bodies.
-        if handling.end_cycle(state, constants, contacts, self.end_s):
+        if handling.end_cycle(state, constants, contacts, end_s):
             data.physics.start_from(state.bodies)
         return slices, contacts
 
     def _begin_cycle(self) -> None:
-        state = self.state
+        state, drives = self._running.state, self._running.state.drive
         state.cycle += 1
-        state.drive.moved_m[:] = 0.0
-        state.drive.slice[:] = 0.0
-        state.drive.facing_rad[:] = state.heading_rad
+        drives.moved_m[:] = 0.0
+        drives.slice[:] = 0.0
+        drives.facing_rad[:] = state.heading_rad
         self._dispatcher.served = []
 
     # -- contents ------------------------------------------------------------------------------

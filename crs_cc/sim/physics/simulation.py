@@ -30,7 +30,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray
+from crs_cc.core.arrays import BoolArray, FloatArray, any_of
 from crs_cc.core.gc_pause import without_collector
 from crs_cc.sim.geometry.clearance import clearance_m
 from crs_cc.sim.geometry.ledges import Ledges
@@ -227,15 +227,17 @@ class Physics:
         if not self._is_settled(bodies):
             return False
         # Two robots may approach each other, each by the longest displacement.
-        need_m = 2 * float(np.abs(way_m).sum(axis=1).max(initial=0.0)) + SLOP_M
+        need_m = 2 * max((abs(x) + abs(y) for x, y in way_m.tolist()), default=0.0) + SLOP_M
         return self._use_room(bodies, need_m)
 
     def _is_settled(self, bodies: Bodies) -> bool:
         """Return whether the bodies are few, and none but robots can move by themselves."""
-        if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
+        if len(bodies.position_m) > _FEW_BODIES or any_of(bodies.slipping):
             return False
         if self._load is not None or not bodies.settled[0]:
             return False
+        if len(bodies.position_m) == self._robots:
+            return True
         return not bodies.velocity_mps[self._robots :].any()
 
     def _use_room(self, bodies: Bodies, need_m: float) -> bool:

@@ -16,7 +16,7 @@ from typing import Final, Self
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, any_of
 
 GRIPPER: Final = 0
 HAND: Final = 1
@@ -63,7 +63,7 @@ class Holds:
 
     def any(self) -> bool:
         """Return whether any object is held."""
-        return bool((self.thing >= 0).any())
+        return any_of(self.thing >= 0)
 
     def take(self, rows: IndexArray, kind: int, things: IndexArray, grasp: FloatArray) -> None:
         """Put objects into the grippers or hands of robots."""

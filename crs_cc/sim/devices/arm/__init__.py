@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, any_of
 from crs_cc.core.quantity import ANGLE
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
 from crs_cc.requests import LARGEST, device_request
@@ -126,7 +126,7 @@ class Arms:
     def end_cycle(self, state: EnvState, constants: RobotConstants, end_s: float) -> bool:
         """Make hands grasp and release objects; return whether any did."""
         rows, arm = self._rows, arm_of(state)
-        if not arm.acts.any():
+        if not any_of(arm.acts):
             return False
         held = state.bodies.holds.thing[rows, HAND] >= 0
         opening = np.flatnonzero(arm.acts & ~arm.closed)

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, any_of
 from crs_cc.sim.devices.battery.model import ENDLESS, ENDLESS_MOTORS, Battery, MotorBattery
 from crs_cc.sim.devices.battery.state import motors_of
 from crs_cc.sim.state.rows import ALL, Rows, take
@@ -82,7 +82,7 @@ class Batteries:
     def drain(self, state: EnvState, timestep_s: float) -> IndexArray:
         """Drain motor batteries by a cycle, turned to its end; return whose motors were working."""
         held_back = state.bodies.slipping
-        if self._lasts or not (state.drive.slice.any() or held_back.any()):
+        if self._lasts or not (state.drive.slice.any() or any_of(held_back)):
             return _NOBODY
         held_back = held_back[self._rows]
         way_m = take(state.drive.slice, self._rows) * self._lever

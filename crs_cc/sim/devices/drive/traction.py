@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, any_of
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.kernels import exact
@@ -92,7 +92,7 @@ def speed(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Float
     """Return the speeds of robots' axes as measured by their encoders, shape (k, 3)."""
     now_s, driven = state.drive.clock_s[rows], take(state.drive.axes.speed, rows)
     driven = constants.degradations.speeds(state, "drive", rows, driven, now_s)
-    if not state.drive.hindered.any():
+    if not any_of(state.drive.hindered):
         return np.asarray(driven)
     lag_mps = weighted(driven, constants.drives.forward[rows]) - state.drive.forward_mps[rows]
     lag_mps = np.where(state.drive.hindered[rows], lag_mps, 0.0)
@@ -108,7 +108,8 @@ def apply_contacts(state: EnvState, constants: RobotConstants, went_m: FloatArra
         went_m: true displacement of each robot, world frame, (robots, 2).
     """
     off_m = went_m - state.drive.moved_m
-    if np.abs(off_m).max(initial=0.0) <= _SAME_M and not state.drive.hindered.any():
+    most_m = np.maximum.reduce(np.abs(off_m), axis=None, initial=0.0)
+    if most_m <= _SAME_M and not any_of(state.drive.hindered):
         return
     held_up = (np.abs(off_m) > _SAME_M).any(axis=1)
     drives, limp = constants.drives, is_limp(state, constants)
