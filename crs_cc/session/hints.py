@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.core.arrays import FloatArray, IndexArray, Records, any_of
 from crs_cc.requests import CODES
 
 if TYPE_CHECKING:
@@ -112,6 +112,8 @@ class Hints:
         unit, limit = drives.unit[robots], drives.speed_limit[robots]
         asked = messages["i"][:, :3]
         above = np.abs(asked * unit) > limit * (1.0 + _ROUNDING)
+        if not any_of(above):
+            return
         for index, axis in np.argwhere(above)[:1].tolist():
             robot = int(robots[index])
             most = round(float(limit[index, axis] / unit[index, axis]))

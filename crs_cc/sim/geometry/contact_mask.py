@@ -90,6 +90,7 @@ class Pieces:
         half_m = exact.hypot(self._half_length_m[self._fixed :], self._half_width_m[self._fixed :])
         self._reach_m = self._start_m + float(half_m.max(initial=0.0))
         self._cells: CellList | None = None
+        self._places = b""  # of the movable bodies
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -98,6 +99,10 @@ class Pieces:
         """Update the poses of the movable bodies, as for `Scene.moving`."""
         if not len(self._bodies):
             return
+        places = position_m[self._bodies].tobytes() + angle_rad[self._bodies].tobytes()
+        if places == self._places:
+            return
+        self._places = places
         x_m, y_m = position_m[self._bodies].T
         facing = exact.turn(angle_rad[self._bodies])
         off_m = exact.product(facing, self._own_middle[self._fixed :])

@@ -56,6 +56,7 @@ from crs_cc.sim.geometry.outline_query import Prospect
 from crs_cc.sim.geometry.pings import Pings, Points
 from crs_cc.sim.kernels.program import PING_SIZE, kernels, pairs
 
+_NO_VOICES: Final = np.zeros((0, 4))
 _MANY: Final = 1 << 10  # more shapes of a ping than this may be equal ones
 
 
@@ -108,6 +109,12 @@ class _Shapes:
     ) -> Self:
         """Return what may be in the beams."""
         place, own, count = pings.place, pings.own, len(pings)
+        if count == 1 and voices is None:
+            faces, rounds = obstacles.segment_rows(place), obstacles.circle_rows(place, own)
+            if len(faces) <= _MANY and len(rounds) <= _MANY:
+                rounds = rounds[rounds[:, 1] != own[0]]
+                counts = np.array([[len(faces), len(rounds), 0]])
+                return cls(pings, counts, _heard(faces, hushed), _heard(rounds, hushed), _NO_VOICES)
         ping, start, end, length_m = obstacles.segments_near(place)
         share = 1.0 if hushed is None else hushed[obstacles.segment_objects(place)]
         faces, face_count = _table(count, ping, (start, end), (length_m, share))
@@ -153,6 +160,14 @@ class _Shapes:
         table[:, 8], table[:, 9] = pings.falloff, pings.critical_rad
         table[:, 10:13] = self.counts
         return table
+
+
+def _heard(rows: FloatArray, hushed: FloatArray | None) -> FloatArray:
+    """Return rows of shapes as the kernel of echoes reads them, from those for rays."""
+    found = np.empty((len(rows), rows.shape[1] - 1))
+    found[:, :-1] = rows[:, 2:]
+    found[:, -1] = 1.0 if hushed is None else hushed[rows[:, 1].astype(np.intp)]
+    return found
 
 
 def _table(

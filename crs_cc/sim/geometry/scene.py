@@ -137,10 +137,19 @@ class _Sides:
         last = np.cumsum(counts) - 1
         after[last] = last - counts + 1
         self._ends_m = self._starts_m[after]
+        self._places = b""  # for which the segments were made
+        self._segments = _NO_SEGMENTS
 
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
+        """Return the sides, read-only: the same array as long as their bodies have not moved."""
         if not len(self.bodies):
             return _NO_SEGMENTS
+        places = position_m[self.bodies].tobytes() + angle_rad[self.bodies].tobytes()
+        if places != self._places:
+            self._places, self._segments = places, self._turned(position_m, angle_rad)
+        return self._segments
+
+    def _turned(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
         cos, sin = exact.cos(angle_rad[self.bodies]), exact.sin(angle_rad[self.bodies])
         columns = []
         for ends_m in (self._starts_m, self._ends_m):

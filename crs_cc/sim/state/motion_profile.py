@@ -124,16 +124,16 @@ def plan_speed(
         axes,
         rows,
         which,
-        start_s=np.broadcast_to(now_s[:, None], first.shape),
+        start_s=now_s[:, None],
         first=first,
         ramp=np.sign(target - first) * ramp,
         ramp_s=ramp_s,
         cruise=target,
         cruise_s=np.where(stops, 0.0, np.inf),
-        brake_s=np.zeros_like(first),
-        begun=np.zeros_like(first),
-        limit=np.zeros_like(first),
-        rate=np.zeros_like(first),
+        brake_s=0.0,
+        begun=0.0,
+        limit=0.0,
+        rate=0.0,
         total=np.where(stops, first * ramp_s / 2, np.nan),
     )
 
@@ -179,17 +179,17 @@ def plan_move(
         axes,
         rows,
         which,
-        start_s=np.broadcast_to(now_s[:, None], first.shape),
+        start_s=now_s[:, None],
         first=first,
         ramp=side * np.sign(peak - speed) * ramp,
         ramp_s=ramp_s,
         cruise=side * peak,
         cruise_s=np.divide(cruise, peak, out=np.zeros_like(peak), where=cruises),
         brake_s=brake_s,
-        begun=np.broadcast_to(begun, first.shape),
+        begun=begun,
         total=begun + way,
-        limit=np.broadcast_to(limit, first.shape),
-        rate=np.broadcast_to(ramp, first.shape),
+        limit=limit,
+        rate=ramp,
     )
 
 
@@ -251,9 +251,11 @@ def end_here(axes: Axes, rows: Rows, which: BoolArray) -> None:
     axes.total[rows] = np.where(which, take(axes.travelled, rows), take(axes.total, rows))
 
 
-def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
+def _replace(
+    axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray | float
+) -> None:
     """Replace the profiles of the selected axes."""
     profile["travelled"] = profile["begun"]
     for name, values in profile.items():
         old: FloatArray = getattr(axes, name)
-        old[rows] = np.where(which, values, take(old, rows))
+        old[rows] = values if which is True else np.where(which, values, take(old, rows))

@@ -188,9 +188,9 @@ class _Supplies:
         self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float
     ) -> FloatArray:
         """Return the states of charge after some time in use, 0 to 1, shape (k, 2)."""
-        used_j = self.power_w[kinds] * for_s[:, None]
+        used_j = self.power_w.take(kinds, axis=0) * for_s[:, None]
         used_j[:, 1] += moved_j
-        left = self.start[kinds] - used_j / self.capacity_j[kinds]
+        left = self.start.take(kinds, axis=0) - used_j / self.capacity_j.take(kinds, axis=0)
         return np.asarray(np.maximum(left, 0.0))
 
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:

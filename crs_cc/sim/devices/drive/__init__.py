@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, any_of
 from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
@@ -346,7 +346,7 @@ def run_at(
     """
     _take_up(state, constants, rows, which)
     limit = take(constants.drives.speed_limit, rows)
-    target = np.clip(speed, -limit, limit)
+    target = np.minimum(np.maximum(speed, -limit), limit)
     ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     motion_profile.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
 
@@ -400,8 +400,9 @@ def _take_up(
     state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool
 ) -> None:
     """Engage the motors of limp wheels again, at the speed at which these roll."""
-    limp = state.drive.limp[rows] & which
-    if limp.any():
+    limp = state.drive.limp[rows]
+    limp = limp if which is True else limp & which
+    if any_of(limp):
         speed = state.drive.axes.speed
         speed[rows] = np.where(limp, traction.speed(state, constants, rows), speed[rows])
         state.drive.limp[rows] &= ~limp
