@@ -40,7 +40,7 @@ from crs_cc.sim.engine.dispatch import Dispatcher
 from crs_cc.sim.engine.falls import log_falls
 from crs_cc.sim.engine.goals import GoalResult
 from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
-from crs_cc.sim.engine.step import Slices, Step, slices_of
+from crs_cc.sim.engine.step import NO_SLICES, Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
 from crs_cc.sim.model.registry import device, devices
@@ -200,7 +200,7 @@ class Environment:
         self._running.state.cycle += cycles
         self._skipped += cycles
 
-    def _move(self, *, tells_slices: bool) -> tuple[Slices | None, Contacts]:
+    def _move(self, *, tells_slices: bool) -> tuple[Slices, Contacts]:
         """Move the bodies along the slices of the cycle, which are complete now."""
         data, end_s = self._running, self._running.end_s
         state, constants = data.state, data.constants
@@ -211,7 +211,7 @@ class Environment:
         # Wheels that were held up have not turned; only now the robots' true motion is known.
         went_m = state.bodies.position_m[: len(before_m)] - before_m
         traction.apply_contacts(state, constants, went_m)
-        slices = slices_of(state, data.axes, data.timestep_s) if tells_slices else None
+        slices = slices_of(state, data.axes, data.timestep_s) if tells_slices else NO_SLICES
         log_falls(constants, data.log, end_s, before_m, went_m)
         state.distance_m += traction.ways_m(constants, before_m, went_m)
         drive.face(state, constants)

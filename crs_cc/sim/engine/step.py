@@ -100,6 +100,22 @@ class Slices:
     present: BoolArray
 
 
+_NOTHING: Final = np.zeros((0, 3))
+_NOBODY: Final = np.zeros(0, np.int64)
+NO_SLICES: Final = Slices(
+    axes=(),
+    command=_NOBODY,
+    number=_NOBODY,
+    count=_NOBODY,
+    way=_NOTHING,
+    travelled=_NOTHING,
+    total=_NOTHING,
+    waiting=_NOBODY != 0,
+    present=_NOBODY != 0,
+)
+"""The slices of no robots."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
     """One cycle that has ended.
@@ -115,7 +131,7 @@ class Step:
             bit by bit as in `State[33]`, (robots,).
         released: those that were and are not any more, (robots,).
         names: names of what `contacts.other` refers to: robots, objects, walls.
-        slices: the motion of the axes in the cycle; None if nobody wanted to know.
+        slices: the motion of the axes in the cycle; `NO_SLICES` if nobody wants to know.
         served: the requests that were answered in the cycle, in order.
         events: the other events in it, in order.
         traffic: the log of messages, by time, of dtype `state.messages.TRAFFIC`;
@@ -131,7 +147,7 @@ class Step:
     pressed: Int32Array
     released: Int32Array
     names: tuple[str, ...]
-    slices: Slices | None
+    slices: Slices
     served: tuple[Served, ...]
     events: tuple[Event, ...]
     traffic: Records
@@ -234,7 +250,6 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
 
 def describe_slice(step: Step, robot: int) -> RobotSlice:
     """Return one robot's part of a cycle as plain values."""
-    assert step.slices is not None
     return slice_of(step.slices, robot, _answers(step, robot))
 
 

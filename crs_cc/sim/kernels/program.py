@@ -188,7 +188,7 @@ class Kernels:
             poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
             pieces: a row for each piece, as of segments for `rays`.
         """
-        return self._survey((_COVERS, 1, 1), fan, poses, 0, (pieces, pieces[:0]))[0]
+        return np.asarray(self._survey((_COVERS, 1, 1), fan, poses, 0, (pieces, pieces[:0]))[0])
 
     def _survey(
         self,
@@ -213,18 +213,18 @@ class Kernels:
         viewers[:, :3], viewers[:, 4] = poses, own
         shapes, out = robots + _VIEWER * count, self.room - results * count * int(fan[0])
         rows = max(1, (out - shapes) // (tables[0].shape[1] + tables[1].shape[1]))
-        place, head = 0, (fan.tobytes(), viewers.tobytes())
+        place, head = 0, fan.tobytes() + viewers.tobytes()
         first, longest = 0, max(len(tables[0]), len(tables[1]))
         while first == 0 or first < longest:
             some = [table[first : first + rows] for table in tables]
-            joined = b"".join((*head, *[table.tobytes() for table in some]))
+            joined = b"".join((head, *[table.tobytes() for table in some]))
             self._bytes[place : place + len(joined)] = joined
             _RAYS.pack_into(
                 self._memory, self._place, kernel, count, len(some[0]), len(some[1]), first == 0,
                 wanted, robots, out, shapes,
             )  # fmt: skip
             self._resume()
-            first, place, head = first + rows, shapes * _NUMBER, ()
+            first, place, head = first + rows, shapes * _NUMBER, b""
         return self._arena[out : self.room].reshape(results, count, int(fan[0])).copy()
 
     def columns(self, kernel: int, count: int, arrays: Sequence[_Column]) -> FloatArray:
@@ -262,7 +262,7 @@ class Kernels:
             count: the number of robots.
         """
         self._select(_REPORTS, count, bytes(_NUMBER * (1 + count)), rows)
-        return self._second[: 8 * count].reshape(count, 8).copy()
+        return np.array(self._second[: 8 * count].reshape(count, 8))
 
     def _select(self, kernel: int, count: int, numbers: bytes, rows: IndexArray | None) -> None:
         """Run a kernel on some of the `robots`."""

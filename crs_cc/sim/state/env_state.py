@@ -48,10 +48,24 @@ S = TypeVar("S")
 
 
 class _InRows:
-    """What a state has besides its fields."""
+    """The rows of a state, besides its fields."""
 
     __slots__ = ("_rows",)
-    _rows: RobotRows | None
+
+    def __post_init__(self) -> None:
+        self._rows: RobotRows | None = None
+
+    @property
+    def rows(self) -> RobotRows:
+        """What kernels change, as rows: the memory of some of the arrays, once asked for."""
+        if self._rows is None:
+            self._rows = RobotRows(self)
+        return self._rows
+
+    def replace(self, before: _InRows) -> None:
+        """Use the memory of another state, which is not used any more."""
+        if before._rows is not None:
+            self._rows = RobotRows(self, before._rows)
 
 
 @dataclass(slots=True, kw_only=True)
@@ -151,21 +165,6 @@ class EnvState(_InRows):
             commands=_whole(count),
             goals=GoalState.at_start(world),
         )
-
-    def __post_init__(self) -> None:
-        self._rows = None
-
-    @property
-    def rows(self) -> RobotRows:
-        """What kernels change, as rows: the memory of some of the arrays, once asked for."""
-        if self._rows is None:
-            self._rows = RobotRows(self)
-        return self._rows
-
-    def replace(self, before: EnvState) -> None:
-        """Use the memory of another state, which is not used any more."""
-        if before._rows is not None:
-            self._rows = RobotRows(self, before._rows)
 
     @property
     def x_m(self) -> FloatArray:

@@ -18,7 +18,7 @@ from __future__ import annotations
 import math
 from dataclasses import fields
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -33,9 +33,6 @@ from crs_cc.sim.kernels.program import (
 )
 from crs_cc.sim.state.motion_profile import Axes
 from crs_cc.sim.state.rows import Rows, parts, take
-
-if TYPE_CHECKING:
-    from crs_cc.sim.state.env_state import EnvState
 
 ROW_SIZE: Final = ROBOT_BYTES // 8
 """Numbers in a row."""
@@ -57,11 +54,11 @@ class RobotRows:
         table: the rows, (robots, `ROW_SIZE`).
     """
 
-    def __init__(self, state: EnvState, before: RobotRows | None = None) -> None:
+    def __init__(self, state: Any, before: RobotRows | None = None) -> None:
         """Move the columns of a state into rows.
 
         Args:
-            state: the state.
+            state: the state, an `EnvState`.
             before: the rows of another state, which is not used any more.
         """
         count = len(state.drive.clock_s)
@@ -80,7 +77,7 @@ class RobotRows:
     def _move(self, part: Any, name: str, place: int) -> int:
         """Move an array into rows, from a byte on; return where the next one begins."""
         array = getattr(part, name)
-        size, width = array.itemsize, math.prod(array.shape[1:])
+        size, width = int(array.itemsize), math.prod(array.shape[1:])
         row = self.table.view(np.uint8)[:, place : place + size * width]
         view = row.view(array.dtype).reshape(array.shape)
         view[...] = array
