@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.core.arrays import FloatArray, IndexArray, any_of
 from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper import Bumpers
@@ -113,7 +113,7 @@ class DeviceBoard:
         to_s = np.minimum(to_s, constants.last_instant_s(state.cycle))
         while True:
             due = state.timers.soonest_s[rows] <= to_s
-            if not due.any():
+            if not any_of(due):
                 break
             firing = rows[due]
             at_s = state.timers.soonest_s[firing]

@@ -8,7 +8,6 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
 from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
-from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.waits import when
 from crs_cc.sim.engine.step import Served
@@ -39,10 +38,9 @@ class Dispatcher:
             return np.array(clock_s, dtype=np.float64)
         request, drives = REQUESTS[code], state.drive
         now_s = np.fmin(np.fmax(clock_s, drives.clock_s[rows]), data.end_s)
-        data.advance_to(rows, now_s)
+        data.advance_to(rows, now_s, renews=True)
         arguments = messages["i"].copy()
         state.commands[rows] += 1
-        drive.renew_deadline(state, rows)
         context = self._context(request, rows, messages, now_s)
         good = self._handle(context)
         if request.moves:

@@ -59,7 +59,7 @@ class Floor:
             column, row = self._window(cell_m, x, y, radius)
             centre_x_m, centre_y_m = self._centres_m(cell_m, column, row)
             from_x_m, from_y_m = centre_x_m[None, :] - x, centre_y_m[:, None] - y
-            near = from_x_m**2 + from_y_m**2 <= radius**2
+            near = from_x_m * from_x_m + from_y_m * from_y_m <= radius * radius
             covered[(row[:, None] * columns + column)[near]] = True
 
     def _find_free(self, cell_m: float) -> BoolArray:

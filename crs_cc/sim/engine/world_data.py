@@ -259,21 +259,25 @@ class WorldData:
         self.log.restore(snapshot.events)
         self.rays.forget()
 
-    def advance_to(self, rows: IndexArray, to_s: FloatArray) -> None:
+    def advance_to(self, rows: IndexArray, to_s: FloatArray, *, renews: bool = False) -> None:
         """Fire timers and turn the wheels of robots, up to times in this cycle.
 
         Args:
             rows: which robots, rising, k of them.
             to_s: the time of each, not before the last one, (k,).
+            renews: whether their command timeouts begin anew then.
         """
         state, constants = self.state, self.constants
         last_s = constants.last_instant_s(state.cycle)
         some = ALL if len(rows) == len(state.drive.clock_s) else rows
-        if drive.advance_freely(state, constants, some, to_s, last_s) == ADVANCED:
+        done = drive.advance_freely(state, constants, some, to_s, last_s, renews=renews)
+        if done == ADVANCED:
             return
         # Sensors measure during the motion of the wheels, so before that is advanced.
         self.devices.advance(state, constants, self.rays, rows, to_s)
         drive.advance(state, constants, some, to_s)
+        if renews:
+            drive.renew_deadline(state, rows)
 
     def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
         """Make the axes of robots with empty batteries limp."""

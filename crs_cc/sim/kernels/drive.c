@@ -185,8 +185,9 @@ static int is_due(const struct robot *robot, double time)
 }
 
 /* Advance robots to the time of each. If anything happens to one of them before, none is advanced:
-   then return what. What sensors do counts up to the time `last`. */
-int __crs_advance(int count, const long long *rows, double last, const double *to,
+   then return what. What sensors do counts up to the time `last`. Command timeouts begin anew if
+   `renews` is set. */
+int __crs_advance(int count, int renews, const long long *rows, double last, const double *to,
                   const struct drive *drives, struct robot *robots)
 {
     int i;
@@ -205,6 +206,8 @@ int __crs_advance(int count, const long long *rows, double last, const double *t
         int row = rows ? rows[i] : i;
 
         move(&robots[row], &drives[row], to[i]);
+        if (renews)
+            robots[row].deadline = to[i] + robots[row].timeout;
     }
     return ADVANCED;
 }

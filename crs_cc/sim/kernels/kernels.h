@@ -23,7 +23,7 @@ void __crs_counts(int count, double *columns);
 enum { ADVANCED, SENSOR_DUE, TIMEOUT_DUE, HELD_UP };
 
 /* Kernels on robots: `rows` are their rows in the tables, 0 for the first `count` ones. */
-int __crs_advance(int count, const long long *rows, double last, const double *to,
+int __crs_advance(int count, int renews, const long long *rows, double last, const double *to,
                   const struct drive *drives, struct robot *robots);
 
 /* What `State` says of motions, see report.c: eight integers of each robot. */

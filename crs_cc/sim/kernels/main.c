@@ -5,7 +5,7 @@
 #include "robot.h"
 
 /* Other numbers are those of elementwise functions. */
-enum { ECHOES = 100, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS };
+enum { ECHOES = 100, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW };
 
 static int arguments[10];
 static double arena[3][2 * BLOCK];
@@ -42,8 +42,9 @@ int __crs_start(void)
             __crs_profiles(n[1], arena[0]);
         else if (n[0] == COUNTS)
             __crs_counts(n[1], arena[0]);
-        else if (n[0] == ADVANCE)
-            n[0] = __crs_advance(n[1], rows(n[1], n[2]), arena[0][0], arena[0] + 1, drives, robots);
+        else if (n[0] == ADVANCE || n[0] == RENEW)
+            n[0] = __crs_advance(n[1], n[0] == RENEW, rows(n[1], n[2]), arena[0][0], arena[0] + 1,
+                                 drives, robots);
         else if (n[0] == REPORTS)
             __crs_reports(n[1], rows(n[1], n[2]), drives, robots, (int *)arena[1]);
         else

@@ -44,6 +44,7 @@ COUNTS: Final = 103
 _ADVANCE: Final = 104
 _REPORTS: Final = 105
 _COVERS: Final = 106
+_RENEW: Final = 107
 ROBOTS_AT_ONCE: Final = 8192
 """A kernel of `drive.c` has room for so many."""
 
@@ -55,7 +56,7 @@ HELD_UP: Final = 3
 
 ROBOTS: Final = 11000
 """Rows of the tables of robots, as in `kernels.h`."""
-ROBOT_BYTES: Final = 63 * 8
+ROBOT_BYTES: Final = 64 * 8
 _DRIVE_BYTES: Final = 19 * 8
 """Sizes of the rows, see `robot.h`."""
 
@@ -239,18 +240,22 @@ class Kernels:
         self.apply(kernel, count)
         return self._arena
 
-    def advance(self, rows: IndexArray | None, to_s: FloatArray, last_s: float) -> int:
+    def advance(
+        self, rows: IndexArray | None, to_s: FloatArray, last_s: float, *, renews: bool = False
+    ) -> int:
         """Advance robots to a time each, if nothing happens to them before, see `drive.c`.
 
         Args:
             rows: their rows in `robots`, None for the first ones.
             to_s: the times, (k,).
             last_s: the time up to which sensors matter.
+            renews: whether their command timeouts begin anew.
 
         Returns:
             `ADVANCED`, or what happens before.
         """
-        self._select(_ADVANCE, len(to_s), _LAST.pack(last_s) + to_s.tobytes(), rows)
+        times = _LAST.pack(last_s) + to_s.tobytes()
+        self._select(_RENEW if renews else _ADVANCE, len(to_s), times, rows)
         found: int = _RESULT.unpack_from(self._memory, self._place)[0]
         return found
 

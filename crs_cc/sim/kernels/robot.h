@@ -20,7 +20,7 @@ struct robot {
     struct axes axes;
     struct odometry odometry;
     double slice[AXES], moved[2], facing, turret, clock;    /* its motion in this cycle */
-    double deadline;                                        /* of its command timeout */
+    double timeout, deadline;                               /* of commands */
     double timer;                                           /* the soonest of its timers */
     double fires, hears;                                    /* its sonars, */
     long long listening;                                    /* -1 for none */

@@ -40,7 +40,8 @@ ROW_SIZE: Final = ROBOT_BYTES // 8
 _PARTS: Final = (
     ("drive.axes", [each.name for each in fields(Axes)]),
     ("odometry", ["shaft", "told", "x_m", "y_m", "heading_rad", "turret_rad"]),
-    ("drive", ["slice", "moved_m", "facing_rad", "turret_rad", "clock_s", "deadline_s"]),
+    ("drive", ["slice", "moved_m", "facing_rad", "turret_rad", "clock_s"]),
+    ("drive", ["timeout_s", "deadline_s"]),
     ("timers", ["soonest_s"]),
     ("devices.sonar", ["next_s", "heard_s", "listening"]),
     ("drive", ["limp", "hindered"]),
@@ -77,14 +78,16 @@ class RobotRows:
     def _move(self, part: Any, name: str, place: int) -> int:
         """Move an array into rows, from a byte on; return where the next one begins."""
         array = getattr(part, name)
-        size, width = int(array.itemsize), math.prod(array.shape[1:])
+        size, width = int(array.itemsize), int(math.prod(array.shape[1:]))
         row = self.table.view(np.uint8)[:, place : place + size * width]
         view = row.view(array.dtype).reshape(array.shape)
         view[...] = array
         setattr(part, name, view)
         return place + size * width
 
-    def advance(self, rows: Rows, to_s: FloatArray, last_s: float, drives: FloatArray) -> int:
+    def advance(
+        self, rows: Rows, to_s: FloatArray, last_s: float, drives: FloatArray, *, renews: bool
+    ) -> int:
         """Advance the axes of robots as commanded, see `Kernels.advance`.
 
         Args:
@@ -92,17 +95,18 @@ class RobotRows:
             to_s: the time of each, (k,).
             last_s: the time up to which sensors matter.
             drives: the constants of all robots, see `Drives.table`.
+            renews: whether their command timeouts begin anew.
 
         Returns:
             `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
         """
         if self._home is not None:
             self._hold(drives)
-            return self._home.advance(_selected(rows), to_s, last_s)
+            return self._home.advance(_selected(rows), to_s, last_s, renews=renews)
         own, found = kernels(), ADVANCED
         for some, part in parts(rows, len(to_s), ROBOTS_AT_ONCE):
             _copy(own, take(drives, some), take(self.table, some))
-            found = own.advance(None, to_s[part], last_s)
+            found = own.advance(None, to_s[part], last_s, renews=renews)
             if found != ADVANCED:
                 break
             count = part.stop - part.start

@@ -95,6 +95,8 @@ def advance_freely(
     rows: IndexArray | slice,
     to_s: FloatArray,
     last_s: float = -math.inf,
+    *,
+    renews: bool = False,
 ) -> int:
     """Advance the axes as commanded, if nothing else happens to any of the robots before.
 
@@ -104,13 +106,14 @@ def advance_freely(
         rows: which robots, k of them.
         to_s: the time of each, not before the last one, shape (k,).
         last_s: the time up to which it matters what sensors do.
+        renews: whether command timeouts begin anew then.
 
     Returns:
         `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
     """
     if constants.inclines is not None or constants.degradations.concern_motions(state):
         return HELD_UP
-    return state.rows.advance(rows, to_s, last_s, constants.drives.table)
+    return state.rows.advance(rows, to_s, last_s, constants.drives.table, renews=renews)
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:

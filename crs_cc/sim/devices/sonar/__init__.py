@@ -36,7 +36,14 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import (
+    BoolArray,
+    ComplexArray,
+    FloatArray,
+    IndexArray,
+    Int32Array,
+    any_of,
+)
 from crs_cc.core.quantity import LENGTH
 from crs_cc.core.units import SOUND_MPS, m_to_tenths_inch
 from crs_cc.requests import device_request
@@ -138,7 +145,7 @@ class SonarRing:
         """
         while True:
             due = sonar_state(state).next_s[rows] <= to_s
-            if not due.any():
+            if not any_of(due):
                 break
             firing = rows[due]
             at_s = sonar_state(state).next_s[firing]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array, any_of
 from crs_cc.core.units import m_to_inch
 from crs_cc.sim.devices.sonar.model import MAX_SONARS, NONE, Sonars
 from crs_cc.sim.state.last_measurement import CONFIGURATION
@@ -99,6 +99,8 @@ class SonarState:
     def hear(self, rows: IndexArray, to_s: FloatArray) -> None:
         """Record the echoes and timeouts up to a time of each robot."""
         heard = (self.listening[rows] != _NONE) & (self.heard_s[rows] <= to_s)
+        if not any_of(heard):
+            return
         rows = rows[heard]
         place = (rows, self.listening[rows])
         self.echo_m[place] = self.heard_m[rows]
