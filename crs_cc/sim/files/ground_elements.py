@@ -78,7 +78,7 @@ def _heightmap(
 def _table(element: Element, area: Area, pixel_m: float, reader: Reader) -> HeightMap | None:
     """Return the ground whose heights are given as numbers."""
     columns = reader.whole(element, "columns", _LEAST_PIXELS, MOST_PIXELS, _LEAST_PIXELS)
-    words = element.attributes["heights"].split()[: MOST_PIXELS**2 + 1]
+    words = element.attributes["heights"].split()[: MOST_PIXELS * MOST_PIXELS + 1]
     rows, rest = divmod(len(words), columns)
     if rest or not _LEAST_PIXELS <= rows <= MOST_PIXELS:
         form = f"{_LEAST_PIXELS} to {MOST_PIXELS} rows of {columns}"
