@@ -19,6 +19,7 @@ from crs_cc.cli.completion import completion
 from crs_cc.cli.debug import debug
 from crs_cc.cli.docs import docs
 from crs_cc.cli.exit_status import BROKEN_PIPE, INTERRUPTED, SYSTEM
+from crs_cc.cli.grade import grade
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.replay import replay
@@ -38,6 +39,7 @@ Examples:
   crs debug wander.c room.xml                    debug, forward and in reverse
   crs replay run.mcap                            show a run that was recorded
   crs check wander.c room.xml                    report errors, run nothing
+  crs grade submissions/ course.xml              grade many programs by a world's goals
   crs new world room                             write a commented template
   crs samples copy wander.c room.xml .           copy a sample program and a world
   crs docs sensors                               read a page of the documentation
@@ -98,7 +100,10 @@ def crs() -> None:
     """Run unmodified C control programs for Nomadic robots in a simulated world."""
 
 
-for command in (run, view, debug, replay, check, compile_, new, samples, docs, cache, completion):
+for command in (
+    *(run, view, debug, replay, check, grade),
+    *(compile_, new, samples, docs, cache, completion),
+):
     crs.add_command(command)
 
 

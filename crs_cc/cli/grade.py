@@ -1,0 +1,266 @@
+"""`crs grade`: run many submissions in worlds with goals, and write a table of grades."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.cli.inputs import check_readable, is_world, make_folder
+from crs_cc.cli.messages import is_terminal, printable
+from crs_cc.core.errors import WorldError
+from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
+
+if TYPE_CHECKING:
+    from crs_cc.cli.grading.grades import Case, Grade
+    from crs_cc.cli.grading.grading import Settings
+    from crs_cc.cli.grading.submissions import Submission
+
+_MIB: Final = 2**20
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs grade submissions/ course.xml
+  crs grade submissions/ course.xml --html grades.html --csv grades.csv --runs runs
+  crs grade anna.c ben.c easy.xml hard.xml --seed 1 --seed 2
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class _Targets:
+    """Where to write the grades to.
+
+    Attributes:
+        csv: the table; None for none.
+        html: the page; None for none.
+        runs: the folder of pictures and recordings; None for none.
+        quiet: write nothing to stdout.
+    """
+
+    csv: Path | None
+    html: Path | None
+    runs: Path | None
+    quiet: bool
+
+
+@click.command(
+    epilog=_EXAMPLES,
+    short_help="Grade many programs in worlds with goals.",
+    options_metavar="[OPTIONS]",
+)
+@click.argument("files", nargs=-1, required=True, metavar="SUBMISSIONS... WORLD.xml...")
+@click.option(
+    "--csv",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Write a table, with a line for each submission and a column for each goal.",
+)
+@click.option(
+    "--html",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Write a page with the table, and a picture of each run.",
+)
+@click.option(
+    "--runs",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Write a picture and a recording of each run to DIR.",
+)
+@click.option(
+    "--seed",
+    "seeds",
+    type=click.IntRange(min=0),
+    multiple=True,
+    metavar="N",
+    help="Random seed; may be repeated, for several runs in each world. Default: the world's.",
+)
+@click.option(
+    "--allow",
+    "allowed",
+    multiple=True,
+    metavar="FUNCTION",
+    help="Allow a function that only the vendor's simulator has, such as place_robot.",
+)
+@click.option(
+    "--jobs",
+    type=click.IntRange(1, 64),
+    default=lambda: min(os.cpu_count() or 1, 64),
+    metavar="N",
+    help="Run N programs at a time. Default: the number of processors.",
+)
+@click.option(
+    "--max-time",
+    "max_time_s",
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="S",
+    help="Simulated time of a run. Default: the world's duration, else 120 s.",
+)
+@click.option(
+    "--max-fuel",
+    type=click.IntRange(min=1),
+    default=2_000_000_000,
+    show_default=True,
+    metavar="N",
+    help="Instructions that a program may compute.",
+)
+@click.option(
+    "--max-output",
+    type=click.IntRange(min=0),
+    default=1_000_000,
+    show_default=True,
+    metavar="BYTES",
+    help="What a program may print.",
+)
+@click.option(
+    "--max-memory",
+    type=click.IntRange(min=256),
+    default=1024,
+    show_default=True,
+    metavar="MIB",
+    help="Memory to compile a program; a running one has 16 MiB.",
+)
+@click.option(
+    "--max-compile",
+    "compile_s",
+    type=click.FloatRange(min=1),
+    default=60.0,
+    show_default=True,
+    metavar="S",
+    help="Real time to compile: the last resort.",
+)
+@click.option(
+    "--max-wall",
+    "wall_s",
+    type=click.FloatRange(min=1),
+    default=300.0,
+    show_default=True,
+    metavar="S",
+    help="Real time of a run after that: the last resort.",
+)
+@click.option("-q", "--quiet", is_flag=True, help="Do not write the grades to stdout.")
+def grade(
+    *, files: Sequence[str], csv: Path | None, html: Path | None, runs: Path | None,
+    seeds: Sequence[int], allowed: tuple[str, ...], jobs: int, max_time_s: float | None,
+    max_fuel: int, max_output: int, max_memory: int, compile_s: float, wall_s: float,
+    quiet: bool,
+) -> int:  # fmt: skip
+    """Run many programs in worlds with goals, and add up the points of the goals they meet.
+
+    SUBMISSIONS are folders: each C file and each folder in one is a submission, a folder being one
+    program of several files. C files can be named, too. Each submission runs in each world with
+    each seed, in a process of its own, as the program of the robots for which the world names none.
+    Links are not followed, and nothing outside of a submission can be read.
+
+    The same submissions get the same grades on every machine, unless a limit of real time, the last
+    resort, ends a run; the grade then says so. The exit status is 0 whatever the grades are.
+    """
+    from crs_cc.cli.grading.grading import Settings
+    from crs_cc.cli.grading.job import Limits
+
+    limits = Limits(max_time_s, max_fuel, max_output, max_memory * _MIB, compile_s, wall_s)
+    _check_allowed(allowed)
+    worlds = [Path(name) for name in files if is_world(name)]
+    if not worlds:
+        raise click.UsageError("no world: name at least one file .xml with goals.")
+    cases = [case for world in worlds for case in _cases(world, seeds, several=len(worlds) > 1)]
+    submissions = _submissions([Path(name) for name in files if not is_world(name)])
+    for path in (csv, html):
+        _check_target(path)
+    if runs is not None:
+        make_folder(runs)
+    settings = Settings(jobs, allowed, limits, runs)
+    grades = _grade_all(submissions, cases, settings, quiet=quiet)
+    targets = _Targets(csv, html, runs, quiet)
+    _write(grades, " and ".join(world.name for world in worlds), targets)
+    return 0
+
+
+def _check_allowed(allowed: Sequence[str]) -> None:
+    from crs_cc.cli.grading.refused_calls import REFUSED
+
+    for name in allowed:
+        if name not in REFUSED:
+            raise click.UsageError(f"--allow: {unknown('function', name, REFUSED)}.")
+
+
+def _cases(path: Path, seeds: Sequence[int], *, several: bool) -> list[Case]:
+    """Return a world with each seed.
+
+    Raises:
+        WorldError: it is invalid, or there is nothing to grade in it.
+    """
+    from crs_cc.cli.grading.grades import Case
+    from crs_cc.sim.files.world_xml import load_world
+
+    check_readable(path)
+    world = load_world(path)
+    if not world.goals:
+        raise WorldError.at(
+            Location(str(path)), "the world has no goals", "add <goal>, see docs/teaching.md"
+        )
+    if all(robot.program for robot in world.robots):
+        text = "the world names a program for every robot, so that none is left to grade"
+        raise WorldError.at(Location(str(path)), text)
+    if len(seeds) < 2:
+        return [Case(path.stem, path, seeds[0] if seeds else None, world.goals)]
+    prefix = f"{path.stem} " if several else ""
+    return [Case(f"{prefix}seed {seed}", path, seed, world.goals) for seed in seeds]
+
+
+def _submissions(paths: Sequence[Path]) -> list[Submission]:
+    from crs_cc.cli.grading.submissions import find
+
+    try:
+        found = find(paths)
+    except OSError as error:
+        raise click.UsageError(f"{error.filename}: {error.strerror}.") from None
+    if not found:
+        names = ", ".join(printable(str(path)) for path in paths)
+        raise click.UsageError(f"no submissions{f' in {names}' if names else ': name a folder'}.")
+    return found
+
+
+def _check_target(path: Path | None) -> None:
+    """Check, as far as possible without writing, that a result can be written."""
+    if path is not None and not path.absolute().parent.is_dir():
+        raise click.UsageError(f"cannot write '{path}': no such folder.")
+
+
+def _grade_all(
+    submissions: Sequence[Submission], cases: Sequence[Case], settings: Settings, *, quiet: bool
+) -> list[Grade]:
+    """Run everything, with a progress bar on a terminal."""
+    from crs_cc.cli.grading.grading import grade_all
+
+    if quiet or not is_terminal(sys.stderr):
+        return grade_all(submissions, cases, settings, lambda: None)
+    total = len(submissions) * len(cases)
+    with click.progressbar(length=total, label="grading", file=sys.stderr) as bar:
+        return grade_all(submissions, cases, settings, lambda: bar.update(1))
+
+
+def _write(grades: Sequence[Grade], worlds: str, targets: _Targets) -> None:
+    """Write the grades wherever they are wanted.
+
+    Raises:
+        OSError: a file cannot be written.
+    """
+    from crs_cc.cli.grading.page import as_page
+    from crs_cc.cli.grading.tables import as_csv, as_lines
+
+    if targets.csv is not None:
+        targets.csv.write_text(as_csv(grades), "utf-8")
+    if targets.html is not None:
+        folder = targets.html.absolute().parent
+        runs = "" if targets.runs is None else os.path.relpath(targets.runs, folder)
+        targets.html.write_text(as_page(grades, f"Grades: {worlds}", runs), "utf-8")
+    if not targets.quiet:
+        for line in as_lines(grades):
+            click.echo(line)

@@ -1,0 +1,142 @@
+"""Finds what was handed in, and copies it so that nothing else is ever read.
+
+Each entry of a folder of submissions is one: a C file, or a folder with the C files and headers of
+a program. Links are not followed, whatever they point to; nor are devices, pipes and the like.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from crs_cc.cli.messages import printable
+from crs_cc.core.file_names import displayed
+
+MAX_FILES: Final = 200
+MAX_BYTES: Final = 2 * 2**20
+MAX_DEPTH: Final = 6
+_ENDINGS: Final = frozenset({".c", ".h", ".inc"})
+_O_NOFOLLOW: Final = getattr(os, "O_NOFOLLOW", 0)  # Windows has none, and hardly any links
+_O_NONBLOCK: Final = getattr(os, "O_NONBLOCK", 0)
+
+
+class UnusableError(Exception):
+    """What was handed in is not a program; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """Something that was handed in.
+
+    Attributes:
+        name: its name for people, one printable line.
+        path: the file or the folder.
+    """
+
+    name: str
+    path: Path
+
+
+def find(paths: Sequence[Path]) -> list[Submission]:
+    """Return the submissions in folders, sorted, and the C files that are named themselves.
+
+    Raises:
+        OSError: a folder or a file cannot be read.
+    """
+    found: list[Submission] = []
+    for path in paths:
+        if path.is_dir():
+            entries = sorted(path.iterdir(), key=lambda each: os.fsencode(each.name))
+            prefix = f"{path.name}/" if len(paths) > 1 else ""
+            found += [Submission(_shown(prefix + e.name), e) for e in entries if _counts(e)]
+        else:
+            path.stat()
+            found.append(Submission(_shown(path.name), path))
+    return found
+
+
+def copy(submission: Submission, folder: Path) -> tuple[str, ...]:
+    """Copy the files of a submission to a folder; return the names of its C files, sorted.
+
+    Raises:
+        UnusableError: there are none, too many, or a link.
+    """
+    status = _status(submission.path)
+    if stat.S_ISDIR(status.st_mode):
+        files = list(_files(submission.path, Path(), MAX_DEPTH))
+    else:
+        files = [(submission.path, Path(submission.path.name))]
+    sources: list[str] = []
+    room = MAX_BYTES
+    for path, name in files:
+        content = _read(path, room)
+        room -= len(content)
+        target = folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content)
+        if name.suffix == ".c":
+            sources.append(str(name))
+    if not sources:
+        raise UnusableError("no C file (.c)")
+    return tuple(sorted(sources, key=os.fsencode))
+
+
+def _counts(path: Path) -> bool:
+    """Return whether an entry of a folder is a submission; what is not is for the teacher."""
+    if path.name.startswith("."):
+        return False
+    return path.suffix == ".c" or path.is_symlink() or path.is_dir()
+
+
+def _shown(name: str) -> str:
+    return printable(displayed(name))
+
+
+def _status(path: Path) -> os.stat_result:
+    try:
+        status = path.lstat()
+    except (OSError, ValueError) as error:
+        raise UnusableError(f"cannot be read: {getattr(error, 'strerror', None)}") from None
+    if stat.S_ISLNK(status.st_mode):
+        raise UnusableError(f"{_shown(path.name)} is a link; links are not followed")
+    if not (stat.S_ISREG(status.st_mode) or stat.S_ISDIR(status.st_mode)):
+        raise UnusableError(f"{_shown(path.name)} is neither a file nor a folder")
+    return status
+
+
+def _files(folder: Path, name: Path, depth: int) -> Iterator[tuple[Path, Path]]:
+    """Yield the C files and headers below a folder, each with its name there."""
+    try:
+        entries = sorted(folder.iterdir(), key=lambda each: os.fsencode(each.name))
+    except OSError as error:
+        raise UnusableError(f"cannot be read: {error.strerror}") from None
+    if len(entries) > MAX_FILES:
+        raise UnusableError(f"more than {MAX_FILES} files in a folder")
+    for path in entries:
+        status = _status(path)
+        if stat.S_ISDIR(status.st_mode):
+            if depth == 0:
+                raise UnusableError(f"folders are nested more than {MAX_DEPTH} deep")
+            yield from _files(path, name / path.name, depth - 1)
+        elif path.suffix in _ENDINGS:
+            yield path, name / path.name
+
+
+def _read(path: Path, room: int) -> bytes:
+    """Return the content of a regular file; one that has become something else is refused."""
+    try:
+        number = os.open(path, os.O_RDONLY | _O_NOFOLLOW | _O_NONBLOCK)
+        with open(number, "rb") as file:  # noqa: PTH123 - it is open already
+            if not stat.S_ISREG(os.fstat(number).st_mode):
+                raise UnusableError(f"{_shown(path.name)} is not a regular file")
+            content = file.read(room + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None)
+        raise UnusableError(f"{_shown(path.name)} cannot be read: {reason}") from None
+    if len(content) > room:
+        raise UnusableError(f"more than {MAX_BYTES >> 20} MiB of source")
+    return content
