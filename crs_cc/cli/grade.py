@@ -120,7 +120,7 @@ class _Targets:
 )
 @click.option(
     "--max-memory",
-    type=click.IntRange(min=256),
+    type=click.IntRange(min=512),
     default=1024,
     show_default=True,
     metavar="MIB",

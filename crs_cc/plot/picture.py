@@ -17,6 +17,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import round_length
 from crs_cc.plot.beacons import draw_beacons, draw_fingers
+from crs_cc.plot.goal_layer import draw_goals
 from crs_cc.plot.sensor_overlay import draw_sights
 from crs_cc.plot.svg import Page, Point, View
 from crs_cc.plot.terrain_layer import PAPER, draw_terrain, terrain_corners_m
@@ -198,6 +199,8 @@ class PlotDrawing:
         draw_sights(self.page, self.view, self.picture.sights)
         self._solids(is_still=is_still)
         draw_beacons(self.page, self.view, self.picture.world)
+        if self.picture.world.goals:
+            draw_goals(self.page, self.view, self.picture.world)
 
     def _heading(self) -> None:
         title = self.picture.title

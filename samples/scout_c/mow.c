@@ -28,8 +28,8 @@ int main(void)
     if (!connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400))
         return 1;
     conf_tm(0);
-    ac(300, 300, 0);
-    sp(250, 250, 0);
+    ac(400, 400, 0);
+    sp(400, 400, 0);
 
     for (lane = 1; lane <= LANES; lane++) {
         go(LANE, 0);

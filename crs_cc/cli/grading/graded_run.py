@@ -20,6 +20,7 @@ from crs_cc.cli.start_recording import start_recording
 from crs_cc.cli.summary import Run
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
+from crs_cc.session.host import never_waits
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.state.goals import OPEN
@@ -180,7 +181,7 @@ class _ProgramRun:
         return b""
 
     def _waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
-        answer = (1, 0.0)  # the end of input can be read at once
+        answer = never_waits(robot, clock_s)
         if self._recorder is not None:
             self._recorder.waiting(robot, clock_s, answer)
         return answer

@@ -17,7 +17,7 @@ from crs_cc.cli.messages import printable
 from crs_cc.core.file_names import displayed
 
 MAX_FILES: Final = 200
-MAX_BYTES: Final = 2 * 2**20
+MAX_BYTES: Final = 512 * 2**10
 MAX_DEPTH: Final = 6
 _ENDINGS: Final = frozenset({".c", ".h", ".inc"})
 _O_NOFOLLOW: Final = getattr(os, "O_NOFOLLOW", 0)  # Windows has none, and hardly any links
@@ -138,5 +138,5 @@ def _read(path: Path, room: int) -> bytes:
         reason = getattr(error, "strerror", None)
         raise UnusableError(f"{_shown(path.name)} cannot be read: {reason}") from None
     if len(content) > room:
-        raise UnusableError(f"more than {MAX_BYTES >> 20} MiB of source")
+        raise UnusableError(f"more than {MAX_BYTES >> 10} KiB of source")
     return content

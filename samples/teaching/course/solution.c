@@ -42,8 +42,8 @@ int main(void)
     if (!connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400))
         return 1;
     conf_tm(0);
-    ac(200, 200, 0);
-    sp(150, 150, 0);
+    ac(300, 300, 0);
+    sp(250, 250, 0);
     for (i = 0; i < sizeof way / sizeof way[0]; i++)
         drive_to(&way[i]);
     st();

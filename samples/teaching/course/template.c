@@ -1,12 +1,12 @@
 /*
- * course.c - your name here
+ * template.c - drives the course; write your name here
  *
  * Drive the Scout to the three flags in any order, then home, without a collision.
  * The floor is 6 m by 5 m; the robot starts at x = 1 m, y = 1 m, and faces along x.
  * The flags are at (4.4 m, 1 m), (4.8 m, 4 m) and (1.2 m, 4 m); a box of 1.6 m by 1 m
  * is in the middle of the room, and a pillar at (5.2 m, 1 m).
  *
- * Try it:  crs run course.c course.xml --summary --plot course.svg
+ * Try it:  crs run template.c course.xml --summary --plot course.svg
  */
 
 #include <stdio.h>

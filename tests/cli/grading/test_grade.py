@@ -1,0 +1,242 @@
+"""`crs grade` grades good, wrong, endless and hostile submissions in one run."""
+
+from __future__ import annotations
+
+import csv
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+from tests.cli.grading.handed_in import WORLD, body, good, hand_in
+
+ALLOW = ["--allow", "place_robot", "--jobs", "1"]
+LIMITS = ["--max-fuel", "20000000", "--max-output", "20000"]
+
+GRADES = {
+    "<img src=x onerror=alert(1)>.c": ("1", "ended", ""),
+    "'=1+cmd.c": ("1", "ended", ""),
+    "allocates.c": ("0", "limit", "computed more than 20,000,000 instructions"),
+    "anna.c": ("4", "ended", ""),
+    "backward.c": ("0", "ended", ""),
+    "berta.c": ("4", "ended", ""),
+    "binary.c": ("0", "compile error", "is not a text file"),
+    "bomb.c": ("0", "compile error", "bomb.c:41: macro expansion is too large"),
+    "carl.c": ("4", "ended", ""),
+    "cheats.c": ("0", "refused", "cheats.c:5: place_robot() is not allowed: no robot can do that"),
+    "cheats_by_request.c": ("0", "refused", "new_world() is not allowed: no robot can do that"),
+    "cheats_hidden.c": (
+        "0", "refused", "cheats_hidden.c:6: new_world() is not allowed: no robot can do that",
+    ),
+    "crash_early.c": (
+        "0", "run-time error",
+        "crash_early.c:5: out of bounds: index 13 is past the end of 'a'",
+    ),
+    "crash_late.c": (
+        "3", "run-time error", "crash_late.c:15: null pointer: reads 4 bytes at address 0x0",
+    ),
+    "dora": ("4", "ended", ""),
+    "emil": ("4", "ended", ""),
+    "empty.c": ("0", "compile error", "the program has no function 'main'"),
+    "forks.c": ("0", "limit", "computed more than 20,000,000 instructions"),
+    "frida.c": ("3", "ended", ""),
+    "html_error.c": ("0", "compile error", "html_error.c:1: #error <script>alert(1)</script>"),
+    "huge.c": ("0", "compile error", "huge.c:1: 'a' does not fit: 1600000000 bytes of 14675968"),
+    "itself.c": ("0", "compile error", "itself.c:1: #include nested more than 200 deep"),
+    "link.c": ("0", "invalid", "link.c is a link; links are not followed"),
+    "linked": ("0", "invalid", "secret.h is a link; links are not followed"),
+    "loop.c": ("0", "limit", "computed more than 20,000,000 instructions"),
+    "nested.c": ("0", "compile error", "nested.c:1: the program is nested too deeply here"),
+    "no_code": ("0", "invalid", "no C file (.c)"),
+    "nothing.c": ("1", "ended", ""),
+    "outside.c": (
+        "0", "compile error",
+        "outside.c:1: '../../secret.h' is outside the directories that a program may read",
+    ),
+    "passwd.c": ("0", "compile error", "passwd.c:1: '/etc/passwd' cannot be included"),
+    "pipe.c": ("0", "invalid", "pipe.c is neither a file nor a folder"),
+    "prints.c": ("4", "ended", ""),
+    "reads.c": ("0", "limit", "computed more than 20,000,000 instructions"),
+    "recursion.c": (
+        "0", "run-time error",
+        "recursion.c:1: stack overflow: 21,846 nested calls fill the stack of 2,097,152 bytes",
+    ),
+    "semicolon.c": ("0", "compile error", "semicolon.c:3: expected ';' after '1'"),
+    "slow.c": ("1", "ended", ""),
+    "talks.c": ("0", "limit", "printed more than 20,000 bytes"),
+    "two_mains": ("0", "compile error", "b.c:1: multiple definition of 'main'"),
+    "unconnected.c": ("1", "ended", ""),
+    "undeclared.c": (
+        "0", "compile error", "undeclared.c:3: use of undeclared identifier 'speed'",
+    ),
+    "unlinked.c": ("0", "compile error", "unlinked.c:2: 'far' is used, but not defined"),
+    "waits.c": ("1", "ended", ""),
+    "writes.c": ("0", "limit", "computed more than 20,000,000 instructions"),
+    "ö-gustav.c": ("4", "ended", ""),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def graded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder in which all submissions have been graded."""
+    folder = tmp_path_factory.mktemp("graded")
+    (folder / "task.xml").write_text(WORLD)
+    targets = [f"--{kind}={folder / f'grades.{kind}'}" for kind in ("csv", "html")]
+    files = [str(hand_in(folder)), str(folder / "task.xml")]
+    runs = ["--runs", str(folder / "runs"), "--jobs", "2", "--quiet"]
+    assert main(["grade", *files, *LIMITS, *targets, *runs]) == 0
+    return folder
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_every_submission_gets_its_grade(graded: Path) -> None:
+    found = rows(graded / "grades.csv")
+    grades = {row["submission"]: (row["points"], row["result"], row["message"]) for row in found}
+    assert grades == GRADES
+    assert {row["of"] for row in found} == {"4"}
+    assert [row["submission"] for row in found] == list(GRADES)
+
+
+def test_the_table_has_what_has_become_of_each_goal(graded: Path) -> None:
+    by_name = {row["submission"]: row for row in rows(graded / "grades.csv")}
+    goals = [(by_name[n]["task: There"], by_name[n]["task: No collision"]) for n in ("slow.c",)]
+    assert goals == [("failed 6.00 s", "holds")]
+    assert by_name["semicolon.c"]["task: There"] == ""
+    assert by_name["anna.c"]["task: There"].startswith("met ")
+
+
+def test_equal_programs_are_hinted_and_no_others(graded: Path) -> None:
+    like = {row["submission"]: row["like"] for row in rows(graded / "grades.csv") if row["like"]}
+    assert like == {"berta.c": "carl.c", "carl.c": "berta.c"}
+
+
+class Page(HTMLParser):
+    """The elements of a page, and its text outside of scripts and styles."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.text = ""
+        self._inside = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._inside = tag
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_data(self, data: str) -> None:
+        if self._inside not in {"script", "style"}:
+            self.text += data
+
+
+def test_nothing_of_a_submission_is_more_than_text_in_the_page(graded: Path) -> None:
+    page = Page((graded / "grades.html").read_text("utf-8"))
+    assert [tag for tag, _ in page.elements].count("script") == 1
+    images = [attributes for tag, attributes in page.elements if tag == "img"]
+    assert len(images) > 20
+    for attributes in images:
+        assert attributes.keys() == {"alt", "loading", "src"}
+        assert (attributes["src"] or "").startswith("data:image/svg+xml;base64,")
+    for _, attributes in page.elements:
+        assert not any(name.startswith("on") for name in attributes)
+    for text in ("<img src=x onerror=alert(1)>.c", "#error <script>alert(1)</script>", "ö-gustav"):
+        assert text in page.text
+    policy = next(a["content"] for tag, a in page.elements if "http-equiv" in a)
+    assert (policy or "").startswith("default-src 'none'; img-src data:;")
+    links = [attributes["href"] or "" for tag, attributes in page.elements if tag == "a"]
+    assert all(re.match(r"#s\d+$|runs/\d{3}-\w+-task\.mcap$", link) for link in links), links
+
+
+def test_nothing_outside_of_a_submission_is_read(graded: Path) -> None:
+    for name in ("grades.csv", "grades.html"):
+        text = (graded / name).read_text("utf-8")
+        assert "4711" not in text
+        assert "root:" not in text
+    assert not list(graded.glob("x"))
+
+
+def test_each_run_has_a_picture_and_a_recording_of_the_same_run(
+    graded: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    pictures = {path.stem for path in (graded / "runs").glob("*.svg")}
+    assert {"004-anna_c-task", "005-backward_c-task"} <= pictures
+    assert b"There" in (graded / "runs" / "004-anna_c-task.svg").read_bytes()
+    recording = graded / "runs" / "004-anna_c-task.mcap"
+    assert main(["replay", str(recording), "--verify"]) == 0
+    assert "the same run" in "".join(capfd.readouterr())
+
+
+def test_grades_are_the_same_one_by_one_and_in_another_order(
+    graded: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    names = ["prints.c", "crash_late.c"]
+    files = [str(graded / "submissions" / name) for name in names]
+    table = graded / "again.csv"
+    arguments = [*files, str(graded / "task.xml"), *LIMITS, "--jobs", "1", "--csv", str(table)]
+    assert main(["grade", *arguments]) == 0
+    before = {row["submission"]: row for row in rows(graded / "grades.csv")}
+    assert rows(table) == [before[name] for name in names]
+    assert capfd.readouterr().out.splitlines() == [
+        "prints.c            4 of 4  ended",
+        "crash_late.c        3 of 4  crash_late.c:15: null pointer: reads 4 bytes at address 0x0",
+    ]
+
+
+@pytest.fixture
+def class_of_two(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("task.xml").write_text(WORLD)
+    Path("in").mkdir()
+    Path("in/anna.c").write_text(good())
+    Path("in/places.c").write_text(body("place_robot(1181, 393, 0, 0); gs();"))
+    return tmp_path
+
+
+def test_an_allowed_call_counts_and_seeds_and_worlds_add_up(
+    class_of_two: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("other.xml").write_text(WORLD.replace('points="3"', 'points="5"'))
+    arguments = ["in/places.c", "task.xml", "other.xml", "--seed", "1", "--seed", "2"]
+    assert main(["grade", *arguments, *ALLOW, "--csv", "g.csv"]) == 0
+    assert capfd.readouterr().out == "places.c      20 of 20  ended\n"
+    (row,) = rows(Path("g.csv"))
+    assert [name for name in row if "There" in name] == [
+        "task seed 1: There", "task seed 2: There", "other seed 1: There", "other seed 2: There"
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text", "status"),
+    [
+        (["in"], "no world: name at least one file .xml with goals.", 2),
+        (["task.xml"], "no submissions: name a folder.", 2),
+        (["empty", "task.xml"], "no submissions in empty.", 2),
+        (["nowhere", "task.xml"], "nowhere: No such file or directory.", 2),
+        (["in", "task.xml", "--allow", "fly"], "--allow: unknown function 'fly' (known: ", 2),
+        (["in", "task.xml", "--csv", "no/g.csv"], "cannot write 'no/g.csv': no such folder.", 2),
+        (["in", "plain.xml"], "plain.xml: error: the world has no goals", 122),
+        (["in", "manned.xml"], "manned.xml: error: the world names a program for every robot", 122),
+        (["in", "broken.xml"], "broken.xml:4: error: goal, robots: unknown robot 'r' (known:", 122),
+    ],
+)
+def test_what_cannot_be_graded_is_one_error(
+    arguments: list[str],
+    text: str,
+    status: int,
+    class_of_two: Path,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("empty").mkdir()
+    Path("plain.xml").write_text(re.sub(r"<goal.*</goal>", "", WORLD, flags=re.DOTALL))
+    Path("manned.xml").write_text(WORLD.replace("<robot ", '<robot program="in/anna.c" '))
+    Path("broken.xml").write_text(WORLD.replace("<goal ", '<goal robots="r" ', 1))
+    assert main(["grade", *arguments]) == status
+    err = capfd.readouterr().err
+    assert text in err
+    assert err.count("rror: ") == 1
