@@ -88,7 +88,7 @@ def given_input(
     if options.input is not None:
         script = read_script(options.input)
         return script.read, script.waiting
-    return None if options.stdin is None else _file_input(options.stdin), never_waits
+    return None if options.stdin is None else file_input(options.stdin), never_waits
 
 
 def _typed_input(options: DebugOptions, keyboard: Keyboard) -> Input:
@@ -98,7 +98,7 @@ def _typed_input(options: DebugOptions, keyboard: Keyboard) -> Input:
     return no_input  # stdin holds commands
 
 
-def _file_input(path: Path) -> Input:
+def file_input(path: Path) -> Input:
     """Return a reader of a file, line by line; raise OSError if the file cannot be read."""
     stream = io.BytesIO(path.read_bytes())
     return lambda _robot, wanted: stream.readline(wanted)

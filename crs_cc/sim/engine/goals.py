@@ -249,6 +249,8 @@ class GoalJudge:
         return bool(_inside(condition.place, place_m[:, 0], place_m[:, 1]).all())
 
     def _collides(self, number: int, condition: NoCollision, contacts: Contacts) -> bool:
+        if not len(contacts.robot):
+            return False
         mine = self._chosen[number][contacts.robot]
         allowed = [self._numbers.get(name, NOT_THERE) for name in condition.excepted]
         return bool((mine & ~np.isin(contacts.other, allowed)).any())

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import base64
 import csv
+import hashlib
 import re
 from html.parser import HTMLParser
 from pathlib import Path
@@ -122,7 +124,7 @@ class Page(HTMLParser):
     def __init__(self, text: str) -> None:
         super().__init__()
         self.elements: list[tuple[str, dict[str, str | None]]] = []
-        self.text = ""
+        self.text = self.script = ""
         self._inside = ""
         self.feed(text)
 
@@ -131,8 +133,13 @@ class Page(HTMLParser):
         self.elements.append((tag, dict(attrs)))
 
     def handle_data(self, data: str) -> None:
-        if self._inside not in {"script", "style"}:
+        if self._inside == "script":
+            self.script += data
+        elif self._inside != "style":
             self.text += data
+
+    def handle_endtag(self, tag: str) -> None:
+        self._inside = ""
 
 
 def test_nothing_of_a_submission_is_more_than_text_in_the_page(graded: Path) -> None:
@@ -147,8 +154,10 @@ def test_nothing_of_a_submission_is_more_than_text_in_the_page(graded: Path) -> 
         assert not any(name.startswith("on") for name in attributes)
     for text in ("<img src=x onerror=alert(1)>.c", "#error <script>alert(1)</script>", "ö-gustav"):
         assert text in page.text
-    policy = next(a["content"] for tag, a in page.elements if "http-equiv" in a)
-    assert (policy or "").startswith("default-src 'none'; img-src data:;")
+    policy = next(a["content"] for tag, a in page.elements if "http-equiv" in a) or ""
+    assert policy.startswith("default-src 'none'; img-src data:;")
+    digest = base64.b64encode(hashlib.sha256(page.script.encode()).digest()).decode()
+    assert f"script-src 'sha256-{digest}';" in policy  # else the table could not be sorted
     links = [attributes["href"] or "" for tag, attributes in page.elements if tag == "a"]
     assert all(re.match(r"#s\d+$|runs/\d{3}-\w+-task\.mcap$", link) for link in links), links
 
