@@ -210,6 +210,18 @@ class Bounds(Instruction):
 
 
 @dataclass(slots=True, eq=False)
+class SameObject(Instruction):
+    """Stops the program if two pointers are to different objects (C17 6.5.6p9, 6.5.8p5).
+
+    It has no effect in unchecked builds, and costs no fuel. `size` is that of what they point to.
+    """
+
+    left: Operand
+    right: Operand
+    size: int
+
+
+@dataclass(slots=True, eq=False)
 class Copy(Instruction):
     """A copy of `size` bytes, as by `memmove`; the operands are i32, both ranges are checked."""
 
@@ -406,7 +418,8 @@ class Block:
     def fuel(self) -> int:
         """The cost of the block: one unit, and one for each instruction that generates code."""
         return 1 + sum(
-            not isinstance(each, Statement | Lifetime | Seal | Bounds) for each in self.instructions
+            not isinstance(each, Statement | Lifetime | Seal | Bounds | SameObject)
+            for each in self.instructions
         )
 
     def successors(self) -> list[Block]:

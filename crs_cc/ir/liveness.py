@@ -24,6 +24,7 @@ _OPERANDS: Final[dict[type[ir.Instruction], tuple[str, ...]]] = {
     ir.Load: ("base",),
     ir.Address: ("base",),
     ir.Bounds: ("index", "base"),
+    ir.SameObject: ("left", "right"),
     ir.Store: ("base", "source"),
     ir.Copy: ("target", "source", "size"),
     ir.Fill: ("target", "value", "size"),

@@ -186,6 +186,9 @@ class FunctionText:
         index = self._operand(bounds.index) + (f" + {bounds.shift}" if bounds.shift else "")
         return f"bounds {index} < {bounds.array.length} [{place}]"
 
+    def _same_object(self, pair: ir.SameObject) -> str:
+        return f"same object {self._operand(pair.left)}, {self._operand(pair.right)}"
+
     def _copy(self, copy: ir.Copy) -> str:
         operands = (copy.target, copy.source, copy.size)
         return "copy [{}], [{}], size {}".format(*map(self._operand, operands))
@@ -263,6 +266,7 @@ _RENDER: Final[dict[type[ir.Instruction], Callable[..., str]]] = {
     ir.Store: FunctionText._store,
     ir.Address: FunctionText._take_address,
     ir.Bounds: FunctionText._bounds,
+    ir.SameObject: FunctionText._same_object,
     ir.Copy: FunctionText._copy,
     ir.Fill: FunctionText._fill,
     ir.Lifetime: FunctionText._lifetime,

@@ -169,6 +169,10 @@ class BlockVerifier:
         if bounds.array.length is None:
             yield "the length of the array is unknown"
 
+    def _same_object(self, pair: ir.SameObject) -> Faults:
+        yield from self._operand("left", pair.left, "i32")
+        yield from self._operand("right", pair.right, "i32")
+
     def _copy(self, copy: ir.Copy) -> Faults:
         yield from self._operand("target", copy.target, "i32")
         yield from self._operand("source", copy.source, "i32")
@@ -281,6 +285,7 @@ _RULES: Final[dict[type[ir.Instruction], Callable[..., Faults]]] = {
     ir.Store: BlockVerifier._store,
     ir.Address: BlockVerifier._address,
     ir.Bounds: BlockVerifier._bounds,
+    ir.SameObject: BlockVerifier._same_object,
     ir.Copy: BlockVerifier._copy,
     ir.Fill: BlockVerifier._fill,
     ir.Lifetime: BlockVerifier._lifetime,

@@ -49,7 +49,7 @@ SLOT: Final = np.dtype(
             "<u4",
         ),  # 1: every statement is marked, else those in `marks` (the same)
         ("stopped", "<u4"),  # 1 + number of the marked statement it stopped before, 0 for none
-        ("error_base", "<u4"),  # address of the array whose bounds an index exceeds
+        ("error_base", "<u4"),  # address of the array whose bounds an index exceeds; second pointer
         ("message", MESSAGE),
     ]
 )
@@ -96,6 +96,7 @@ ERROR_KINDS: Final = (
     "invalid free",
     "double free",
     "overlapping copy",  # by `memcpy`, `strcpy`, `sprintf`
+    "unrelated pointers",  # compared or subtracted
     "missing argument",  # `va_arg` after the last argument
     "no value returned",  # but used
     "mismatched call",  # through a pointer to a function with other parameter types

@@ -362,7 +362,7 @@ class Fleet:
         kind, stack, size, found = site.kind, stopped.stack, site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
-        elif kind in {"invalid free", "double free", "overlapping copy"}:
+        elif kind in {"invalid free", "double free", "overlapping copy", "unrelated pointers"}:
             found = find_object(stopped, value)
         elif site.variable is not None:
             found = of_variable(stopped, site.variable)
@@ -370,9 +370,12 @@ class Fleet:
         if site.array is not None:
             array = site.array, int(slot["error_base"])
             found = find_object(stopped, array[1])
+        other = None
+        if kind == "unrelated pointers":
+            other = find_object(stopped, int(slot["error_base"]))
         size = size or int(slot["error_size"])
         access: Access = "write" if kind == "constant memory" else site.access
-        return Failure(kind, site.location, value, stack, access, size, found, stopped, array)
+        return Failure(kind, site.location, value, stack, access, size, found, stopped, array, other)
 
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True

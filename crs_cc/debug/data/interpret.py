@@ -373,7 +373,9 @@ class Interpreter:
                 )
                 self._memory.mark(address, size, it.state)
             case _:
-                without_effect = ir.Statement | ir.Lifetime | ir.Seal | ir.Callers | ir.Bounds
+                without_effect = (
+                    ir.Statement | ir.Lifetime | ir.Seal | ir.Callers | ir.Bounds | ir.SameObject
+                )
                 assert isinstance(it, without_effect), it
 
     def _compute(self, op: str, *operands: float) -> Any:

@@ -33,9 +33,21 @@ from crs_cc.ir.instruction import (
     Move,
     Operand,
     Register,
+    SameObject,
     Unary,
 )
-from crs_cc.ir.types import INT, LLONG, CType, FloatType, IntegerType, PointerType, VoidType
+from crs_cc.ir.names import in_library
+from crs_cc.ir.types import (
+    INT,
+    LLONG,
+    CType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    PointerType,
+    VoidType,
+    is_variably_modified,
+)
 
 _INTEGER_OPERATORS: Final = {
     "+": "add", "-": "sub", "*": "mul", "&": "and", "|": "or", "^": "xor", "<<": "shl",
@@ -65,6 +77,7 @@ def _operator_names() -> dict[tuple[str, str], str]:
 
 
 _NAMES: Final = _operator_names()
+_ORDERED: Final = frozenset({"<", ">", "<=", ">="})
 _EXCHANGEABLE: Final = COMPARISONS | {"+", "*", "&", "|", "^"}
 
 
@@ -93,11 +106,28 @@ def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Op
     op, location = expression.op, expression.location
     if op in {"<<", ">>"}:
         right = shift_count(low, right, expression.left.type, location)
+    if op in _ORDERED:
+        _relate(low, expression, left, right)
     if into is None:
         into = low.register("i32" if op in COMPARISONS else left.type)
     name = operator_name(op, expression.left.type)
     low.emit(Binary(location, into, name, left, right, is_checked(op, expression.left.type)))
     return into if op in COMPARISONS else _truncated(low, into, expression.type, location)
+
+
+def _relate(
+    low: Lowering,
+    expression: tree.Binary | tree.PointerDifference,
+    left: Operand,
+    right: Operand,
+) -> None:
+    """Check that two pointers of a program, not of the library, are to one object."""
+    ctype, location = expression.left.type, expression.location
+    if not isinstance(ctype, PointerType) or isinstance(ctype.target, FunctionType):
+        return
+    if isinstance(left, Register) and isinstance(right, Register) and not in_library(location):
+        size = 1 if is_variably_modified(ctype.target) else ctype.target.size
+        low.emit(SameObject(location, left, right, max(1, size)))
 
 
 def _truncated(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
@@ -180,6 +210,7 @@ def _difference(
 ) -> Operand:
     location, size = expression.location, expression.size
     left, right = value(low, expression.left), value(low, expression.right)
+    _relate(low, expression, left, right)
     if size == 1:
         return low.binary(location, "i32.sub", left, right, into)
     bytes_ = low.binary(location, "i32.sub", left, right)

@@ -29,12 +29,13 @@ from crs_cc.ir.instruction import (
     Load,
     Operand,
     Register,
+    SameObject,
     Seal,
     Store,
 )
 from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.requests import MESSAGE, slot_offset
-from crs_cc.runtime.codegen import indices, inline_ranges, shadow
+from crs_cc.runtime.codegen import indices, inline_ranges, same_object, shadow
 from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
@@ -44,6 +45,7 @@ from crs_cc.runtime.codegen.indices import (
     SLOT_GLOBAL,
     SP,
     STATES,
+    UNRELATED,
     WIDE_STATES,
 )
 from crs_cc.runtime.codegen.known_memory import KnownMemory
@@ -175,6 +177,20 @@ class CheckedMemory(KnownMemory):
             writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
         writer.fail(Site("out of bounds", it.location, array=it.array), push)
         writer.code.append(("end",))
+
+    def same_object(self, it: SameObject) -> None:
+        """Write the check that two pointers are to one object, unless they are known to be."""
+        (left, _), (right, _) = self.places.value(it.left), self.places.value(it.right)
+        if left == right:
+            return
+        writer, push = self.writer, (self.writer.value(it.left), self.writer.value(it.right))
+        writer.code += [*same_object.is_new(*push), UNLIKELY]
+        writer.code += [*push, ("i32.const", it.size), ("call", UNRELATED), UNLIKELY]
+        if writer.side_exit is None:
+            writer.code += [("global.get", SLOT_GLOBAL), push[1]]
+            writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
+        writer.fail(Site("unrelated pointers", it.location), [push[0]])
+        writer.code += [("end",), ("end",)]
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""
@@ -439,6 +455,7 @@ class CheckedMemory(KnownMemory):
             self.proved.forget_value((it.slot, 0))
         else:
             self.facts.ended.add(it.slot)
+            self.writer.code += same_object.forget_last()
             # also of elements, at computed addresses
             self.facts.proved, self.facts.writable = KnownBytes(), KnownBytes()
 

@@ -12,7 +12,7 @@ from typing import Final
 
 from crs_cc.ir.instruction import ByteState, Lifetime, Slot
 from crs_cc.ir.program import Function
-from crs_cc.runtime.codegen import shadow
+from crs_cc.runtime.codegen import same_object, shadow
 from crs_cc.runtime.codegen.indices import FP, MEMORY, SHADOW, SP, STATES
 from crs_cc.runtime.codegen.inline_ranges import MOST_FILLED
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
@@ -66,7 +66,8 @@ def leave(function: Function, frame: Frame) -> list[Instr]:
             code = min(code, shadow.fill(_SP, start, end - start, gone), key=len)
     for slot in _parameters(function):
         code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)
-    return code + _rest(function, frame, gone)
+    code += _rest(function, frame, gone)
+    return [*code, *same_object.forget_last()] if code else code
 
 
 def _parameters(function: Function) -> list[Slot]:

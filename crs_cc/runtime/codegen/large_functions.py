@@ -41,6 +41,9 @@ REPLACED: Final[dict[int, int]] = {
 }
 """The global that replaces each local; a call leaves none of those with a value still needed."""
 
+END: Final = _FIRST + len(REPLACED)
+"""The first global after those."""
+
 GLOBALS: Final[list[tuple[ValueType, int]]] = [
     ("i64", 0), ("i32", 0), ("i32", 0), ("i32", 0),
 ]  # fmt: skip

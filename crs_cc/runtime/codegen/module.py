@@ -15,7 +15,7 @@ from typing import Final
 from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import slot_offset
-from crs_cc.runtime.codegen import jumps, large_functions, shadow
+from crs_cc.runtime.codegen import jumps, large_functions, same_object, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
@@ -85,6 +85,7 @@ def compile_program(
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
     checks = [shadow.inaccessible(), shadow.callers(), product_fits(), shadow.unsealed()]
+    checks += [same_object.gap(), same_object.unrelated()]
     own = checks if checked else [_outside()]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
     conventions = {name: convention_of(each) for name, each in program.functions.items()}
@@ -128,6 +129,7 @@ def compile_program(
             ("i32", 0),
             *jumps.GLOBALS,
             *large_functions.GLOBALS,
+            *same_object.GLOBALS,
             ("i32", heap),
         ],
         elements=[(0, 1, [general[name] for name in pointers])] if pointers else [],
@@ -144,7 +146,11 @@ def compile_program(
     module.functions += names.outlined
     begin = update_bounds(SHADOW + checked, len(names.statements))
     module.functions.append(
-        _resume(general[ROOT], len(names.statements), begin if watching else [])
+        _resume(
+            general[ROOT],
+            len(names.statements),
+            [*(begin if watching else []), *same_object.forget_all()],
+        )
     )
     if watching:
         count = len(names.statements)

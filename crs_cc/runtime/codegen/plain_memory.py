@@ -22,13 +22,14 @@ from crs_cc.ir.instruction import (
     Mark,
     Operand,
     Register,
+    SameObject,
     Seal,
     Slot,
     State,
     Store,
 )
 from crs_cc.requests import MESSAGE
-from crs_cc.runtime.codegen import indices, inline_ranges, shadow
+from crs_cc.runtime.codegen import indices, inline_ranges, same_object, shadow
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
 from crs_cc.runtime.codegen.inline_ranges import short
 from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
@@ -83,6 +84,9 @@ class PlainMemory:
 
     def bounds(self, it: Bounds) -> None:
         """Check that an index is that of an element of an array."""
+
+    def same_object(self, it: SameObject) -> None:
+        """Check that two pointers are to one object."""
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""
@@ -183,6 +187,8 @@ class PlainMemory:
         """Set the states of a heap block."""
         self.writer.charge(it.size)
         self.set_states(it.target, it.size, it.state)
+        if self.shadowed and it.state == ByteState.INACCESSIBLE:
+            self.writer.code += same_object.forget_all()
 
     def callers(self, it: Callers) -> None:
         """Store the call sites on the stack."""

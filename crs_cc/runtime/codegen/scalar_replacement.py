@@ -26,6 +26,7 @@ from crs_cc.ir.instruction import (
     Move,
     Operand,
     Register,
+    SameObject,
     Seal,
     Slot,
     Store,
@@ -347,7 +348,7 @@ class _Replacement:
                 raise NotReplaceableError(slot)
 
     def _use(self, it: Instruction, holding: dict[Register, _Place]) -> None:
-        if self._use_held(it, holding) or (isinstance(it, Bounds) and self.loads):
+        if self._use_held(it, holding) or (isinstance(it, Bounds | SameObject) and self.loads):
             return
         match it:
             case Load(base=Slot() as slot) | Store(base=Slot() as slot):
@@ -409,7 +410,7 @@ class _Replacement:
         """Return what an instruction becomes."""
         if self._stays(it):
             return [it]
-        if isinstance(it, Bounds) and self.loads:  # it has no effect in unchecked builds
+        if isinstance(it, Bounds | SameObject) and self.loads:  # they have no effect in unchecked builds
             return []
         if it in self.places and not isinstance(it, Copy | Fill):
             return self._rewrite_held(it)

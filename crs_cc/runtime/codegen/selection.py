@@ -22,6 +22,7 @@ from crs_cc.ir.instruction import (
     Load,
     Mark,
     Move,
+    SameObject,
     Seal,
     State,
     Store,
@@ -175,6 +176,7 @@ _SELECT: Final[dict[type[Instruction], Callable[..., None]]] = {
 }
 _ACCESS: Final[dict[type[Instruction], str]] = {
     Bounds: "bounds",
+    SameObject: "same_object",
     Load: "load",
     Store: "store",
     Copy: "copy",

@@ -29,6 +29,7 @@ from crs_cc.ir.instruction import (
     Move,
     Register,
     Return,
+    SameObject,
     Slot,
     Statement,
     Stop,
@@ -53,7 +54,8 @@ MOST_WORK: Final = 60
 
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
 _INLINED: Final = (
-    Statement, Move, Unary, Binary, Load, Store, Address, Bounds, Writable, Readable,
+    Statement, Move, Unary, Binary, Load, Store, Address, Bounds, SameObject,
+    Writable, Readable,
 )  # fmt: skip
 _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 _DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
@@ -190,7 +192,7 @@ class Bodies:
                 known = written.has(where, size, valued=False)
                 written.add(where, size, valued=False)
                 return self.checked and not known
-            case Bounds():
+            case Bounds() | SameObject():
                 return self.checked
             case Binary():
                 return self._operation_fails(it)

@@ -266,6 +266,16 @@ def _overlap(case: Case) -> Explanation:
     return Explanation(text, object_notes(case.failure.object))
 
 
+def _unrelated(case: Case) -> Explanation:
+    first, second = case.failure.object, case.failure.other
+    one, two = object_name(first), object_name(second)
+    if one == two:
+        two = "another"
+    text = f"one points to {one}, the other to {two}"
+    hint = "hint: to compare addresses as such, convert them to 'uintptr_t'"
+    return Explanation(text, (*object_notes(first), *object_notes(second), hint))
+
+
 def _double_free(case: Case) -> Explanation:
     failure = case.failure
     text = f"{object_name(failure.object)} was freed already"
@@ -366,6 +376,7 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "invalid free": _invalid_free,
     "double free": _double_free,
     "overlapping copy": _overlap,
+    "unrelated pointers": _unrelated,
     "missing argument": _missing_argument,
     "no value returned": _no_value,
     "mismatched call": _mismatched,

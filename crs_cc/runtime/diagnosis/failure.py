@@ -25,6 +25,7 @@ class Failure:
         size: number of bytes accessed.
         object: the object at or near `value`; the uninitialised variable.
         array: the array whose index, `value`, is out of bounds, and its address.
+        other: the second of two objects concerned.
         stopped: the program, for inspection; None if its stack cannot be trusted.
     """
 
@@ -37,3 +38,4 @@ class Failure:
     object: Object | None = None
     stopped: Stopped | None = None
     array: tuple[ArrayType, int] | None = None
+    other: Object | None = None
