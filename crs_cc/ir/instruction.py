@@ -10,7 +10,15 @@ from enum import IntEnum
 from typing import Any, Final, SupportsIndex, TypeAlias
 
 from crs_cc.core.source import Location
-from crs_cc.ir.types import ArrayType, CType, FunctionType
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    EnumType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    PointerType,
+)
 from crs_cc.ir.value_type import MemoryType, ValueType
 
 
@@ -87,22 +95,42 @@ Base: TypeAlias = Register | Slot | str
 class ByteState(IntEnum):
     """The state of a byte of memory, which checked builds keep in shadow memory.
 
-    Bit 0 is set if it is accessible, bit 1 if it may be written, and bit 7 if it has a value.
+    Bit 0 is set if it is accessible, bit 1 if it may be written, and bit 7 if it has a value. One of
+    the other bits is clear in variable arguments, which says as what they were passed.
     """
 
     INACCESSIBLE = 0
     WITHOUT_VALUE = 3
+    PASSED_STRUCT = 0xBF
+    PASSED_FLOATING = 0xDF
+    PASSED_WIDE = 0xEF
+    PASSED_POINTER = 0xF7
+    PASSED_INTEGER = 0xFB
     CONSTANT = 0xFD
     WITH_VALUE = 0xFF
 
 
 def plain_states(states: bytes) -> bytes:
-    """Return the states of bytes with constant ones as those of any other value."""
-    return states.replace(_CONSTANT, _WITH_VALUE)
+    """Return the states of bytes with those of constants and arguments as of any other value."""
+    return states.translate(_PLAIN)
 
 
-_CONSTANT: Final = bytes([ByteState.CONSTANT])
-_WITH_VALUE: Final = bytes([ByteState.WITH_VALUE])
+_PLAIN: Final = bytes(ByteState.WITH_VALUE if state >> 7 else state for state in range(256))
+
+
+def passed_state(ctype: CType) -> ByteState | None:
+    """Return the state of a variable argument of a type; None if no argument has this type.
+
+    An argument of type `float` is passed as `double` (C17 6.5.2.2p6).
+    """
+    match ctype:
+        case IntegerType() | EnumType():
+            return ByteState.PASSED_WIDE if ctype.size > 4 else ByteState.PASSED_INTEGER
+        case FloatType():
+            return ByteState.PASSED_FLOATING if ctype.size > 4 else None
+        case PointerType():
+            return ByteState.PASSED_POINTER
+    return ByteState.PASSED_STRUCT
 
 
 @dataclass(slots=True, eq=False)
@@ -222,6 +250,17 @@ class SameObject(Instruction):
 
 
 @dataclass(slots=True, eq=False)
+class Passed(Instruction):
+    """Stops the program if the variable argument at an address was passed as another type.
+
+    It has no effect in unchecked builds, and costs no fuel.
+    """
+
+    address: Register
+    ctype: CType
+
+
+@dataclass(slots=True, eq=False)
 class Copy(Instruction):
     """A copy of `size` bytes, as by `memmove`; the operands are i32, both ranges are checked."""
 
@@ -326,11 +365,13 @@ class Argument:
         value: the value; for a struct its address (i32).
         memory: the type in which the value is stored; None for a struct, which is copied.
         size: size in bytes, before rounding up to 4.
+        ctype: the C type of a variable argument.
     """
 
     value: Operand
     memory: MemoryType | None
     size: int
+    ctype: CType | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -418,7 +459,7 @@ class Block:
     def fuel(self) -> int:
         """The cost of the block: one unit, and one for each instruction that generates code."""
         return 1 + sum(
-            not isinstance(each, Statement | Lifetime | Seal | Bounds | SameObject)
+            not isinstance(each, Statement | Lifetime | Seal | Bounds | SameObject | Passed)
             for each in self.instructions
         )
 

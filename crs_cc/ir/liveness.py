@@ -25,6 +25,7 @@ _OPERANDS: Final[dict[type[ir.Instruction], tuple[str, ...]]] = {
     ir.Address: ("base",),
     ir.Bounds: ("index", "base"),
     ir.SameObject: ("left", "right"),
+    ir.Passed: ("address",),
     ir.Store: ("base", "source"),
     ir.Copy: ("target", "source", "size"),
     ir.Fill: ("target", "value", "size"),

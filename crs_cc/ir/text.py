@@ -189,6 +189,9 @@ class FunctionText:
     def _same_object(self, pair: ir.SameObject) -> str:
         return f"same object {self._operand(pair.left)}, {self._operand(pair.right)}"
 
+    def _passed(self, passed: ir.Passed) -> str:
+        return f"passed {spell(passed.ctype)} [{self._operand(passed.address)}]"
+
     def _copy(self, copy: ir.Copy) -> str:
         operands = (copy.target, copy.source, copy.size)
         return "copy [{}], [{}], size {}".format(*map(self._operand, operands))
@@ -267,6 +270,7 @@ _RENDER: Final[dict[type[ir.Instruction], Callable[..., str]]] = {
     ir.Address: FunctionText._take_address,
     ir.Bounds: FunctionText._bounds,
     ir.SameObject: FunctionText._same_object,
+    ir.Passed: FunctionText._passed,
     ir.Copy: FunctionText._copy,
     ir.Fill: FunctionText._fill,
     ir.Lifetime: FunctionText._lifetime,

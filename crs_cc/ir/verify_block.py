@@ -173,6 +173,9 @@ class BlockVerifier:
         yield from self._operand("left", pair.left, "i32")
         yield from self._operand("right", pair.right, "i32")
 
+    def _passed(self, passed: ir.Passed) -> Faults:
+        yield from self._register("address", passed.address, "i32")
+
     def _copy(self, copy: ir.Copy) -> Faults:
         yield from self._operand("target", copy.target, "i32")
         yield from self._operand("source", copy.source, "i32")
@@ -286,6 +289,7 @@ _RULES: Final[dict[type[ir.Instruction], Callable[..., Faults]]] = {
     ir.Address: BlockVerifier._address,
     ir.Bounds: BlockVerifier._bounds,
     ir.SameObject: BlockVerifier._same_object,
+    ir.Passed: BlockVerifier._passed,
     ir.Copy: BlockVerifier._copy,
     ir.Fill: BlockVerifier._fill,
     ir.Lifetime: BlockVerifier._lifetime,

@@ -98,6 +98,7 @@ ERROR_KINDS: Final = (
     "overlapping copy",  # by `memcpy`, `strcpy`, `sprintf`
     "unrelated pointers",  # compared or subtracted
     "missing argument",  # `va_arg` after the last argument
+    "mismatched argument",  # `va_arg` of another type than was passed
     "no value returned",  # but used
     "mismatched call",  # through a pointer to a function with other parameter types
     "shift out of range",

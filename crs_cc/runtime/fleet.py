@@ -362,7 +362,7 @@ class Fleet:
         kind, stack, size, found = site.kind, stopped.stack, site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
-        elif kind in {"invalid free", "double free", "overlapping copy", "unrelated pointers"}:
+        elif kind in _WITH_OBJECT:
             found = find_object(stopped, value)
         elif site.variable is not None:
             found = of_variable(stopped, site.variable)
@@ -375,7 +375,7 @@ class Fleet:
             other = find_object(stopped, int(slot["error_base"]))
         size = size or int(slot["error_size"])
         access: Access = "write" if kind == "constant memory" else site.access
-        return Failure(kind, site.location, value, stack, access, size, found, stopped, array, other)
+        return Failure(kind, site.location, value, stack, access, size, found, stopped, array, other, site.ctype)
 
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True
@@ -446,6 +446,13 @@ def _default_threads(executables: Sequence[Executable]) -> int:
 
 
 _BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by one
+_WITH_OBJECT: Final = frozenset(
+    {
+        "invalid free", "double free", "overlapping copy", "unrelated pointers",
+        "mismatched argument",
+    }
+)  # fmt: skip
+"""Kinds of errors whose value is the address of an object."""
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 _UNLIMITED: Final = 2**31

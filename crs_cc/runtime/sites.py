@@ -20,7 +20,7 @@ from typing import Final, Literal
 
 from crs_cc.core.source import Location
 from crs_cc.ir.instruction import Variable
-from crs_cc.ir.types import ArrayType
+from crs_cc.ir.types import ArrayType, CType
 
 Access = Literal["", "read", "write"]
 
@@ -42,6 +42,7 @@ class Site:
         size: the number of accessed bytes; 0 if it is in the slot's `error_size`.
         variable: the variable to blame, where that is known.
         array: the type of the array whose index is out of bounds.
+        ctype: the type that `va_arg` reads.
     """
 
     kind: str
@@ -50,14 +51,16 @@ class Site:
     size: int = 0
     variable: Variable | None = None
     array: ArrayType | None = None
+    ctype: CType | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class CallSite:
-    """A place that calls: in which function, and where."""
+    """A place that calls: in which function, and where; the types of its variable arguments."""
 
     function: str
     location: Location
+    passed: tuple[CType, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -375,6 +375,7 @@ class Interpreter:
             case _:
                 without_effect = (
                     ir.Statement | ir.Lifetime | ir.Seal | ir.Callers | ir.Bounds | ir.SameObject
+                    | ir.Passed
                 )
                 assert isinstance(it, without_effect), it
 

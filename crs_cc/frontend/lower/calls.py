@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Final
 
 from crs_cc.core.source import Location
@@ -37,6 +38,7 @@ from crs_cc.ir.instruction import (
     Mark,
     Move,
     Operand,
+    Passed,
     Register,
     Request,
     SetJump,
@@ -106,7 +108,7 @@ def _end_with_call(
             pointer = register
     # From the last to the first, as gcc does on i386: some programs rely on it.
     lowered = [argument(low, each) for each in reversed(expression.arguments)]
-    arguments = [*arguments, *reversed(lowered)]
+    arguments = [*arguments, *_with_types(expression, lowered[::-1])]
     then = low.new_block("after")
     called: str | Register
     if isinstance(callee, tree.FunctionName):
@@ -116,6 +118,17 @@ def _end_with_call(
         called = pointer
     low.end(Call(location, called, arguments, result, then, _prototype(expression)))
     low.start(then, location)
+
+
+def _with_types(expression: tree.Call, arguments: list[Argument]) -> list[Argument]:
+    """Return arguments with the C types of those that are variable."""
+    ctype = expression.callee.type
+    ctype = ctype.target if isinstance(ctype, PointerType) else ctype
+    if not isinstance(ctype, FunctionType) or not ctype.variadic:
+        return arguments
+    named = len(ctype.parameters or ())
+    rest = zip(expression.arguments[named:], arguments[named:], strict=True)
+    return [*arguments[:named], *(replace(each, ctype=passed.type) for passed, each in rest)]
 
 
 def _prototype(expression: tree.Call) -> FunctionType | None:
@@ -141,10 +154,12 @@ def _next_argument(low: Lowering, expression: tree.VarArg) -> Place:
         if isinstance(pointer, Register):
             at = low.register("i32")
             low.emit(Move(location, at, pointer))
+            low.emit(Passed(location, at, expression.type))
             low.emit(Binary(location, pointer, "i32.add", pointer, step))
             return at, 0
     where = low.access(place(low, variable), 4, location)
     at = load(low, where, variable.type, location)
+    low.emit(Passed(location, at, expression.type))
     store(low, where, variable.type, low.binary(location, "i32.add", at, step), location)
     return at, 0
 

@@ -28,11 +28,14 @@ from crs_cc.ir.instruction import (
     Lifetime,
     Load,
     Operand,
+    Passed,
     Register,
     SameObject,
     Seal,
     Store,
+    passed_state,
 )
+from crs_cc.ir.names import in_library
 from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.requests import MESSAGE, slot_offset
 from crs_cc.runtime.codegen import indices, inline_ranges, same_object, shadow
@@ -191,6 +194,31 @@ class CheckedMemory(KnownMemory):
             writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
         writer.fail(Site("unrelated pointers", it.location), [push[0]])
         writer.code += [("end",), ("end",)]
+
+    def passed(self, it: Passed) -> None:
+        """Write the check that a variable argument was passed as some type.
+
+        An integer 0 may be passed for a pointer. The library reads both alike.
+        """
+        writer, push = self.writer, self.writer.value(it.address)
+        state = passed_state(it.ctype)
+        found: Instr = ("local.get", STATES)
+        writer.code += [push, ("i32.load8_u", SHADOW, 0), ("local.tee", STATES)]
+        writer.code += [("i32.const", state or 0), ("i32.ne",), UNLIKELY]
+        least, end = ByteState.PASSED_STRUCT, ByteState.CONSTANT
+        is_known: list[Instr] = [found, ("i32.const", least), ("i32.sub",)]
+        is_known += [("i32.const", end - least), ("i32.lt_u",)]
+        writer.code += is_known
+        integer, pointer = ByteState.PASSED_INTEGER, ByteState.PASSED_POINTER
+        if in_library(it.location) and state in (integer, pointer):
+            other = pointer if state is integer else integer
+            writer.code += [found, ("i32.const", other), ("i32.ne",), ("i32.and",)]
+        elif state is pointer:
+            writer.code += [push, ("local.get", SP), *is_known, ("select",)]
+            writer.code += [("i32.load", MEMORY, 0), ("i32.const", 0), ("i32.ne",)]
+            writer.code += [found, ("i32.const", integer), ("i32.ne",), ("i32.or",), ("i32.and",)]
+        writer.fail_if(Site("mismatched argument", it.location, ctype=it.ctype), [push])
+        writer.code.append(("end",))
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""

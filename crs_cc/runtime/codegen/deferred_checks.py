@@ -23,6 +23,7 @@ from crs_cc.ir.instruction import (
     Instruction,
     Load,
     Move,
+    Passed,
     Register,
     Store,
     Unary,
@@ -45,16 +46,20 @@ class _Flow:
         stores: the stores of each load's value.
         changed: the loads whose value is converted before it is stored.
         judged: the loads that must be checked.
+        passed: the addresses of variable arguments, whose states are not those of copies.
     """
 
     values: dict[Register, tuple[Load, bool]] = field(default_factory=dict)
     stores: dict[Load, list[Store]] = field(default_factory=dict)
     changed: set[Load] = field(default_factory=set)
     judged: set[Load] = field(default_factory=set)
+    passed: set[Register] = field(default_factory=set)
 
     def follow(self, it: Instruction) -> None:
         """Follow values through an instruction."""
         used, made = reads(it), None
+        if isinstance(it, Passed):
+            self.passed.add(it.address)
         if _passes_on(it):
             for register in used:
                 known = self.values.get(register)
@@ -70,7 +75,7 @@ class _Flow:
         target = writes(it)
         if target is not None:
             self.values.pop(target, None)
-            if isinstance(it, Load) and not it.unjudged:
+            if isinstance(it, Load) and not it.unjudged and it.base not in self.passed:
                 self.values[target] = it, True
                 self.stores[it] = []
             elif made is not None:

@@ -13,11 +13,27 @@ from typing import Final
 from crs_cc.ir.instruction import ByteState, Lifetime, Slot
 from crs_cc.ir.program import Function
 from crs_cc.runtime.codegen import same_object, shadow
-from crs_cc.runtime.codegen.indices import FP, MEMORY, SHADOW, SP, STATES
+from crs_cc.runtime.codegen.indices import FP, MEMORY, PASSED, SHADOW, SP, STATES
 from crs_cc.runtime.codegen.inline_ranges import MOST_FILLED
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
 from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
-from crs_cc.runtime.wasm import Instr
+from crs_cc.runtime.wasm import Code, Instr
+
+def passed() -> Code:
+    """`passed(address, 0, size)`: make those arguments accessible whose states are not known."""
+    address, size = 0, 2
+    body: list[Instr] = [
+        ("loop",),
+        ("local.get", address), ("i32.load", SHADOW, 0), ("i32.eqz",),
+        ("if",),
+        ("local.get", address), shadow.repeated(ByteState.WITH_VALUE, ARGUMENT_UNIT),
+        shadow.store(ARGUMENT_UNIT, 0), ("end",),
+        ("local.get", address), ("i32.const", ARGUMENT_UNIT), ("i32.add",), ("local.set", address),
+        ("local.get", size), ("i32.const", ARGUMENT_UNIT), ("i32.sub",), ("local.tee", size),
+        ("i32.const", 0), ("i32.gt_s",), ("br_if", 0), ("end",),
+    ]  # fmt: skip
+    return Code("passed", (("i32", "i32", "i32"), ()), [], body)
+
 
 MOST_STORES: Final = 32
 """Slots that need more stores than this are made inaccessible by one `memory.fill`."""
@@ -43,7 +59,7 @@ def enter(function: Function, frame: Frame) -> list[Instr]:
             offset, size = frame.offsets[parameter.place], parameter.size
             given = shadow.fill(_SP, offset, size, ByteState.WITH_VALUE)
             code += given if parameter.memory else _unless_copied(offset, given)
-    return code + _rest(function, frame, ByteState.WITH_VALUE)
+    return code + _rest(function, frame, [("call", PASSED)])
 
 
 def _unless_copied(offset: int, given: list[Instr]) -> list[Instr]:
@@ -66,7 +82,7 @@ def leave(function: Function, frame: Frame) -> list[Instr]:
             code = min(code, shadow.fill(_SP, start, end - start, gone), key=len)
     for slot in _parameters(function):
         code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)
-    code += _rest(function, frame, gone)
+    code += _rest(function, frame, [("memory.fill", SHADOW)])
     return [*code, *same_object.forget_last()] if code else code
 
 
@@ -74,8 +90,11 @@ def _parameters(function: Function) -> list[Slot]:
     return [each.place for each in function.parameters if isinstance(each.place, Slot)]
 
 
-def _rest(function: Function, frame: Frame, state: int) -> list[Instr]:
-    """Set the states of the variable arguments, whose size is in the call word."""
+def _rest(function: Function, frame: Frame, change: list[Instr]) -> list[Instr]:
+    """Change the states of the variable arguments, whose size is in the call word.
+
+    `change` takes their address, the state `INACCESSIBLE` and their size.
+    """
     if not function.variadic:
         return []
     named = frame.varargs - frame.size - HEADER_SIZE
@@ -85,6 +104,6 @@ def _rest(function: Function, frame: Frame, state: int) -> list[Instr]:
         ("i32.const", ARGUMENT_UNIT), ("i32.mul",), ("i32.const", named), ("i32.sub",),
         ("local.tee", STATES), ("i32.const", 0), ("i32.gt_s",), ("if",),
         _SP, ("i32.const", frame.varargs), ("i32.add",),
-        ("i32.const", state), ("local.get", STATES), ("memory.fill", SHADOW),
+        ("i32.const", ByteState.INACCESSIBLE), ("local.get", STATES), *change,
         ("end",),
     ]  # fmt: skip

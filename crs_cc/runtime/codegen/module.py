@@ -15,7 +15,7 @@ from typing import Final
 from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import slot_offset
-from crs_cc.runtime.codegen import jumps, large_functions, same_object, shadow
+from crs_cc.runtime.codegen import frame_states, jumps, large_functions, same_object, shadow
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
@@ -85,7 +85,7 @@ def compile_program(
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
     checks = [shadow.inaccessible(), shadow.callers(), product_fits(), shadow.unsealed()]
-    checks += [same_object.gap(), same_object.unrelated()]
+    checks += [same_object.gap(), same_object.unrelated(), frame_states.passed()]
     own = checks if checked else [_outside()]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
     conventions = {name: convention_of(each) for name, each in program.functions.items()}

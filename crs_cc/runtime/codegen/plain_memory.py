@@ -21,6 +21,7 @@ from crs_cc.ir.instruction import (
     Load,
     Mark,
     Operand,
+    Passed,
     Register,
     SameObject,
     Seal,
@@ -87,6 +88,9 @@ class PlainMemory:
 
     def same_object(self, it: SameObject) -> None:
         """Check that two pointers are to one object."""
+
+    def passed(self, it: Passed) -> None:
+        """Check that a variable argument was passed as some type."""
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""

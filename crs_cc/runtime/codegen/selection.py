@@ -22,6 +22,7 @@ from crs_cc.ir.instruction import (
     Load,
     Mark,
     Move,
+    Passed,
     SameObject,
     Seal,
     State,
@@ -177,6 +178,7 @@ _SELECT: Final[dict[type[Instruction], Callable[..., None]]] = {
 _ACCESS: Final[dict[type[Instruction], str]] = {
     Bounds: "bounds",
     SameObject: "same_object",
+    Passed: "passed",
     Load: "load",
     Store: "store",
     Copy: "copy",

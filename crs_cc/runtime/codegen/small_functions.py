@@ -27,6 +27,7 @@ from crs_cc.ir.instruction import (
     Jump,
     Load,
     Move,
+    Passed,
     Register,
     Return,
     SameObject,
@@ -55,7 +56,7 @@ MOST_WORK: Final = 60
 _ENDS: Final = (Jump, Branch, Switch, Return, Stop, Call)
 _INLINED: Final = (
     Statement, Move, Unary, Binary, Load, Store, Address, Bounds, SameObject,
-    Writable, Readable,
+    Passed, Writable, Readable,
 )  # fmt: skip
 _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 _DIVISIONS: Final = frozenset({"div_s", "div_u", "rem_s", "rem_u"})
@@ -192,7 +193,7 @@ class Bodies:
                 known = written.has(where, size, valued=False)
                 written.add(where, size, valued=False)
                 return self.checked and not known
-            case Bounds() | SameObject():
+            case Bounds() | SameObject() | Passed():
                 return self.checked
             case Binary():
                 return self._operation_fails(it)

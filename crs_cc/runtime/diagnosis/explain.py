@@ -19,6 +19,7 @@ from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.expression_text import names_in, pointer_in
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.diagnosis.arguments import variable_argument
 from crs_cc.runtime.diagnosis.object_text import count, object_name, object_notes
 from crs_cc.runtime.diagnosis.values import place_name
 from crs_cc.runtime.diagnosis.variables import Variables
@@ -295,6 +296,22 @@ def _missing_argument(case: Case) -> Explanation:
     return Explanation("va_arg reads an argument that was not passed", shows_values=False)
 
 
+def _mismatched_argument(case: Case) -> Explanation:
+    failure = case.failure
+    wanted = spell(failure.ctype) if failure.ctype is not None else "another type"
+    number, passed = 0, "of another type"
+    if failure.stopped is not None:
+        found = variable_argument(failure.stopped, failure.value)
+        number, passed = (found[0], spell(found[1])) if found else (number, passed)
+    if case.callee is not None:
+        name = case.callee.function
+        text = f"{name} reads argument {number} as {wanted}, but it is {passed}"
+        return Explanation(text, (FORMAT_HINT,) if name.endswith(FORMATTED) else ())
+    owner = plain_name(failure.object.function) if failure.object else "the function"
+    text = f"argument {number} of '{owner}' is {passed}, but va_arg reads {wanted}"
+    return Explanation(text, shows_values=False)
+
+
 def _no_value(case: Case) -> Explanation:
     name = f"'{case.called}'" if case.called else "the function called"
     program = case.failure.stopped.program if case.failure.stopped else Program()
@@ -378,6 +395,7 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "overlapping copy": _overlap,
     "unrelated pointers": _unrelated,
     "missing argument": _missing_argument,
+    "mismatched argument": _mismatched_argument,
     "no value returned": _no_value,
     "mismatched call": _mismatched,
     "shift out of range": _shift,

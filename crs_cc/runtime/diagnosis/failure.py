@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from crs_cc.core.source import Location
-from crs_cc.ir.types import ArrayType
+from crs_cc.ir.types import ArrayType, CType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.sites import Access
@@ -25,6 +25,7 @@ class Failure:
         size: number of bytes accessed.
         object: the object at or near `value`; the uninitialised variable.
         array: the array whose index, `value`, is out of bounds, and its address.
+        ctype: the type that `va_arg` reads.
         other: the second of two objects concerned.
         stopped: the program, for inspection; None if its stack cannot be trusted.
     """
@@ -39,3 +40,4 @@ class Failure:
     stopped: Stopped | None = None
     array: tuple[ArrayType, int] | None = None
     other: Object | None = None
+    ctype: CType | None = None
