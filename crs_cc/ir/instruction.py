@@ -186,6 +186,9 @@ class Load(Instruction):
 
     An `unjudged` load may read uninitialised bytes, which are stored back unchanged. `is_const` is
     set for a const lvalue, whose bytes may be constant.
+
+    `within` is the object that the address was computed from, or the start of a heap block: the
+    access must be inside, which checked builds test. It costs no fuel.
     """
 
     result: Register
@@ -194,6 +197,7 @@ class Load(Instruction):
     memory: MemoryType
     unjudged: bool = False
     is_const: bool = False
+    within: Base | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -204,6 +208,7 @@ class Store(Instruction):
     offset: int
     source: Operand
     memory: MemoryType
+    within: Base | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -152,10 +152,14 @@ class BlockVerifier:
     def _load(self, load: ir.Load) -> Faults:
         yield from self._access(load.base, load.offset, load.memory)
         yield from self._register("result", load.result, VALUE_TYPE[load.memory])
+        if load.within is not None:
+            yield from self._base(load.within)
 
     def _store(self, store: ir.Store) -> Faults:
         yield from self._access(store.base, store.offset, store.memory)
         yield from self._operand("source", store.source, VALUE_TYPE[store.memory])
+        if store.within is not None:
+            yield from self._base(store.within)
 
     def _address(self, address: ir.Address) -> Faults:
         yield from self._base(address.base)

@@ -370,12 +370,26 @@ class Fleet:
         if site.array is not None:
             array = site.array, int(slot["error_base"])
             found = find_object(stopped, array[1])
+        elif site.kind == "out of bounds":
+            found = find_object(stopped, int(slot["error_base"]))
         other = None
         if kind == "unrelated pointers":
             other = find_object(stopped, int(slot["error_base"]))
         size = size or int(slot["error_size"])
         access: Access = "write" if kind == "constant memory" else site.access
-        return Failure(kind, site.location, value, stack, access, size, found, stopped, array, other, site.ctype)
+        return Failure(
+            kind,
+            site.location,
+            value,
+            stack,
+            access,
+            size,
+            found,
+            stopped,
+            array,
+            other,
+            site.ctype,
+        )
 
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True

@@ -39,6 +39,9 @@ PAGE: Final = 65536
 HEADER_SIZE: Final = 16
 RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
 
+BLOCK_HEADER: Final = 32  # of a block of the heap, see `lib/stdlib/malloc.c` [bytes]
+ASKED: Final = 8 - BLOCK_HEADER  # offset from a block of the size that was asked for
+
 ALIGN: Final = 16  # of every frame [bytes]
 MINIMUM_FRAME: Final = 96
 """With the charge for each local, see `registers`, this bounds the host's stack, which grows with

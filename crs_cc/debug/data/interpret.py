@@ -374,7 +374,12 @@ class Interpreter:
                 self._memory.mark(address, size, it.state)
             case _:
                 without_effect = (
-                    ir.Statement | ir.Lifetime | ir.Seal | ir.Callers | ir.Bounds | ir.SameObject
+                    ir.Statement
+                    | ir.Lifetime
+                    | ir.Seal
+                    | ir.Callers
+                    | ir.Bounds
+                    | ir.SameObject
                     | ir.Passed
                 )
                 assert isinstance(it, without_effect), it

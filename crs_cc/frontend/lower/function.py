@@ -18,6 +18,8 @@ from crs_cc.frontend.lower.memory import store
 from crs_cc.frontend.lower.rules import RULES
 from crs_cc.frontend.lower.unit_state import UnitState
 from crs_cc.ir.instruction import Block, Register, Return, Slot, Variable
+from crs_cc.ir.names import in_library
+from crs_cc.ir.pointer_bases import find_bases
 from crs_cc.ir.program import Function, Parameter
 from crs_cc.ir.types import CType, RecordType, VoidType
 from crs_cc.ir.value_type import MEMORY_SIZE
@@ -44,6 +46,8 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
     fall_off = Return(location, no_value(function))
     low.end(fall_off)
     kept = simplify(function)
+    if not in_library(location):
+        find_bases(function, unit.sizes)
     for block, name, place in low.references:
         if block in kept:
             unit.use(name, place)

@@ -10,7 +10,7 @@ A value that is loaded only to be stored elsewhere is not checked: its state is 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
@@ -36,6 +36,7 @@ from crs_cc.ir.instruction import (
     passed_state,
 )
 from crs_cc.ir.names import in_library
+from crs_cc.ir.pointer_bases import NEAR
 from crs_cc.ir.value_type import MEMORY_SIZE
 from crs_cc.requests import MESSAGE, slot_offset
 from crs_cc.runtime.codegen import indices, inline_ranges, same_object, shadow
@@ -55,7 +56,7 @@ from crs_cc.runtime.codegen.known_memory import KnownMemory
 from crs_cc.runtime.codegen.memory_instructions import LOADS, STORES
 from crs_cc.runtime.codegen.value_numbering import KnownBytes
 from crs_cc.runtime.codegen.writer import Writer
-from crs_cc.runtime.layout import NULL_SIZE
+from crs_cc.runtime.layout import ASKED, MEMORY_BYTES, NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
@@ -91,6 +92,7 @@ class CheckedMemory(KnownMemory):
 
     Attributes:
         deferred: the loads whose states are copied, and their targets.
+        lasting: the slots whose lifetime is that of the function.
         assignments: the variables in registers that may be uninitialised.
     """
 
@@ -100,8 +102,10 @@ class CheckedMemory(KnownMemory):
         deferred: DeferredChecks,
         assignments: Assignments,
         sole: Mapping[Block, Block],
+        lasting: Container[Slot] = (),
     ) -> None:
         super().__init__(writer, sole)
+        self.lasting = lasting
         self.deferred = deferred
         self.assignments = assignments
         self._taken: set[Register] = set()
@@ -162,7 +166,10 @@ class CheckedMemory(KnownMemory):
         if self.facts.indices.get(place, length + 1) > length:
             self._compare_index(it, length)
             self.facts.indices[place] = length
-        if it.element is not None and self._accessible(it.base, it.offset, it.array.size):
+        if it.element is None:
+            return
+        self.facts.within.add(self.places.of(*it.element), it.array.element.size, valued=False)
+        if self._accessible(it.base, it.offset, it.array.size):
             valued = self._valued(it.base, it.offset, it.array.size)
             where = self.places.of(*it.element)
             self.proved.add(where, it.array.element.size, valued=valued)
@@ -222,6 +229,8 @@ class CheckedMemory(KnownMemory):
 
     def load(self, it: Load) -> None:
         """Write `result = *(base + offset)`."""
+        if it.within is not None:
+            self._stay_within(it, "read")
         if not self._valued(it.base, it.offset, MEMORY_SIZE[it.memory]):
             self._test_load(it)
         else:
@@ -231,6 +240,59 @@ class CheckedMemory(KnownMemory):
         push, offset = at
         self.writer.code += [push, (LOADS[it.memory], MEMORY, offset)]
         self.writer.pop(it.result)
+
+    def _stay_within(self, it: Load | Store, access: Access) -> None:
+        """Write the check that an access is inside the object that its address comes from.
+
+        Of a heap block that is its requested size, which the allocator keeps. One that was freed
+        is found by other checks.
+        """
+        size, where = MEMORY_SIZE[it.memory], self.places.of(it.base, it.offset)
+        base, writer = it.within, self.writer
+        if base is None or self.facts.within.has(where, size, valued=False):
+            return
+        room = self._room(base)
+        if 0 <= room < size:
+            return
+        near = where[0], where[1] - NEAR  # what is no further is in the object, or found elsewhere
+        self.facts.within.add(near, size + 2 * NEAR, valued=False)
+        if not isinstance(base, Register) and where[0] is base and 0 <= where[1] <= room - size:
+            return
+        writer.address(it.base, it.offset)  # type: ignore[arg-type]
+        writer.address(base, 0)
+        writer.code.append(("i32.sub",))
+        last = self._last(base) if isinstance(base, Register) else [("i32.const", room - size)]
+        writer.code += [*last, ("i32.gt_u",), UNLIKELY]
+        if writer.side_exit is None:
+            writer.code.append(("global.get", SLOT_GLOBAL))
+            writer.address(base, 0)
+            writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
+        site = Site("out of bounds", it.location, access, size)
+        writer.address(it.base, it.offset)
+        writer.code.append(("local.set", ADDRESS))
+        writer.fail(site, [("local.get", ADDRESS)])
+        writer.code.append(("end",))
+        if isinstance(base, str) or base in self.lasting:
+            self.proved.add(where, size, valued=False)
+            if self._changes(base):  # type: ignore[arg-type]
+                self.facts.writable.add(where, size, valued=False)
+
+    def _room(self, base: Base) -> int:
+        """Return the size of a base; 0 if it has no known one, -1 if it is that of a heap block."""
+        if isinstance(base, Register):
+            return -1 if self.writer.names.keeps_sizes else 0
+        if isinstance(base, str):
+            return self.writer.names.sizes.get(base, 0)
+        return base.size if base in self.writer.frame.offsets else 0
+
+    def _last(self, block: Register) -> list[Instr]:
+        """Push the last offset in a heap block; any is in it if its address is null.
+
+        The address of its size is masked to be in memory.
+        """
+        at = [self.writer.value(block), ("i32.const", ASKED), ("i32.add",)]
+        at += [("i32.const", MEMORY_BYTES - 1), ("i32.and",), ("i32.load", MEMORY, 0)]
+        return [*at, ("i32.const", 1), ("i32.sub",)]
 
     def _test_load(self, it: Load) -> None:
         size = MEMORY_SIZE[it.memory]
@@ -319,6 +381,8 @@ class CheckedMemory(KnownMemory):
     def store(self, it: Store) -> None:
         """Write `*(base + offset) = source`."""
         size, code = MEMORY_SIZE[it.memory], self.writer.code
+        if it.within is not None:
+            self._stay_within(it, "write")
         where = self.places.of(it.base, it.offset)
         accessible = self._writable(it.base, it.offset, size)
         accessible |= not isinstance(it.base, Register) and self._inside(it.base, it.offset, size)

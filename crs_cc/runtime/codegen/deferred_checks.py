@@ -68,7 +68,7 @@ class _Flow:
             used = []
         elif isinstance(it, Store) and isinstance(it.source, Register):
             self._store(it, it.source)
-            used = [it.base] if isinstance(it.base, Register) else []
+            used = [each for each in (it.base, it.within) if isinstance(each, Register)]
         for register in used:
             if register in self.values:
                 self.judged.add(self.values[register][0])

@@ -19,6 +19,7 @@ from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
 from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
 from crs_cc.runtime.wasm import Code, Instr
 
+
 def passed() -> Code:
     """`passed(address, 0, size)`: make those arguments accessible whose states are not known."""
     address, size = 0, 2
@@ -41,17 +42,18 @@ MOST_STORES: Final = 32
 _SP: Final[Instr] = ("local.get", SP)
 
 
+def lasting(function: Function) -> set[Slot]:
+    """Return the slots whose lifetime is that of the function."""
+    instructions = (it for block in function.blocks for it in block.instructions)
+    return set(function.slots) - {it.slot for it in instructions if isinstance(it, Lifetime)}
+
+
 def enter(function: Function, frame: Frame) -> list[Instr]:
     """Return the code that makes a function's frame accessible."""
     code: list[Instr] = []
-    scoped = {
-        it.slot
-        for block in function.blocks
-        for it in block.instructions
-        if isinstance(it, Lifetime)
-    }
+    always = lasting(function)
     for slot in function.slots:
-        if slot not in scoped:
+        if slot in always:
             offset = frame.offsets[slot]
             code += shadow.fill(_SP, offset, slot.size, ByteState.WITHOUT_VALUE)
     for parameter in function.parameters:

@@ -33,7 +33,7 @@ from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import Function
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
-from crs_cc.runtime.codegen import jumps, stopping
+from crs_cc.runtime.codegen import frame_states, jumps, stopping
 from crs_cc.runtime.codegen.activation import Activation
 from crs_cc.runtime.codegen.body import Body
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
@@ -175,7 +175,8 @@ class _FunctionCode:
             if not self.debug:  # where memory changes at statements
                 headers = self.registers.headers
                 sole = sole_predecessors(self.function, headers, inlined)
-            memory = CheckedMemory(writer, self.deferred, self.assigned, sole)
+            lasting = frame_states.lasting(self.function)
+            memory = CheckedMemory(writer, self.deferred, self.assigned, sole, lasting)
             arithmetic = CheckedArithmetic(writer, traps_overflow=self.build.trap_overflow)
         return memory, Selector(writer, memory, arithmetic, self.watching)
 

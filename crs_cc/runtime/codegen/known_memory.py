@@ -31,6 +31,7 @@ class Facts:
         places: which registers hold which addresses.
         proved: the bytes known to be accessible, or initialised.
         writable: the bytes known to be accessible and not constant.
+        within: the bytes known to be inside the object that their address was computed from.
         indices: the lengths that values are known to be less than, as unsigned numbers.
         ended: the slots whose lifetime has ended.
     """
@@ -38,13 +39,15 @@ class Facts:
     places: ValueNumbers = field(default_factory=ValueNumbers)
     proved: KnownBytes = field(default_factory=KnownBytes)
     writable: KnownBytes = field(default_factory=KnownBytes)
+    within: KnownBytes = field(default_factory=KnownBytes)
     indices: dict[tuple[Root | None, int], int] = field(default_factory=dict)
     ended: set[Slot] = field(default_factory=set)
 
     def copy(self) -> Facts:
         """Return the same facts, to go on from at another point."""
         places, proved, writable = self.places.copy(), self.proved.copy(), self.writable.copy()
-        return Facts(places, proved, writable, self.indices.copy(), self.ended.copy())
+        within, indices = self.within.copy(), self.indices.copy()
+        return Facts(places, proved, writable, within, indices, self.ended.copy())
 
 
 class KnownMemory(PlainMemory):

@@ -13,6 +13,7 @@ import itertools
 from typing import Final
 
 from crs_cc.ir.instruction import ByteState
+from crs_cc.ir.pointer_bases import ALLOCATORS
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import frame_states, jumps, large_functions, same_object, shadow
@@ -107,6 +108,9 @@ def compile_program(
         {},
         valueless_functions(program, pointers) if checked else set(),
         Bodies(small_functions(program.functions), checked=checked, traps_overflow=trap_overflow),
+        keeps_sizes=all(
+            program.functions[name].trusted for name in ALLOCATORS & program.functions.keys()
+        ),
         first_outlined=own_and_program,
     )
     tables = pointer_tables(program, pointers) if checked else {}

@@ -192,7 +192,7 @@ class PlainMemory:
         self.writer.charge(it.size)
         self.set_states(it.target, it.size, it.state)
         if self.shadowed and it.state == ByteState.INACCESSIBLE:
-            self.writer.code += same_object.forget_all()
+            self.writer.code += same_object.forget_at(self.writer.value(it.target))
 
     def callers(self, it: Callers) -> None:
         """Store the call sites on the stack."""

@@ -20,7 +20,7 @@ from crs_cc.runtime.codegen.indices import GAP, SHADOW
 from crs_cc.runtime.layout import STACK_TOP
 from crs_cc.runtime.wasm import Code, FuncType, Instr
 
-LONGEST: Final = 1 << 18
+LONGEST: Final = 1 << 20
 """Pointers further apart than this are not checked [bytes]."""
 
 STEP, WIDE_STEP, NARROW_PART = 16, 32, 128
@@ -48,6 +48,16 @@ def forget_all() -> list[Instr]:
     code: list[Instr] = []
     for span in (LAST_SPAN, FIRST_SPAN, SECOND_SPAN):
         code += [("i32.const", 0), ("global.set", span)]
+    return code
+
+
+def forget_at(address: Instr) -> list[Instr]:
+    """Discard the ranges with the byte at an address, from which on bytes become inaccessible."""
+    code = forget_last()
+    for start, span in ((FIRST_KEPT, FIRST_SPAN), (SECOND_KEPT, SECOND_SPAN)):
+        code += [("i32.const", 0), ("global.get", span)]
+        code += [address, ("global.get", start), ("i32.sub",), ("global.get", span), ("i32.le_u",)]
+        code += [("select",), ("global.set", span)]
     return code
 
 

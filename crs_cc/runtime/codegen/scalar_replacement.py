@@ -410,7 +410,9 @@ class _Replacement:
         """Return what an instruction becomes."""
         if self._stays(it):
             return [it]
-        if isinstance(it, Bounds | SameObject) and self.loads:  # they have no effect in unchecked builds
+        if (
+            isinstance(it, Bounds | SameObject) and self.loads
+        ):  # they have no effect in unchecked builds
             return []
         if it in self.places and not isinstance(it, Copy | Fill):
             return self._rewrite_held(it)

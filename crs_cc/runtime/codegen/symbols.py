@@ -27,6 +27,7 @@ class Symbols:
         bodies: the functions that can be inlined, and the small ones.
         without_value: functions that may end without a value although it is used.
         pointers: number of function pointers, which are numbered from 1.
+        keeps_sizes: whether blocks of the heap are preceded by their sizes, as the library has it.
         sites: every site that can fail.
         call_sites: every call site, by its number minus 1.
         statements: the statements on which breakpoints can be set.
@@ -46,6 +47,7 @@ class Symbols:
     tables: dict[Shape, int]
     without_value: set[str]
     bodies: Bodies
+    keeps_sizes: bool = False
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
     statements: list[StatementSite] = field(default_factory=list)

@@ -14,12 +14,9 @@ from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.inspect import Stopped
-from crs_cc.runtime.diagnosis.objects import Object, find_object
+from crs_cc.runtime.diagnosis.objects import MARGIN, Object, find_object
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import Access
-
-MARGIN: Final = 256
-"""Distance up to which an access is attributed to an object; larger objects have a larger one."""
 
 
 def diagnose(

@@ -18,10 +18,10 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import ByteArray
+from crs_cc.runtime.layout import BLOCK_HEADER as HEADER
 from crs_cc.runtime.layout import MEMORY_BYTES, round_up
 from crs_cc.runtime.link import ALLOCATOR, HEAP_SYMBOLS
 
-HEADER: Final = 32
 SITES: Final = 5
 IN_USE: Final = 1
 FLAGS: Final = 15

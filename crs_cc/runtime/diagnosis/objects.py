@@ -27,6 +27,9 @@ from crs_cc.runtime.sites import CallSite, arguments_size
 NEAR: Final = 4096
 """An object further away than this [bytes] is unrelated to an address."""
 
+MARGIN: Final = 256
+"""Distance up to which an access is attributed to an object; larger objects have a larger one."""
+
 _NEIGHBOURS: Final = 3  # frames may overlap if a prototype is wrong
 
 
@@ -98,9 +101,17 @@ class Objects:
         else:
             found = [_heap_block(each, compiled) for each in _around(self._blocks, address)]
         nearest = min(found, key=lambda each: abs(each.distance(address)), default=None)
+        if nearest is not None and nearest.distance(address) and _is_of_library(nearest):
+            mine = [each for each in found if not _is_of_library(each)]
+            close = [each for each in mine if abs(each.distance(address)) <= MARGIN]
+            nearest = min(close, key=lambda each: abs(each.distance(address)), default=nearest)
         if nearest is None or abs(nearest.distance(address)) > NEAR:
             return None
         return nearest
+
+
+def _is_of_library(found: Object) -> bool:
+    return found.location is not None and in_library(found.location)
 
 
 def find_object(stopped: Stopped, address: int) -> Object | None:
