@@ -95,8 +95,9 @@ Base: TypeAlias = Register | Slot | str
 class ByteState(IntEnum):
     """The state of a byte of memory, which checked builds keep in shadow memory.
 
-    Bit 0 is set if it is accessible, bit 1 if it may be written, and bit 7 if it has a value. One of
-    the other bits is clear in variable arguments, which says as what they were passed.
+    Bit 0 is set if it is accessible, bit 1 if it may be written, and bit 7 if it has a value. One
+    of the other bits is clear in variable arguments, which says as what they were passed. In bytes
+    without value they are a part of the number of their origin, see `runtime.codegen.origins`.
     """
 
     INACCESSIBLE = 0
@@ -111,11 +112,14 @@ class ByteState(IntEnum):
 
 
 def plain_states(states: bytes) -> bytes:
-    """Return the states of bytes with those of constants and arguments as of any other value."""
+    """Return the states of bytes without what they say of constants, arguments and origins."""
     return states.translate(_PLAIN)
 
 
-_PLAIN: Final = bytes(ByteState.WITH_VALUE if state >> 7 else state for state in range(256))
+_PLAIN: Final = bytes(
+    ByteState.WITH_VALUE if state >> 7 else ByteState.WITHOUT_VALUE if state & 1 else 0
+    for state in range(256)
+)
 
 
 def passed_state(ctype: CType) -> ByteState | None:
@@ -308,6 +312,19 @@ class Mark(Instruction):
     target: Operand
     size: Operand
     state: int
+
+
+@dataclass(slots=True, eq=False)
+class MarkUnset(Instruction):
+    """Sets the state of `size` bytes at `target` to that without value.
+
+    `origin` is the number of the call that allocated them. It is for the allocator and has no
+    effect in unchecked builds.
+    """
+
+    target: Operand
+    size: Operand
+    origin: Operand
 
 
 @dataclass(slots=True, eq=False)

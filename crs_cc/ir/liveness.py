@@ -30,6 +30,7 @@ _OPERANDS: Final[dict[type[ir.Instruction], tuple[str, ...]]] = {
     ir.Copy: ("target", "source", "size"),
     ir.Fill: ("target", "value", "size"),
     ir.Mark: ("target", "size"),
+    ir.MarkUnset: ("target", "size", "origin"),
     ir.Callers: ("target",),
     ir.State: ("address",),
     ir.Stop: ("value",),

@@ -5,9 +5,9 @@ into that object where it is used (C17 6.5.6p8). The analysis follows registers 
 blocks; where paths meet, a register has a base if all agree. `find_bases` notes the base in each
 access through such a pointer, and removes checks of two pointers that have the same one.
 
-An access that is only a few bytes from the last one through the same register needs no base: between
-objects there are inaccessible bytes, where other checks find it. So a pointer that walks through an
-array costs nothing.
+An access that is only a few bytes from the last one through the same register needs no base:
+between objects there are inaccessible bytes, where other checks find it. So a pointer that walks
+through an array costs nothing.
 
 An address that is corrected by the distance between two objects, as programs do after `realloc`,
 has no known base any more.
@@ -203,14 +203,16 @@ class _Analysis:
             return self._sizes.get(what, 0)
         if not isinstance(what, Call):
             return 0
-        asked = [each.value for each in what.arguments]
-        known = what.callee == "malloc" and len(asked) == 1 and isinstance(asked[0], Constant)
-        return int(asked[0].value) if known else 0
+        match [what.callee, *(each.value for each in what.arguments)]:
+            case ["malloc", Constant(value=size)]:
+                return int(size)
+        return 0
 
     def _is_same(self, it: SameObject, known: _Known) -> bool:
         left, right = (self._what(each, known) for each in (it.left, it.right))
-        same = isinstance(left, _Pointer) and isinstance(right, _Pointer)
-        return same and left.object is right.object
+        if isinstance(left, _Pointer) and isinstance(right, _Pointer):
+            return left.object is right.object
+        return False
 
     def _what(self, operand: Operand, known: _Known) -> _Pointer | _Distance | _Index | None:
         return known.get(operand) if isinstance(operand, Register) else _INDEX
@@ -247,21 +249,25 @@ class _Analysis:
                 return self._start(base, offset) if is_own else None
             case Address(base=str() as base, offset=offset):
                 return self._start(base, offset)
-            case Binary(op="i32.add"):
-                return self._sum(it, known)
-            case Binary(op="i32.sub"):
-                return self._difference(it, known)
-            case Binary(op=op) if op in _SCALING:
-                left = self._what(it.left, known)
-                return left if isinstance(left, _Distance) else _INDEX
-            case Binary(op=op) if op in _DIVIDING:
-                left = self._what(it.left, known)
-                return left if isinstance(left, _Distance) else None
+            case Binary():
+                return self._computed(it, known)
             case Call():
                 return _Pointer(it, 0, (0, 0)) if _allocates(it) else None
             case Load(memory=memory) if MEMORY_SIZE[memory] < 4:
                 return _INDEX
         return None
+
+    def _computed(self, it: Binary, known: _Known) -> _Pointer | _Distance | _Index | None:
+        if it.op == "i32.add":
+            return self._sum(it, known)
+        if it.op == "i32.sub":
+            return self._difference(it, known)
+        if it.op not in _SCALING | _DIVIDING:
+            return None
+        left = self._what(it.left, known)
+        if isinstance(left, _Distance):
+            return left
+        return _INDEX if it.op in _SCALING else None
 
     def _start(self, base: Slot | str, offset: int) -> _Pointer:
         inside = max(0, min(offset, self._size(base) - 1))
@@ -281,7 +287,7 @@ class _Analysis:
         left, right = self._what(it.left, known), self._what(it.right, known)
         if isinstance(left, _Pointer) and isinstance(right, _Pointer):
             return _INDEX if left.object is right.object else _DISTANCE
-        if isinstance(right, _Pointer) or isinstance(right, _Distance):
+        if isinstance(right, _Pointer | _Distance):
             return _DISTANCE
         if (it.left, it.right) in self._compared or isinstance(left, _Distance):
             return _DISTANCE

@@ -29,6 +29,7 @@ from typing import Final
 from crs_cc.core.source import Location
 from crs_cc.ir import instruction as ir
 from crs_cc.ir.program import Data, Function, Program
+from crs_cc.ir.types import spell
 
 _COMMENT_COLUMN: Final = 50
 _BYTES_PER_LINE: Final = 16
@@ -210,6 +211,10 @@ class FunctionText:
         operands = (self._operand(mark.target), self._operand(mark.size))
         return "mark [{}], size {}, ".format(*operands) + ir.ByteState(mark.state).name.lower()
 
+    def _mark_unset(self, mark: ir.MarkUnset) -> str:
+        operands = map(self._operand, (mark.target, mark.size, mark.origin))
+        return "mark [{}], size {}, origin {}".format(*operands)
+
     def _callers(self, callers: ir.Callers) -> str:
         return f"callers [{self._operand(callers.target)}], {callers.count}"
 
@@ -276,6 +281,7 @@ _RENDER: Final[dict[type[ir.Instruction], Callable[..., str]]] = {
     ir.Lifetime: FunctionText._lifetime,
     ir.Seal: FunctionText._seal,
     ir.Mark: FunctionText._mark,
+    ir.MarkUnset: FunctionText._mark_unset,
     ir.Callers: FunctionText._callers,
     ir.State: FunctionText._state,
     ir.Jump: FunctionText._jump,

@@ -203,6 +203,11 @@ class BlockVerifier:
         if mark.state not in set(ir.ByteState):
             yield f"{mark.state} is not a state of bytes"
 
+    def _mark_unset(self, mark: ir.MarkUnset) -> Faults:
+        yield from self._trusted()
+        for name in ("target", "size", "origin"):
+            yield from self._operand(name, getattr(mark, name), "i32")
+
     def _callers(self, callers: ir.Callers) -> Faults:
         yield from self._trusted()
         yield from self._operand("target", callers.target, "i32")
@@ -299,6 +304,7 @@ _RULES: Final[dict[type[ir.Instruction], Callable[..., Faults]]] = {
     ir.Lifetime: BlockVerifier._lifetime,
     ir.Seal: BlockVerifier._seal,
     ir.Mark: BlockVerifier._mark,
+    ir.MarkUnset: BlockVerifier._mark_unset,
     ir.Callers: BlockVerifier._callers,
     ir.State: BlockVerifier._state,
     ir.Jump: BlockVerifier._nothing,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from crs_cc.core.source import Location
-from crs_cc.ir.instruction import Register
+from crs_cc.ir.instruction import Register, Variable
 from crs_cc.ir.program import Function
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import CallSite, Site, StatementSite
@@ -50,6 +50,7 @@ class Compiled:
         first_function: index in the module of the first function of the program.
         checked: whether accesses are checked.
         trap_overflow: whether it stops at signed overflow.
+        origins: the variables that bytes without value come from, see `codegen.origins`.
     """
 
     module: Module
@@ -61,6 +62,7 @@ class Compiled:
     addresses: dict[str, int]
     checked: bool = True
     trap_overflow: bool = False
+    origins: list[Variable] = field(default_factory=list)
     _numbers: dict[str, int] = field(default_factory=dict, repr=False)
 
     @property

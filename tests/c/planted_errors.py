@@ -2,8 +2,9 @@
 
 In each file of `planted/`, `PLANT(wrong, right)` is the error or its remedy. A comment
 `// error: kind` stands at the line where a run must stop, `// warning: text` at a line that the
-compiler must warn of, and `// leak: N` says how many blocks nothing points to at the end. The
-programs of `first/` were written before the checks that they test, those of `second/` after.
+compiler must warn of, and `// leak: N` says how many blocks nothing points to at the end; `// origin`
+stands where a value that was never set comes from. The programs of `first/` and `third/` were
+written before the checks that they test, those of `second/` after.
 """
 
 from __future__ import annotations
@@ -35,12 +36,14 @@ class Planted:
         severity: "error" at run time, "warning" of the compiler, or "leak".
         text: the kind of the error, a part of the warning, the number of lost blocks.
         line: the line of the error.
+        origin: the line of the declaration or allocation that the report must name; 0 if none.
     """
 
     path: Path
     severity: str
     text: str
     line: int
+    origin: int = 0
 
     @property
     def name(self) -> str:
@@ -56,11 +59,13 @@ class Found:
         severity: as in `Planted`; empty if nothing was found.
         text: the message.
         line: its line; 0 if unknown.
+        notes: what is said of the object.
     """
 
     severity: str = ""
     text: str = ""
     line: int = 0
+    notes: tuple[str, ...] = ()
 
 
 def planted(names: str = "*/*") -> Iterator[Planted]:
@@ -68,7 +73,9 @@ def planted(names: str = "*/*") -> Iterator[Planted]:
     for path in sorted(FOLDER.glob(f"{names}.c")):
         text = path.read_text()
         (found,) = _COMMENT.finditer(text)
-        yield Planted(path, found[1], found[2], text[: found.start()].count("\n") + 1)
+        before, has_origin, _ = text.partition("// origin\n")
+        origin = before.count("\n") + 1 if has_origin else 0
+        yield Planted(path, found[1], found[2], text[: found.start()].count("\n") + 1, origin)
 
 
 def look(path: Path, definition: str, *, trap_overflow: bool = False) -> Found:
@@ -91,5 +98,5 @@ def _run(program: Executable) -> Found:
     outcome = run.to_end()
     if outcome.failure is not None:
         made = report(outcome.failure)
-        return Found("error", made.text, made.location.line)
+        return Found("error", made.text, made.location.line, made.notes)
     return Found()

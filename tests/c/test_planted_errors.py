@@ -27,4 +27,6 @@ def test_a_planted_error_is_found_on_its_line_and_its_twin_is_clean(case: Plante
     else:
         assert (found.severity, found.line) == (case.severity, case.line), found.text
         assert OTHER_KINDS.get(case.name, case.text) in found.text
+    if case.origin:
+        assert any(f":{case.origin}:" in note for note in found.notes), found.notes
     assert not look(case.path, RIGHT).severity

@@ -372,6 +372,11 @@ class Interpreter:
                     unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
                 )
                 self._memory.mark(address, size, it.state)
+            case ir.MarkUnset():
+                address, size = (
+                    unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
+                )
+                self._memory.mark(address, size, ir.ByteState.WITHOUT_VALUE)
             case _:
                 without_effect = (
                     ir.Statement

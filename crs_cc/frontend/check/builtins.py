@@ -3,7 +3,7 @@
 __crs_request(code, message)       posts a request and waits, see `crs_cc.requests`
 __crs_stop("null pointer", at)     ends the program with an error, see `requests.ERROR_KINDS`; the
                                    address is optional
-__crs_mark, callers, state         for the allocator, see `ir.instruction.Mark` and the following
+__crs_mark, _unset, callers, state for the allocator, see `ir.instruction.Mark` and the following
 __crs_setjmp(buffer)               returns again after a jump, see `ir.instruction.SetJump`
 __crs_sigsetjmp(buffer, unblocked) the same, with signals for `siglongjmp`
 __crs_longjmp(activation, place, value)
@@ -75,6 +75,7 @@ def _table() -> dict[str, Builtin]:
     table = {
         "__crs_request": Builtin(INT, (INT, _ADDRESS)),
         "__crs_mark": Builtin(VOID, (_ADDRESS, UINT, INT)),
+        "__crs_mark_unset": Builtin(VOID, (_ADDRESS, UINT, INT)),
         "__crs_callers": Builtin(VOID, (_ADDRESS, INT)),
         "__crs_state": Builtin(INT, (_CONST_ADDRESS,)),
         "__crs_setjmp": Builtin(INT, (_ADDRESS,)),
@@ -98,7 +99,7 @@ def _table() -> dict[str, Builtin]:
 
 
 BUILTINS: Final = _table()
-_TRUSTED: Final = frozenset({"__crs_mark", "__crs_callers", "__crs_state"})
+_TRUSTED: Final = frozenset({"__crs_mark", "__crs_mark_unset", "__crs_callers", "__crs_state"})
 
 _CONSTANTS: Final = {
     f"__builtin_{name}{suffix}": (ctype, value)

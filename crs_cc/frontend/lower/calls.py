@@ -36,6 +36,7 @@ from crs_cc.ir.instruction import (
     Load,
     LongJump,
     Mark,
+    MarkUnset,
     Move,
     Operand,
     Passed,
@@ -300,6 +301,12 @@ def _mark(low: Lowering, expression: tree.Intrinsic) -> Operand:
     return Constant("i32", 0)
 
 
+def _mark_unset(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    address, size, origin = (value(low, each) for each in expression.arguments)
+    low.emit(MarkUnset(expression.location, address, size, origin))
+    return Constant("i32", 0)
+
+
 def _callers(low: Lowering, expression: tree.Intrinsic) -> Operand:
     address, count = expression.arguments
     low.emit(Callers(expression.location, value(low, address), _constant(count)))
@@ -335,6 +342,7 @@ _SPECIAL: Final[dict[str, Callable[[Lowering, tree.Intrinsic], Operand]]] = {
     "__crs_array_size": _array_size,
     "__crs_stop": _stop,
     "__crs_mark": _mark,
+    "__crs_mark_unset": _mark_unset,
     "__crs_callers": _callers,
     "__crs_state": _state,
     "__crs_setjmp": _set_jump,

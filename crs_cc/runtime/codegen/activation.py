@@ -233,7 +233,7 @@ class Activation:
         if self.build.debug and landings:
             code += spill_slots.clear(frame, self.registers.saved)
         if self.shadowed:
-            code += frame_states.enter(self.function, frame)
+            code += frame_states.enter(self.function, frame, self.writer.names)
         code += self.watching.entering() if self.watching else []
         node.jump(first)
         return node

@@ -60,11 +60,9 @@ class _Flow:
         used, made = reads(it), None
         if isinstance(it, Passed):
             self.passed.add(it.address)
-        if _passes_on(it):
+        elif _passes_on(it):
             for register in used:
-                known = self.values.get(register)
-                if known is not None:
-                    made = known[0], known[1] and isinstance(it, Move)
+                made = self._passed_on(it, register) or made
             used = []
         elif isinstance(it, Store) and isinstance(it.source, Register):
             self._store(it, it.source)
@@ -80,6 +78,10 @@ class _Flow:
                 self.stores[it] = []
             elif made is not None:
                 self.values[target] = made
+
+    def _passed_on(self, it: Instruction, source: Register) -> tuple[Load, bool] | None:
+        known = self.values.get(source)
+        return known and (known[0], known[1] and isinstance(it, Move))
 
     def _store(self, it: Store, source: Register) -> None:
         known = self.values.get(source)

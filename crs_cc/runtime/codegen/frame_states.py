@@ -12,9 +12,10 @@ from typing import Final
 
 from crs_cc.ir.instruction import ByteState, Lifetime, Slot
 from crs_cc.ir.program import Function
-from crs_cc.runtime.codegen import same_object, shadow
+from crs_cc.runtime.codegen import origins, same_object, shadow
 from crs_cc.runtime.codegen.indices import FP, MEMORY, PASSED, SHADOW, SP, STATES
 from crs_cc.runtime.codegen.inline_ranges import MOST_FILLED
+from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
 from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
 from crs_cc.runtime.wasm import Code, Instr
@@ -48,14 +49,13 @@ def lasting(function: Function) -> set[Slot]:
     return set(function.slots) - {it.slot for it in instructions if isinstance(it, Lifetime)}
 
 
-def enter(function: Function, frame: Frame) -> list[Instr]:
+def enter(function: Function, frame: Frame, names: Symbols) -> list[Instr]:
     """Return the code that makes a function's frame accessible."""
     code: list[Instr] = []
     always = lasting(function)
     for slot in function.slots:
         if slot in always:
-            offset = frame.offsets[slot]
-            code += shadow.fill(_SP, offset, slot.size, ByteState.WITHOUT_VALUE)
+            code += origins.begin(slot, frame.offsets[slot], function.location, names)
     for parameter in function.parameters:
         if isinstance(parameter.place, Slot):
             offset, size = frame.offsets[parameter.place], parameter.size

@@ -17,7 +17,7 @@ of the watched ranges; why the program stops, while it does."""
 OUTSIDE: Final = 0
 """The runtime function of unchecked builds, which precedes the functions of the program."""
 
-INACCESSIBLE, CALLERS, PRODUCT_FITS, UNSEALED, GAP, UNRELATED, PASSED = range(7)
+INACCESSIBLE, CALLERS, PRODUCT_FITS, UNSEALED, GAP, UNRELATED, PASSED, UNSET = range(8)
 """Those of checked builds."""
 
 CALL_TYPE: Final = 1

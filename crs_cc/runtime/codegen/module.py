@@ -16,7 +16,14 @@ from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.pointer_bases import ALLOCATORS
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import slot_offset
-from crs_cc.runtime.codegen import frame_states, jumps, large_functions, same_object, shadow
+from crs_cc.runtime.codegen import (
+    frame_states,
+    jumps,
+    large_functions,
+    origins,
+    same_object,
+    shadow,
+)
 from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.build import Build
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
@@ -85,9 +92,7 @@ def compile_program(
     addresses = _place(program)
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
-    checks = [shadow.inaccessible(), shadow.callers(), product_fits(), shadow.unsealed()]
-    checks += [same_object.gap(), same_object.unrelated(), frame_states.passed()]
-    own = checks if checked else [_outside()]
+    own = _checks() if checked else [_outside()]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
     conventions = {name: convention_of(each) for name, each in program.functions.items()}
     general = _general_forms(program, pointers, numbers, conventions)
@@ -108,9 +113,7 @@ def compile_program(
         {},
         valueless_functions(program, pointers) if checked else set(),
         Bodies(small_functions(program.functions), checked=checked, traps_overflow=trap_overflow),
-        keeps_sizes=all(
-            program.functions[name].trusted for name in ALLOCATORS & program.functions.keys()
-        ),
+        keeps_sizes=_keeps_sizes(program),
         first_outlined=own_and_program,
     )
     tables = pointer_tables(program, pointers) if checked else {}
@@ -188,7 +191,21 @@ def compile_program(
         addresses,
         checked,
         trap_overflow,
+        names.origins,
     )
+
+
+def _checks() -> list[Code]:
+    """Return the functions that checked code calls, in the order of their `indices`."""
+    return [
+        shadow.inaccessible(), shadow.callers(), product_fits(), shadow.unsealed(),
+        same_object.gap(), same_object.unrelated(), frame_states.passed(), origins.unset(),
+    ]  # fmt: skip
+
+
+def _keeps_sizes(program: Program) -> bool:
+    """Return whether all allocators are the library's."""
+    return all(program.functions[name].trusted for name in ALLOCATORS & program.functions.keys())
 
 
 def _place(program: Program) -> dict[str, int]:

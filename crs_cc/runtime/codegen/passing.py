@@ -72,7 +72,7 @@ def _is_variadic(call: Call, names: Symbols) -> bool:
 
 
 def _states(argument: Argument, ctype: CType, offset: int) -> list[Instr]:
-    """Set the states of a variable argument at SP + `offset`; of a struct that of its first byte."""
+    """Set states of a variable argument at SP + `offset`: of a struct, that of its first byte."""
     sp: Instr = ("local.get", SP)
     state = passed_state(ctype)
     assert state is not None

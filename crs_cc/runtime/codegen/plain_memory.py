@@ -20,6 +20,7 @@ from crs_cc.ir.instruction import (
     Lifetime,
     Load,
     Mark,
+    MarkUnset,
     Operand,
     Passed,
     Register,
@@ -193,6 +194,14 @@ class PlainMemory:
         self.set_states(it.target, it.size, it.state)
         if self.shadowed and it.state == ByteState.INACCESSIBLE:
             self.writer.code += same_object.forget_at(self.writer.value(it.target))
+
+    def mark_unset(self, it: MarkUnset) -> None:
+        """Make bytes of a heap block accessible, without value."""
+        writer = self.writer
+        writer.charge(it.size)
+        if self.shadowed:
+            writer.code += [writer.value(each) for each in (it.target, it.size, it.origin)]
+            writer.code.append(("call", indices.UNSET))
 
     def callers(self, it: Callers) -> None:
         """Store the call sites on the stack."""

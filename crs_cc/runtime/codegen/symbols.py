@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from crs_cc.ir.instruction import Variable
 from crs_cc.runtime.codegen.convention import Convention
 from crs_cc.runtime.codegen.signatures import Shape
 from crs_cc.runtime.codegen.small_functions import Bodies
@@ -31,6 +32,7 @@ class Symbols:
         sites: every site that can fail.
         call_sites: every call site, by its number minus 1.
         statements: the statements on which breakpoints can be set.
+        origins: the variables that bytes without value come from, see `origins`.
         accesses: number of numbered accesses, see `watchpoints.accesses`.
         first_outlined: index in the module of the first of the outlined functions.
         outlined: functions that resume others.
@@ -51,6 +53,7 @@ class Symbols:
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
     statements: list[StatementSite] = field(default_factory=list)
+    origins: list[Variable] = field(default_factory=list)
     accesses: int = 0
     first_outlined: int = 0
     outlined: list[Code] = field(default_factory=list)
@@ -64,6 +67,11 @@ class Symbols:
         """Add a call site, and return its number."""
         self.call_sites.append(site)
         return len(self.call_sites)
+
+    def origin_number(self, variable: Variable) -> int:
+        """Add a variable that bytes without value come from, and return its number."""
+        self.origins.append(variable)
+        return len(self.origins) - 1
 
     def statement_number(self, site: StatementSite) -> int:
         """Add a statement, and return its number."""

@@ -6,8 +6,6 @@ shadow memory; the object that it belongs to, or is near, in frames, globals and
 
 from __future__ import annotations
 
-from typing import Final
-
 import numpy as np
 
 from crs_cc.ir.instruction import ByteState
@@ -17,6 +15,8 @@ from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.objects import MARGIN, Object, find_object
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import Access
+
+_WITH_SOME_VALUE: Final = 0x80
 
 
 def diagnose(
@@ -42,12 +42,13 @@ def diagnose(
             found = returned_local(stopped, first)
         return kind, first, found
     constant = np.flatnonzero(states == ByteState.CONSTANT)
-    if len(constant) and (access == "write" or ByteState.WITHOUT_VALUE not in states):
+    is_unset = (states != ByteState.INACCESSIBLE) & (states < _WITH_SOME_VALUE)
+    if len(constant) and (access == "write" or not is_unset.any()):
         first = address + int(constant[0])  # a read of what is written later is checked for it
         return "constant memory", first, find_object(stopped, first)
     if len(states) < max(1, size):
         return "pointer outside memory", max(address, MEMORY_BYTES), None
-    without = np.flatnonzero(states == ByteState.WITHOUT_VALUE)
+    without = np.flatnonzero(is_unset)
     first = address + (int(without[0]) if len(without) else 0)
     kind = "uninitialised read" if access == "read" else "out of bounds"
     return kind, first, find_object(stopped, first)

@@ -12,15 +12,17 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.ir.instruction import Variable
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Program
 from crs_cc.ir.types import ArrayType, CType, PointerType, spell
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
+from crs_cc.runtime.diagnosis.arguments import variable_argument
 from crs_cc.runtime.diagnosis.expression_text import names_in, pointer_in
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import StackFrame
-from crs_cc.runtime.diagnosis.arguments import variable_argument
 from crs_cc.runtime.diagnosis.object_text import count, object_name, object_notes
+from crs_cc.runtime.diagnosis.origin import origin_of
 from crs_cc.runtime.diagnosis.values import place_name
 from crs_cc.runtime.diagnosis.variables import Variables
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_SIZE
@@ -226,9 +228,25 @@ def _returned(case: Case) -> Explanation:
     return Explanation(f"{case.access} of {object_name(found)} of {owner}", notes)
 
 
+def _origin(case: Case) -> tuple[str, ...]:
+    """Say where bytes without value were copied from, if they were."""
+    failure, found = case.failure, case.failure.object
+    if failure.stopped is None or not failure.value:
+        return ()
+    origin = origin_of(failure.stopped, failure.value)
+    if isinstance(origin, Variable):
+        is_copy = found is None or found.variable != origin
+        note = f"it is a copy from '{origin.name}', declared at {origin.location}"
+        return (note,) if is_copy else ()
+    if origin is None or (found is not None and origin in found.allocated):
+        return ()
+    owner = plain_name(origin.function)
+    return (f"it is a copy from a heap block, allocated at {origin.location} in {owner}",)
+
+
 def _uninitialised(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
-    notes = object_notes(found)
+    notes = (*object_notes(found), *_origin(case))
     if found is not None and found.variable is not None:
         offset = max(0, failure.value - found.address) if failure.value else 0
         part = place_name(found.name, found.variable.ctype, offset)

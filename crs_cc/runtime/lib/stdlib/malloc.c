@@ -240,19 +240,20 @@ static struct chunk *claim(unsigned int wanted)
     return chunk;
 }
 
-/* Makes a block of a chunk; its bytes may be used, but have no value yet. */
-static struct chunk *hand_out(struct chunk *chunk, size_t size)
-{
-    chunk->asked = size;
-    __crs_mark(BLOCK(chunk), size, CRS_WITHOUT_VALUE);
-    return chunk;
-}
-
 static struct chunk *allocate(size_t size)
 {
     struct chunk *chunk = claim(chunk_size(size));
 
-    return chunk == NULL ? NULL : hand_out(chunk, size);
+    if (chunk != NULL)
+        chunk->asked = size;
+    return chunk;
+}
+
+/* Makes a block of a chunk, whose callers are known; its bytes may be used, but have no value. */
+static void *hand_out(struct chunk *chunk)
+{
+    __crs_mark_unset(BLOCK(chunk), chunk->asked, chunk->allocated[0]);
+    return BLOCK(chunk);
 }
 
 /* Cuts the front of a chunk in use off, so that its block lies at a multiple of `alignment`. */
@@ -291,9 +292,9 @@ void *__crs_allocate_aligned(unsigned int alignment, size_t size)
         chunk = align(chunk, alignment);
         cut(chunk, chunk_size(size));
     }
-    hand_out(chunk, size);
+    chunk->asked = size;
     __crs_callers(chunk->allocated, SITES);
-    return BLOCK(chunk);
+    return hand_out(chunk);
 }
 
 void *malloc(size_t size)
@@ -303,7 +304,7 @@ void *malloc(size_t size)
     if (chunk == NULL)
         return NULL;
     __crs_callers(chunk->allocated, SITES);
-    return BLOCK(chunk);
+    return hand_out(chunk);
 }
 
 void *calloc(size_t count, size_t size)
@@ -412,7 +413,7 @@ static void ask(struct chunk *chunk, unsigned int size)
     if (size < chunk->asked)
         __crs_mark(block + size, chunk->asked - size, CRS_INACCESSIBLE);
     else
-        __crs_mark(block + chunk->asked, size - chunk->asked, CRS_WITHOUT_VALUE);
+        __crs_mark_unset(block + chunk->asked, size - chunk->asked, chunk->allocated[0]);
     chunk->asked = size;
 }
 
@@ -450,6 +451,7 @@ void *realloc(void *block, size_t size)
     if (copy == NULL)
         return NULL;
     __crs_callers(copy->allocated, SITES);
+    hand_out(copy);
     __builtin_memcpy(BLOCK(copy), block, size < chunk->asked ? size : chunk->asked);
     free(block);
     return BLOCK(copy);

@@ -7,7 +7,7 @@ static double take(int n, ...)
     double d;
 
     va_start(ap, n);
-    d = va_arg(ap, double); // error: missing argument
+    d = va_arg(ap, double); // error: mismatched argument
     va_end(ap);
     return d;
 }

@@ -3,7 +3,7 @@ static int sum;
 
 int main(void)
 {
-    int here = 1, *p = &here;
+    int here = 1, *volatile p = &here;
 
     p -= 50000;
     sum = *p; // error: wild pointer

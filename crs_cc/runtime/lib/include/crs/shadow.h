@@ -9,6 +9,10 @@
 /* Sets the state of some bytes; the state is a constant. */
 void __crs_mark(void *address, unsigned int size, int state);
 
+/* Makes some bytes accessible, but without value; `origin` is the first number that __crs_callers
+   writes for their allocation. */
+void __crs_mark_unset(void *address, unsigned int size, int origin);
+
 /* Writes the numbers of the calls that led here, the innermost first; the count is a constant. */
 void __crs_callers(int *sites, int count);
 
