@@ -106,10 +106,11 @@ def _object(found: Object) -> dict[str, Any]:
         "size": found.size,
         "state": found.state,
         "declared": _place(found.location) if found.location else None,
-        "allocated": [_site(each) for each in found.allocated],
-        "freed": [_site(each) for each in found.freed],
+        "allocated": [call_site_data(each) for each in found.allocated],
+        "freed": [call_site_data(each) for each in found.freed],
     }
 
 
-def _site(site: CallSite) -> dict[str, Any]:
+def call_site_data(site: CallSite) -> dict[str, Any]:
+    """Return a call site as plain data."""
     return {"function": plain_name(site.function), **_place(site.location)}

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.run_plot import RunPlot
     from crs_cc.recording.recorder import Recorder
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
 
 _AT_ONCE_S: Final = 5.0
 """Simulated time between two looks at interrupts: a program computes less than a second for it."""
@@ -161,7 +162,14 @@ class Runner:
             self._interrupt.requested,
             tuple(self._current_calls()),
             self._kept,
+            tuple(self._lost_blocks()),
         )
+
+    def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
+        """Yield the heap blocks that each program has lost at its end, if they are reported."""
+        wanted = self._options.as_json or shows_summary(self._options)
+        for robot in range(len(self.session.fleet)):
+            yield self.session.state.lost_blocks(robot) if wanted else ()
 
     def _current_calls(self) -> Iterator[ActiveCall | None]:
         """Yield the active call of each program that has not ended, if it is reported."""

@@ -10,12 +10,13 @@ from crs_cc import __version__
 from crs_cc.cli.exit_status import INTERRUPTED
 from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.messages import as_data
-from crs_cc.cli.report import call_data, report_data
+from crs_cc.cli.report import call_data, call_site_data, report_data
 from crs_cc.core.errors import ProgramError
 from crs_cc.core.source import Diagnostic
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.session.result import Pose, RobotResult, RunResult
     from crs_cc.sim.engine.goals import GoalResult
 
@@ -32,6 +33,7 @@ class Run:
         interrupted: whether it was ended by Ctrl-C.
         calls: by robot, the active call of its program if that has not ended.
         printed: what the programs have printed, if it is wanted.
+        lost: by robot, the heap blocks that nothing points to at its program's end.
     """
 
     result: RunResult
@@ -41,6 +43,11 @@ class Run:
     interrupted: bool
     calls: tuple[ActiveCall | None, ...]
     printed: KeptOutput | None = None
+    lost: tuple[tuple[LostBlocks, ...], ...] = ()
+
+    def lost_of(self, robot: int) -> tuple[LostBlocks, ...]:
+        """Return the heap blocks that a robot's program has lost."""
+        return self.lost[robot] if self.lost else ()
 
     @property
     def real_time_factor(self) -> float:
@@ -76,7 +83,11 @@ def as_json(run: Run, warned: Sequence[Diagnostic]) -> str:
         "exit_status": exit_status(run),
         "diagnostics": [as_data(each) for each in warned],
         "robots": [
-            {**_robot_data(robot, call), **(run.printed.fields(number) if run.printed else {})}
+            {
+                **_robot_data(robot, call),
+                "lost_blocks": [_lost_data(each) for each in run.lost_of(number)],
+                **(run.printed.fields(number) if run.printed else {}),
+            }
             for number, (robot, call) in enumerate(zip(result.robots, run.calls, strict=True))
         ],
         **_goals_data(result.goals),
@@ -113,6 +124,14 @@ def _robot_data(robot: RobotResult, call: ActiveCall | None) -> dict[str, Any]:
         "joined_s": robot.joined_s,
         "left_s": robot.left_s,
         "stands_in": call_data(call) if call else None,
+    }
+
+
+def _lost_data(lost: LostBlocks) -> dict[str, Any]:
+    return {
+        "blocks": len(lost.sizes),
+        "bytes": sum(lost.sizes),
+        "allocated": [call_site_data(each) for each in lost.allocated],
     }
 
 

@@ -13,6 +13,8 @@ from rich.measure import Measurement
 from rich.table import Table
 
 from crs_cc.cli.messages import is_terminal, printable
+from crs_cc.ir.names import plain_name
+from crs_cc.runtime.diagnosis.object_text import count
 
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
@@ -40,6 +42,8 @@ def print_summary(run: Run) -> None:
         if run.result.goals:
             console.print(_goal_table(run.result.goals))
         for line in running_programs(run):
+            console.print(line, markup=False)
+        for line in lost_blocks(run):
             console.print(line, markup=False)
         console.print(_closing_line(run), style="dim")
     sys.stderr.write(captured.get())
@@ -152,6 +156,22 @@ def running_programs(run: Run) -> Iterator[str]:
         yield f"{_names(robots)} {verb} {place}{last_call}"
     if len(alike) > MOST_LINES:
         yield f"... and {len(alike) - MOST_LINES} more places"
+
+
+def lost_blocks(run: Run) -> Iterator[str]:
+    """Yield a line for each of the first few places whose heap blocks were never freed."""
+    alike: dict[tuple[str, int, int], list[RobotResult]] = {}
+    for number, robot in enumerate(run.result.robots):
+        for lost in run.lost_of(number):
+            site = lost.allocated[0] if lost.allocated else None
+            where = f", allocated at {site.location} in {plain_name(site.function)}" if site else ""
+            key = where, len(lost.sizes), sum(lost.sizes)
+            alike.setdefault(key, []).append(robot)
+    for (where, number, size), robots in list(alike.items())[:MOST_LINES]:
+        blocks = f"{count(number, 'heap block')} of {count(size, 'byte')}"
+        yield printable(f"{_names(robots)}: lost {blocks}{where}: neither freed nor pointed to")
+    if len(alike) > MOST_LINES:
+        yield f"... and blocks from {len(alike) - MOST_LINES} more places"
 
 
 def _place(call: ActiveCall, *, alone: bool) -> str:

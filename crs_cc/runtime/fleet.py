@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.failure import Failure
     from crs_cc.runtime.diagnosis.inspect import Stopped
+    from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 MEMORY_END: Final = 0xFFFFFFFF  # the largest address
@@ -416,6 +417,12 @@ class Fleet:
         from crs_cc.runtime.diagnosis.report import library_call  # rarely needed
 
         return library_call(self.stopped(robot))
+
+    def lost_blocks(self, robot: int) -> tuple[LostBlocks, ...]:
+        """Return the blocks of the heap that a robot's program has lost."""
+        from crs_cc.runtime.diagnosis.lost_blocks import lost_blocks  # rarely needed
+
+        return lost_blocks(self.stopped(robot))
 
     def report(self, robot: int) -> ErrorReport:
         """Return the error report of a robot with status FAILED."""

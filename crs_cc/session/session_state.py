@@ -35,6 +35,7 @@ from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
     from crs_cc.session.host import Host
 
 NEVER_S: Final = math.inf
@@ -197,6 +198,11 @@ class SessionState:
         None for one that has not started, or has ended.
         """
         return self.fleet.current_call(robot) if self.alive[robot] else None
+
+    def lost_blocks(self, robot: int) -> tuple[LostBlocks, ...]:
+        """Return the heap blocks that nothing points to at the end of a program that has exited."""
+        has_exited = self.host.exit_status[robot] is not None
+        return self.fleet.lost_blocks(robot) if has_exited else ()
 
     def snapshot(self) -> SessionSnapshot:
         """Return the whole state, between two timesteps or wherever a program has stopped.

@@ -71,6 +71,7 @@ class Run:
     executable: Executable
     stepping: Stepping = field(default_factory=Stepping)
     outcome: Outcome = field(default_factory=Outcome)
+    fleet: Fleet | None = None
 
     def to_end(self) -> Outcome:
         """Resumes the program until it exits or fails."""
@@ -97,7 +98,7 @@ class Run:
             if self.stepping.restore_every and outcome.rounds % self.stepping.restore_every == 0:
                 fleet = _moved(fleet, self.executable)
                 driven = Rounds(fleet)
-        outcome.memory = _digest(fleet)
+        outcome.memory, self.fleet = _digest(fleet), fleet
         return outcome
 
     def _resume(self, driven: Rounds, fuel: int, rounds: int) -> None:

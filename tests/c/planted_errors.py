@@ -2,9 +2,9 @@
 
 In each file of `planted/`, `PLANT(wrong, right)` is the error or its remedy. A comment
 `// error: kind` stands at the line where a run must stop, `// warning: text` at a line that the
-compiler must warn of, and `// leak: N` says how many blocks nothing points to at the end; `// origin`
-stands where a value that was never set comes from. The programs of `first/` and `third/` were
-written before the checks that they test, those of `second/` after.
+compiler must warn of, and `// leak: N` says how many blocks nothing points to at the end;
+`// origin` stands where a value that was never set comes from. The programs of `first/` and
+`third/` were written before the checks that they test, those of `second/` after.
 """
 
 from __future__ import annotations
@@ -99,4 +99,9 @@ def _run(program: Executable) -> Found:
     if outcome.failure is not None:
         made = report(outcome.failure)
         return Found("error", made.text, made.location.line, made.notes)
+    assert run.fleet is not None
+    lost = run.fleet.lost_blocks(0)
+    if lost:
+        number = sum(len(each.sizes) for each in lost)
+        return Found("leak", str(number), lost[0].allocated[0].location.line)
     return Found()

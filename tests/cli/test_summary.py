@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -12,7 +13,9 @@ from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.summary_table import MAX_ROWS, print_summary
 from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
+from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
 from crs_cc.runtime.diagnosis.report import ErrorReport
+from crs_cc.runtime.sites import CallSite
 from crs_cc.session.result import RobotResult, RunResult
 
 FAILURE = ErrorReport("null pointer", Location("wander.c", 7, 3), "null pointer: 'p' is null")
@@ -82,7 +85,7 @@ def test_json_contains_all_results_of_every_robot() -> None:
     assert second["outcome"] == "failed"
     assert second["error"]["text"] == "null pointer: 'p' is null"
     assert second["error"]["line"] == 7
-    assert set(first) == {*RobotResult.__slots__, "stands_in"}
+    assert set(first) == {*RobotResult.__slots__, "stands_in", "lost_blocks"}
 
 
 def test_the_summary_of_one_robot(capsys: pytest.CaptureFixture[str]) -> None:
@@ -161,3 +164,22 @@ def test_the_summary_is_no_wider_than_the_terminal(
     shown = capsys.readouterr().err
     assert ("fuel" in shown) == (columns > 80)
     assert len(shown.splitlines()) <= 6 or columns < 80
+
+
+def test_lost_heap_blocks_are_named_with_where_they_were_allocated(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    site = CallSite("wander.c:load", Location("wander.c", 30, 9))
+    lost = (LostBlocks((20, 30), (site,)), LostBlocks((8,), ()))
+    run = replace(run_of(robot("a"), robot("b"), robot("c")), lost=(lost, lost[:1], ()))
+    print_summary(run)
+    printed = capsys.readouterr().err
+    assert (
+        "a, b: lost 2 heap blocks of 50 bytes, allocated at wander.c:30:9 in load: neither"
+        in printed
+    )
+    assert "a: lost 1 heap block of 8 bytes: neither freed nor pointed to" in printed
+    data = [each["lost_blocks"] for each in json.loads(as_json(run, []))["robots"]]
+    place = {"function": "load", "file": "wander.c", "line": 30, "column": 9}
+    assert data[1] == [{"blocks": 2, "bytes": 50, "allocated": [place]}]
+    assert data[2] == []

@@ -6,6 +6,8 @@ shadow memory; the object that it belongs to, or is near, in frames, globals and
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from crs_cc.ir.instruction import ByteState

@@ -1,11 +1,11 @@
 /* Deep below the stack. */
-static int sum;
+static int sum, *p;
 
 int main(void)
 {
-    int here = 1, *volatile p = &here;
+    int here = 1;
 
-    p -= 50000;
+    p = &here - 50000;
     sum = *p; // error: wild pointer
     return sum;
 }
