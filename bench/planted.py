@@ -97,7 +97,7 @@ def matches(case: Planted, found: Found) -> bool:
 def main() -> None:
     """Print the comparison."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", default=["first/*", "second/*"])
+    parser.add_argument("names", nargs="*", default=["first/*", "second/*", "third/*"])
     parser.add_argument("--verbose", action="store_true", help="name what was not found")
     parser.add_argument("--only-crs", action="store_true", help="leave the other tools out")
     options = parser.parse_args()

@@ -18,7 +18,9 @@ DIALECT = "crs/report.h"
 
 PUBLIC = sorted(path.relative_to(HEADERS).as_posix() for path in HEADERS.rglob("*.h"))
 
-INTRINSICS = ("__crs_request", "__crs_stop", "__crs_mark", "__crs_callers", "__crs_state")
+INTRINSICS = (
+    "__crs_request", "__crs_stop", "__crs_mark", "__crs_mark_unset", "__crs_callers", "__crs_state",
+)  # fmt: skip
 
 C89 = """
 abort abs acos asctime asin atan atan2 atexit atof atoi atol bsearch calloc ceil clearerr clock

@@ -27,7 +27,8 @@ def test_blocks_keep_their_content_and_memory_is_reused() -> None:
         + r"""
     #define N 500
     extern char __heap_start[], __heap_end[];
-    static unsigned char *block[N], *top;
+    static unsigned char *block[N];
+    static unsigned top;
     static unsigned size[N];
     static unsigned some_size(void)
     {
@@ -73,14 +74,14 @@ def test_blocks_keep_their_content_and_memory_is_reused() -> None:
             live += size[k];
             if (live > most)
                 most = live;
-            if (way != 0 && block[k] + size[k] > top)
-                top = block[k] + size[k];
+            if (way != 0 && (unsigned)block[k] + size[k] > top)
+                top = (unsigned)block[k] + size[k];
         }
-        printf("%d\n", (unsigned)(top - (unsigned char *)__heap_start) < 3 * most + 0x40000);
+        printf("%d\n", top - (unsigned)__heap_start < 3 * most + 0x40000);
         for (i = 0; i < N; i++)
             free(block[i]);
-        top = malloc((unsigned)(__heap_end - __heap_start) - 1000);
-        printf("%d\n", top - (unsigned char *)__heap_start < 200);     /* behind argv */
+        top = (unsigned)malloc((unsigned)__heap_end - (unsigned)__heap_start - 1000);
+        printf("%d\n", top - (unsigned)__heap_start < 200);     /* behind argv */
         return 0;
     }
     """
