@@ -127,6 +127,7 @@ def test_a_name_refers_to_the_innermost_variable(tmp_path: Path) -> None:
     assert report_of(tmp_path, "shadow(5)").values == (("i", "5"),)
 
 
+@pytest.mark.usefixtures("users_settings")
 def test_endless_recursion_shows_its_cycle(tmp_path: Path) -> None:
     error = report_of(tmp_path, "down(-1)")
     assert error.kind == "stack overflow"
