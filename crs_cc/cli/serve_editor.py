@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import click
 
@@ -11,14 +12,20 @@ from crs_cc.cli.load import load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
 from crs_cc.cli.start_debugger import given_input
+from crs_cc.core.loopback import LEAST_TOKEN, new_token
 from crs_cc.core.source import Diagnostics
-from crs_cc.debug.dap.serve import serve_port, serve_stdio
+from crs_cc.debug.dap.port import serve_port
+from crs_cc.debug.dap.serve import serve_stdio
+from crs_cc.debug.dap.session import OpenRun
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.session.host import Output, no_input
 
 if TYPE_CHECKING:
     from crs_cc.cli.debug_options import DebugOptions
+
+VARIABLE: Final = "CRS_DAP_TOKEN"
+"""Where users put a token of their own choice."""
 
 
 def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> int:
@@ -41,8 +48,27 @@ def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> i
     if where == "stdio":
         serve_stdio(open_run)
     else:
-        serve_port(int(where), open_run, say)
+        _serve_port(int(where), open_run)
     return 0
+
+
+def _serve_port(port: int, open_run: OpenRun) -> None:
+    """Serve the clients that know the token of the environment, or a new one, which is printed.
+
+    Raises:
+        click.UsageError: that of the environment is too short.
+        OSError: the port is in use.
+    """
+    chosen = os.environ.get(VARIABLE)
+    if chosen is not None and len(chosen) < LEAST_TOKEN:
+        raise click.UsageError(f"{VARIABLE} has fewer than {LEAST_TOKEN} characters.")
+    token = chosen or new_token()
+
+    def announce(address: str) -> None:
+        say(f"waiting for an editor on {address}")
+        say(f"token: {token if chosen is None else f'that of {VARIABLE}'}")
+
+    serve_port(port, open_run, token, announce)
 
 
 def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) -> Debugger:

@@ -15,7 +15,10 @@ import stat
 import sys
 from collections.abc import Sequence
 from pathlib import Path, PureWindowsPath
-from typing import Final
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    import socket
 
 _NOFOLLOW: Final = getattr(os, "O_NOFOLLOW", 0)
 _ALWAYS: Final = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
@@ -26,6 +29,11 @@ _FOLDER: Final = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0)
 _NOT_IN_NAMES: Final = frozenset('\\:*?"<>|')  # Windows, "Naming Files, Paths, and Namespaces"
 _WINDOWS_STACK: Final = 2_000_000
 """Of the main thread of python.exe [bytes]: `/STACK` in CPython's PCbuild/python.vcxproj."""
+
+_TCP: Final = Path("/proc/net/tcp")
+_TCP6: Final = Path("/proc/net/tcp6")
+_MAPPED: Final = "0000000000000000FFFF0000"
+"""Precedes an IPv4 address in the table of IPv6."""
 
 
 def machine() -> str:
@@ -69,6 +77,36 @@ def open_page_map() -> int | None:
     with contextlib.suppress(OSError):
         return os.open("/proc/self/pagemap", os.O_RDONLY)
     return None
+
+
+def is_of_another_user(client: socket.socket) -> bool:
+    """Return whether a process of another user is at the other end of a connection.
+
+    Args:
+        client: a connection over IPv4 between two processes of this machine.
+
+    Returns:
+        False where the system does not say.
+    """
+    user = _user_of_peer(client) if hasattr(os, "geteuid") else None
+    return user is not None and user != os.geteuid()
+
+
+def _user_of_peer(client: socket.socket) -> int | None:
+    """Return the user from Linux's tables (`networking/proc_net_tcp.rst` of its documentation)."""
+    mine, theirs = _as_in_table(client.getsockname()), _as_in_table(client.getpeername())
+    for table, prefix in ((_TCP, ""), (_TCP6, _MAPPED)):
+        with contextlib.suppress(OSError), table.open(encoding="ascii") as lines:
+            for line in lines:
+                words = line.split()
+                if words[1:3] == [prefix + theirs, prefix + mine]:
+                    return int(words[7])
+    return None
+
+
+def _as_in_table(address: tuple[str, int]) -> str:
+    host = int.from_bytes(bytes(map(int, address[0].split("."))), sys.byteorder)
+    return f"{host:08X}:{address[1]:04X}"
 
 
 def is_input_waiting() -> bool:

@@ -9,8 +9,10 @@ import json
 from typing import Any, Final
 
 from crs_cc import __version__
+from crs_cc.core.loopback import MESSAGE_S, STALL_S
 from crs_cc.debug.dap.breakpoint_requests import FILTERS
 from crs_cc.debug.dap.launch import ATTRIBUTES, LaunchAttribute
+from crs_cc.debug.dap.port import MAX_CLIENTS
 from docs.generate import ROOT, Fillers, cell, table
 
 EXTENSION: Final = ROOT / "editors" / "vscode" / "package.json"
@@ -114,6 +116,9 @@ def _schema(attribute: LaunchAttribute) -> dict[str, Any]:
 
 
 FILLERS: Fillers = {
+    "stall": lambda: f"{STALL_S:g}",
+    "message": lambda: f"{MESSAGE_S:g}",
+    "clients": lambda: str(MAX_CLIENTS),
     "launch": launch,
     "neovim": neovim,
     "attributes": attributes,

@@ -41,14 +41,18 @@ def encode(message: Message) -> bytes:
     return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
 
 
-def read_message(stream: BinaryIO) -> Message | None:
+def read_message(stream: BinaryIO, most: int = MAX_MESSAGE_BYTES) -> Message | None:
     """Read the next message; return None at the end of the stream.
+
+    Args:
+        stream: what it is read from.
+        most: the most bytes of a message.
 
     Raises:
         BrokenStreamError: the header is not the protocol's, or the stream ends within a message.
         BadMessageError: the message is not a JSON object.
     """
-    size = _read_size(stream)
+    size = _read_size(stream, most)
     if size is None:
         return None
     body = stream.read(size)
@@ -57,7 +61,7 @@ def read_message(stream: BinaryIO) -> Message | None:
     return _decode(body)
 
 
-def _read_size(stream: BinaryIO) -> int | None:
+def _read_size(stream: BinaryIO, most: int) -> int | None:
     """Read a header; return its `Content-Length`, or None at the end of the stream."""
     size: int | None = None
     for number in range(MAX_LINES):
@@ -75,13 +79,13 @@ def _read_size(stream: BinaryIO) -> int | None:
         if not colon:
             raise BrokenStreamError("a line of a header has no colon")
         if name.strip().lower() == b"content-length":
-            size = _size(value.strip())
+            size = _size(value.strip(), most)
     raise BrokenStreamError(f"a header has more than {MAX_LINES} lines")
 
 
-def _size(digits: bytes) -> int:
-    if not digits.isdigit() or len(digits) > 10 or int(digits) > MAX_MESSAGE_BYTES:
-        raise BrokenStreamError(f"Content-Length must be a number up to {MAX_MESSAGE_BYTES}")
+def _size(digits: bytes, most: int) -> int:
+    if not digits.isdigit() or len(digits) > 10 or int(digits) > most:
+        raise BrokenStreamError(f"Content-Length must be a number up to {most}")
     return int(digits)
 
 

@@ -47,6 +47,11 @@ ATTRIBUTES: Final = (
         " each robot.",
     ),
     LaunchAttribute("world", "string", "The world file. Default: an empty world."),
+    LaunchAttribute(
+        "token",
+        "string",
+        "What `crs debug --dap PORT` demands of its clients; not used with `stdio`.",
+    ),
     LaunchAttribute("args", "array", "Arguments of the program, after `argv[0]`."),
     LaunchAttribute(
         "cwd",

@@ -1,14 +1,13 @@
-"""The entry point: sessions on standard streams, or on a port of the loopback interface."""
+"""Sessions: one thread reads the requests, another answers them; `port` serves many of them."""
 
 from __future__ import annotations
 
 import contextlib
 import io
 import os
-import socket
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from queue import SimpleQueue
 from typing import Any, BinaryIO, Final
@@ -27,6 +26,9 @@ taken as it is used."""
 
 _READ_BYTES: Final = 65536
 
+_starting: Final = threading.Lock()
+"""Held while a thread is started with a stack of its own size: that is the process's setting."""
+
 
 def serve_stdio(open_run: OpenRun) -> None:
     """Serve the editor that has started this process, until it ends the session.
@@ -41,7 +43,8 @@ def serve_stdio(open_run: OpenRun) -> None:
         os.fdopen(os.dup(1), "wb") as sink,
     ):
         os.dup2(2, 1)  # other output must not mix with messages
-        serve(io.BufferedReader(source), sink, open_run, source.end)
+        receive = partial(read_message, io.BufferedReader(source))
+        serve(receive, sink, open_run, source.end)
 
 
 class _StandardInput(io.RawIOBase):
@@ -85,53 +88,27 @@ def _read_some() -> bytes:
         return b""
 
 
-def serve_port(port: int, open_run: OpenRun, announce: Callable[[str], None]) -> None:
-    """Serve editors, one after the other, on a port of the loopback interface until interrupted.
-
-    Args:
-        port: its number; 0 for any that is free.
-        open_run: makes a debugger from a command line of `crs debug`.
-        announce: receives the address to connect to.
-
-    Raises:
-        OSError: the port is in use.
-    """
-    folder = os.getcwd()  # noqa: PTH109
-    with socket.create_server(("127.0.0.1", port)) as listener:
-        announce(f"waiting for an editor on 127.0.0.1:{listener.getsockname()[1]}")
-        while True:
-            client, _ = listener.accept()
-            with (
-                contextlib.suppress(ConnectionError),
-                client,
-                client.makefile("rb") as source,
-                client.makefile("wb") as sink,
-            ):
-                serve(source, sink, open_run, partial(_hang_up, client))
-            os.chdir(folder)
-
-
-def _hang_up(client: socket.socket) -> None:
-    with contextlib.suppress(OSError):  # the client was first
-        client.shutdown(socket.SHUT_RDWR)
-
-
 def serve(
-    source: BinaryIO,
+    receive: Callable[[], Message | None],
     sink: BinaryIO,
     open_run: OpenRun,
     hang_up: Callable[[], None] = lambda: None,
+    *,
+    admit: Callable[[ClientRequest], ClientRequest] = lambda request: request,
+    folder: str | None = None,
 ) -> None:
     """Serve one session.
 
     Args:
-        source: the stream from the client.
+        receive: returns the client's next message, like `read_message`.
         sink: the stream to the client.
         open_run: makes a debugger from a command line of `crs debug`.
         hang_up: ends a blocking read from the client.
+        admit: returns the request that is answered; a `RefusalError` ends the session.
+        folder: what relative paths start from; by default the current directory.
     """
     connection, inbox = Connection(sink), Inbox()
-    session = EditorSession(connection, inbox, open_run)
+    session = EditorSession(connection, inbox, open_run, folder)
 
     def work() -> None:
         try:
@@ -144,27 +121,36 @@ def serve(
             session.over = True
             hang_up()
 
-    size = threading.stack_size(_STACK_BYTES)
-    worker = threading.Thread(target=work, name="engine")
-    worker.start()
-    threading.stack_size(size)
+    with _starting:
+        size = threading.stack_size(_STACK_BYTES)
+        worker = threading.Thread(target=work, name="engine")
+        worker.start()
+        threading.stack_size(size)
     try:
         with contextlib.suppress(ClientGoneError):
-            _read(source, connection, inbox, session)
+            for request in _requests(receive, connection, session):
+                try:
+                    admitted = admit(request)
+                except RefusalError as error:
+                    connection.refuse(request, str(error))
+                    return
+                _sort(admitted, connection, inbox)
     finally:
         inbox.close()
         worker.join()
 
 
-def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: EditorSession) -> None:
-    """Put the client's requests into the inbox, up to the end of the stream.
+def _requests(
+    receive: Callable[[], Message | None], connection: Connection, session: EditorSession
+) -> Iterator[ClientRequest]:
+    """Yield the client's requests, up to `disconnect` or the end of the stream.
 
     Raises:
         ClientGoneError: the client has closed the connection.
     """
     while not session.over:
         try:
-            message = read_message(source)
+            message = receive()
             if message is None:
                 return
             request = _request(message)
@@ -175,7 +161,7 @@ def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: Edito
             connection.refuse(NOBODY, str(error))
             return
         if request is not None:
-            _sort(request, connection, inbox)
+            yield request
             if request.command == "disconnect":
                 return
 

@@ -94,7 +94,13 @@ class EditorSession:
         over: whether the session should end.
     """
 
-    def __init__(self, connection: Connection, inbox: Inbox, open_run: OpenRun) -> None:
+    def __init__(
+        self,
+        connection: Connection,
+        inbox: Inbox,
+        open_run: OpenRun,
+        folder: str | None = None,
+    ) -> None:
         self.connection = connection
         self.client = Arguments({})
         self.locations = ClientLocations()
@@ -112,7 +118,7 @@ class EditorSession:
         self._inbox = inbox
         self._open_run = open_run
         self._debugger: Debugger | None = None
-        self._folder = os.getcwd()  # noqa: PTH109
+        self._folder = folder or os.getcwd()  # noqa: PTH109
 
     def configure_client(self, client: Arguments) -> None:
         """Store the client's capabilities; raise RefusalError if they are not supported."""

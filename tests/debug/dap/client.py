@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import socket
 import threading
+from functools import partial
 from pathlib import Path
 from typing import Any, Self
 
@@ -41,7 +42,12 @@ class Client:
                 theirs.makefile("rb") as source,
                 theirs.makefile("wb") as sink,
             ):
-                serve(source, sink, open_run, lambda: theirs.shutdown(socket.SHUT_RDWR))
+                serve(
+                    partial(read_message, source),
+                    sink,
+                    open_run,
+                    lambda: theirs.shutdown(socket.SHUT_RDWR),
+                )
 
         self._server = threading.Thread(target=work)
         self._server.start()

@@ -69,11 +69,14 @@ def modules() -> Path:
     return folder / "node_modules"
 
 
+TOKEN = "a token of these tests"
+
+
 @pytest.fixture
 def port() -> Iterator[int]:
     """Return the port of a server that serves one editor after the other."""
     command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
-    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "CRS_DAP_TOKEN": TOKEN}
     with subprocess.Popen(
         command,
         env=environment,
@@ -97,6 +100,7 @@ def test_sessions_with_the_public_client(modules: Path, port: int, tmp_path: Pat
         "PYTHON": sys.executable,
         "ADAPTER": str(HERE / "adapter.py"),
         "PORT": str(port),
+        "TOKEN": TOKEN,
         "PROGRAMS": str(tmp_path),
         "WORLD": str(ROOT / "worlds" / "pair.xml"),
     }

@@ -6,7 +6,6 @@ import json
 import os
 import signal
 import socket
-import struct
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from crs_cc.cli.exit_status import INTERRUPTED, SYSTEM
+from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.main import main
 from crs_cc.debug.dap.framing import encode, read_message
 from tests.debug.dap.programs import LOOP
@@ -111,49 +110,6 @@ def hear_interrupts() -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
-@pytest.fixture
-def port(tmp_path: Path) -> Iterator[int]:
-    """Return the port of a server."""
-    command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
-    environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    with subprocess.Popen(
-        command,
-        stderr=subprocess.PIPE,
-        env=environment,
-        cwd=tmp_path,
-        preexec_fn=hear_interrupts,  # noqa: PLW1509 - no threads here
-    ) as process:
-        assert process.stderr is not None
-        said = process.stderr.readline().decode()
-        assert said.startswith("waiting for an editor on 127.0.0.1:")
-        yield int(said.rpartition(":")[2])
-        process.send_signal(signal.SIGINT)
-        assert process.wait(WAIT_S) == INTERRUPTED
-        assert b"Traceback" not in process.stderr.read()
-
-
-def test_editors_are_served_one_after_the_other(port: int) -> None:
-    rude = struct.pack("ii", 1, 0)  # closing throws away what is on the way
-    for content in (b"", b"junk\r\n", b"Content-Length: 5\r\n\r\n{", encode(INITIALIZE)):
-        with socket.create_connection(("127.0.0.1", port)) as client:
-            client.sendall(content)
-            client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, rude)
-    with socket.create_connection(("127.0.0.1", port)) as client:
-        client.settimeout(WAIT_S)
-        client.sendall(encode(INITIALIZE))
-        answer = read_message(client.makefile("rb"))
-        assert answer is not None
-        assert answer["success"]
-
-
-INITIALIZE = {
-    "seq": 1,
-    "type": "request",
-    "command": "initialize",
-    "arguments": {"adapterID": "crs"},
-}
-
-
 def test_an_unusable_port_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         assert main(["debug", "--dap", str(other.getsockname()[1])]) == SYSTEM
@@ -161,6 +117,14 @@ def test_an_unusable_port_is_refused(capsys: pytest.CaptureFixture[str]) -> None
     for wrong in ("65536", "tcp", "-1", ""):
         assert main(["debug", f"--dap={wrong}"]) == 2
     assert "neither stdio nor a port number" in capsys.readouterr().err
+
+
+def test_a_token_that_can_be_guessed_is_refused(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CRS_DAP_TOKEN", "secret")
+    assert main(["debug", "--dap", "0"]) == 2
+    assert "CRS_DAP_TOKEN has fewer than 16 characters." in capsys.readouterr().err
 
 
 COPY = """\

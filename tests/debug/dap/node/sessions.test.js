@@ -1,6 +1,6 @@
 // Sessions driven by the public test client of the Debug Adapter Protocol.
 //
-// The environment says where a server listens (PORT), or what to start on standard streams (PYTHON,
+// The environment says where a server listens (PORT, TOKEN), or what to start on standard streams (PYTHON,
 // ADAPTER), and where the programs are (PROGRAMS, WORLD).
 "use strict";
 
@@ -9,7 +9,7 @@ const path = require("node:path");
 const { afterEach, beforeEach, test } = require("node:test");
 const { DebugClient } = require("@vscode/debugadapter-testsupport");
 
-const { PYTHON, ADAPTER, PORT, PROGRAMS, WORLD } = process.env;
+const { PYTHON, ADAPTER, PORT, TOKEN, PROGRAMS, WORLD } = process.env;
 const LOOP = path.join(PROGRAMS, "loop.c");
 
 let client;
@@ -17,6 +17,8 @@ let client;
 beforeEach(async (context) => {
   client = new DebugClient(PYTHON, ADAPTER, "crs", { stdio: "pipe" }, true);
   client.defaultTimeout = 60000;
+  const launch = client.launchRequest.bind(client);
+  client.launchRequest = (attributes) => launch({ ...attributes, token: TOKEN });
   await client.start(context.name.includes("standard streams") ? undefined : Number(PORT));
 });
 
