@@ -87,7 +87,7 @@ def test_launch_sets_arguments_input_and_files(
         "launch",
         program="copy.c",
         args=["-x", "a b"],
-        input="words.txt",
+        stdin="words.txt",
         files=["map=words.txt"],
         define=["LIMIT=3"],
         noDebug=True,
