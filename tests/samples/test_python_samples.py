@@ -40,7 +40,7 @@ def test_the_policy_leads_a_robot_that_runs_c(tmp_path: Path) -> None:
 def test_the_autograder_gives_points_or_the_reason(tmp_path: Path) -> None:
     (tmp_path / "broken.c").write_text("int main(void) { return x; }\n")
     (tmp_path / "crashes.c").write_text(CRASHES)
-    teaching = ROOT / "samples" / "teaching"
+    teaching = ROOT / "samples" / "teaching" / "course"
     files = [teaching / "course.xml", teaching / "solution.c", "broken.c", "crashes.c"]
     solution, broken, crashes = printed(tmp_path, "autograder.py", *map(str, files))
     assert solution == "solution.c             10 of 10"

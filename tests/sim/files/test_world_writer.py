@@ -16,7 +16,7 @@ from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import Area, Box, Cylinder, Material, Polygon, Pose, Robot, WorldModel
 
 ROOT = Path(__file__).parents[3]
-WORLDS = sorted([*ROOT.glob("worlds/*.xml"), *ROOT.glob("samples/teaching/*.xml")])
+WORLDS = sorted([*ROOT.glob("worlds/*.xml"), *ROOT.glob("samples/teaching/**/*.xml")])
 ALL = b"""<world version="1" timestep="20ms" duration="90s" seed="7">
   <area length="9m" width="7m" origin="centre" edge="20cm" colour="silver"/>
   <surface><ramp x="3m" y="2m" length="1m" width="1m" to="10cm" heading="15deg"/>
