@@ -157,6 +157,7 @@ def summary(recording: Recording) -> Iterator[str]:
     yield f"  world     {run.world or 'empty'}, timestep {run.timestep_s:g} s, seed {run.seed}"
     yield f"  versions  {', '.join(f'{name} {value}' for name, value in versions.items())}"
     yield from _ends(recording, roster)
+    yield from _goals(recording)
     counts: Counter[str] = Counter()
     frames = hashes = pieces = size = inputs = 0
     for message in recording.messages(*topics.TOPICS):
@@ -191,6 +192,20 @@ def _ends(recording: Recording, roster: Roster) -> Iterator[str]:
         yield f"  {name[:40]:9} {outcome}{'' if status is None else f' with {status}'}"
     if len(rows) > _SHOWN:
         yield f"  ... and {len(rows) - _SHOWN} more robots"
+
+
+def _goals(recording: Recording) -> Iterator[str]:
+    """Yield what has become of the world's goals."""
+    if recording.result is None:
+        return
+    with recording.errors():
+        goals = json.loads(recording.result.get("goals", "[]"))
+        rows = [
+            (str(each["title"])[:80], str(each["status"])[:20], float(each["at_s"] or 0.0))
+            for each in goals[:_SHOWN]
+        ]
+    for title, status, at_s in rows:
+        yield printable(f"  goal      {title}: {status}{f' at {at_s:.2f} s' if at_s else ''}")
 
 
 def state_at(recording: Recording, at_s: float) -> Iterator[str]:

@@ -52,6 +52,8 @@ def test_a_run_shows_and_records_what_has_become_of_goals(
     assert f"{title} met {at_s:.2f} s 2.5 of 2.5" in rows
     assert "in all 5.5 of 7.5" in rows
 
+    assert main(["replay", "run.mcap"]) == 0
+    assert f"  goal      {title}: met at {at_s:.2f} s\n" in capfd.readouterr().out
     recording = Recording(Path("run.mcap"))
     events = [(ns, data) for ns, data in recording.data(topics.EVENT.topic)]
     assert [data["text"] for _, data in events if data["kind"] == "goal"] == [

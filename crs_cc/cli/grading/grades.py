@@ -76,9 +76,7 @@ class Grade:
     @property
     def message(self) -> str:
         """What went wrong, with file and line."""
-        run = self.worst
-        place = f"{run.file}:{run.line}: " if run.file and run.line else ""
-        return f"{place}{run.message}"
+        return self.worst.text
 
     def outcomes(self, case: int) -> list[GoalResult | None]:
         """Return what has become of the goals of a case; None where it was not run."""

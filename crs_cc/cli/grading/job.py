@@ -13,6 +13,8 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Final, Literal, Self
 
+from crs_cc.cli.messages import printable
+from crs_cc.core.file_names import displayed
 from crs_cc.sim.engine.goals import GoalResult, Status
 
 Result = Literal[
@@ -66,6 +68,7 @@ class Limits:
     wall_s: float = 300.0
 
 
+_LONGEST: Final = 300
 DEFAULT_TIME_S: Final = 120.0
 
 
@@ -125,6 +128,13 @@ class GradedRun:
     simulated_s: float = 0.0
     picture: str = ""
     fingerprint: str = ""
+
+    @property
+    def text(self) -> str:
+        """The message with its place, as one line of valid Unicode that is not too long."""
+        place = f"{self.file}:{self.line}: " if self.file and self.line else ""
+        text = printable(displayed(f"{place}{self.message}"))
+        return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
 
     @property
     def earned(self) -> float:

@@ -140,8 +140,8 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
 
 
 def _how(process: subprocess.Popen[bytes], data: dict[str, Any] | None) -> str:
-    """Return how a process ended, from the status that its parent has seen."""
-    status = process.returncode if data is None else data["done"]
-    if status and os.WIFSIGNALED(status):
-        return f"by signal {os.WTERMSIG(status)}; perhaps the system had no memory left"
+    """Return how a process ended: by its return code, or as its parent says."""
+    code = process.returncode if data is None else data["done"]
+    if code < 0:
+        return f"by signal {-code}; perhaps the system had no memory left"
     return "without a result"

@@ -54,7 +54,7 @@ def _line(grade: Grade, width: int) -> str:
     name = grade.submission.name
     name = name if len(name) <= width else f"{name[: width - 3]}..."
     points = f"{grade.earned:g} of {grade.possible:g}"
-    line = f"{name:{width}}  {points:>12}  {printable(grade.message) or grade.result}"
+    line = f"{name:{width}}  {points:>12}  {grade.message or grade.result}"
     return f"{line}  (as {', '.join(grade.alike)})" if grade.alike else line
 
 

@@ -57,7 +57,7 @@ def main() -> None:
             finally:
                 os._exit(0)
         _, status = os.waitpid(child, 0)
-        _say({"done": status})
+        _say({"done": os.waitstatus_to_exitcode(status)})
 
 
 def _prepare() -> None:

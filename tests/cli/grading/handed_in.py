@@ -99,6 +99,7 @@ FILES: dict[str, str | bytes] = {
     ),
     "cheats_by_request.c": "#include <crs_request.h>\n"
     + body("static struct __crs_message m; __crs_request(144, &m); for (;;) gs();"),
+    "h\udcff\n.c": "#error \x1b[31m" + "long " * 1000 + "\n",
     "=1+cmd.c": "int main(void) { return 0; }\n",
     "<img src=x onerror=alert(1)>.c": "int main(void) { return 0; }\n",
     "no_code/readme.txt": "none",

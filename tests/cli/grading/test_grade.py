@@ -46,6 +46,7 @@ GRADES = {
     "frida.c": ("3", "ended", ""),
     "html_error.c": ("0", "compile error", "html_error.c:1: #error <script>alert(1)</script>"),
     "huge.c": ("0", "compile error", "huge.c:1: 'a' does not fit: 1600000000 bytes of 14675968"),
+    "h\ufffd?.c": ("0", "compile error", f"h\ufffd?.c:1: #error ?[31m{'long ' * 60}"[:300] + "..."),
     "itself.c": ("0", "compile error", "itself.c:1: #include nested more than 200 deep"),
     "link.c": ("0", "invalid", "link.c is a link; links are not followed"),
     "linked": ("0", "invalid", "secret.h is a link; links are not followed"),
