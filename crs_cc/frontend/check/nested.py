@@ -36,7 +36,7 @@ from crs_cc.ir.types import (
     VoidType,
 )
 
-THUNKS: Final = 16
+THUNKS: Final = 256
 """How many frames of a function may hold pointers to a function inside it at the same time."""
 
 _ADDRESS: Final = PointerType(VOID)

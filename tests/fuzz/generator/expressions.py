@@ -55,11 +55,16 @@ COMPARISONS = ["<", ">", "<=", ">=", "==", "!="]
 
 @dataclass(frozen=True)
 class Function:
-    """A generated function without side effects."""
+    """A generated function without side effects.
+
+    Attributes:
+        old_style: its arguments are not converted, since it has no prototype.
+    """
 
     name: str
     result: Type
     parameters: tuple[Type, ...]
+    old_style: bool = False
 
 
 @dataclass
@@ -212,6 +217,9 @@ class Expressions:
             return self._arithmetic(depth)
         function = self.chance.choice(known)
         values = [self.of(ctype, depth - 1) for ctype in function.parameters]
+        if function.old_style:
+            rows = zip(function.parameters, values, strict=True)
+            values = [f"({ctype.name})({value})" for ctype, value in rows]
         return f"{function.name}({', '.join(values)})", function.result
 
     def _comma(self, depth: int) -> Typed:

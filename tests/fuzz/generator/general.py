@@ -29,7 +29,7 @@ def pure_function(source: Source, known: list[Function]) -> Function:
         statements.some(3, 1)
         source.add(f"return {expressions.of(result, 2)};")
     source.add("")
-    return Function(name, result, parameters)
+    return Function(name, result, parameters, old_style)
 
 
 def control(source: Source, functions: list[Function], name: str) -> None:
