@@ -366,6 +366,9 @@ def _stack(case: Case) -> Explanation:
         # Our own check fails before the host's stack overflows, unless that is a small one.
         return Explanation("the system's stack limit was reached (see 'ulimit -s')")
     innermost = stopped.stack[0].function
+    if innermost == "__crs_take_thunk":
+        text = "too many active calls hold pointers to the same nested function"
+        return Explanation(text, ("hint: pass the pointer on, instead of taking it in each call",), shows_values=False)
     size = stopped.compiled.info(innermost).frame.size
     if size * 4 > STACK_SIZE:
         name = plain_name(innermost)
