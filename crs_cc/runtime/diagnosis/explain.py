@@ -368,7 +368,8 @@ def _stack(case: Case) -> Explanation:
     innermost = stopped.stack[0].function
     if innermost == "__crs_take_thunk":
         text = "too many active calls hold pointers to the same nested function"
-        return Explanation(text, ("hint: pass the pointer on, instead of taking it in each call",), shows_values=False)
+        hint = "hint: pass the pointer on, instead of taking it in each call"
+        return Explanation(text, (hint,), shows_values=False)
     size = stopped.compiled.info(innermost).frame.size
     if size * 4 > STACK_SIZE:
         name = plain_name(innermost)

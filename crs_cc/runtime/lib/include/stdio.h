@@ -3,6 +3,7 @@
 #define _STDIO_H
 
 #include <stdarg.h>
+#include <sys/cdefs.h>
 
 #ifndef NULL
 #define NULL ((void *)0)

@@ -3,6 +3,7 @@
 #define _STRING_H
 
 #include <strings.h>
+#include <sys/cdefs.h>
 
 #ifndef NULL
 #define NULL ((void *)0)

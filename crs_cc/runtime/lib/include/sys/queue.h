@@ -333,4 +333,144 @@
         *(element)->field.tqe_prev = TAILQ_NEXT(element, field); \
     } while (0)
 
+#define TAILQ_CONCAT(to, from, field) \
+    do { \
+        if (!TAILQ_EMPTY(from)) { \
+            *(to)->tqh_last = TAILQ_FIRST(from); \
+            TAILQ_FIRST(from)->field.tqe_prev = (to)->tqh_last; \
+            (to)->tqh_last = (from)->tqh_last; \
+            TAILQ_INIT(from); \
+        } \
+    } while (0)
+
+#define STAILQ_CONCAT(to, from) \
+    do { \
+        if (!STAILQ_EMPTY(from)) { \
+            *(to)->stqh_last = STAILQ_FIRST(from); \
+            (to)->stqh_last = (from)->stqh_last; \
+            STAILQ_INIT(from); \
+        } \
+    } while (0)
+
+/* Loops whose body may remove the element. */
+#define __CRS_FOREACH_SAFE(each, first, following, next) \
+    for ((each) = (first); (each) != NULL && ((next) = (following), 1); (each) = (next))
+#define SLIST_FOREACH_SAFE(each, head, field, next) \
+    __CRS_FOREACH_SAFE(each, SLIST_FIRST(head), SLIST_NEXT(each, field), next)
+#define STAILQ_FOREACH_SAFE(each, head, field, next) \
+    __CRS_FOREACH_SAFE(each, STAILQ_FIRST(head), STAILQ_NEXT(each, field), next)
+#define LIST_FOREACH_SAFE(each, head, field, next) \
+    __CRS_FOREACH_SAFE(each, LIST_FIRST(head), LIST_NEXT(each, field), next)
+#define TAILQ_FOREACH_SAFE(each, head, field, next) \
+    __CRS_FOREACH_SAFE(each, TAILQ_FIRST(head), TAILQ_NEXT(each, field), next)
+
+/* Circular queues: both ends are linked to the head. */
+#define CIRCLEQ_HEAD(name, type) \
+    struct name { \
+        struct type *cqh_first, *cqh_last; \
+    }
+
+#define CIRCLEQ_HEAD_INITIALIZER(head) \
+    { (void *)&(head), (void *)&(head) }
+
+#define CIRCLEQ_ENTRY(type) \
+    struct { \
+        struct type *cqe_next, *cqe_prev; \
+    }
+
+#define CIRCLEQ_FIRST(head) \
+    ((head)->cqh_first)
+
+#define CIRCLEQ_LAST(head) \
+    ((head)->cqh_last)
+
+#define CIRCLEQ_EMPTY(head) \
+    (CIRCLEQ_FIRST(head) == (void *)(head))
+
+#define CIRCLEQ_NEXT(element, field) \
+    ((element)->field.cqe_next)
+
+#define CIRCLEQ_PREV(element, field) \
+    ((element)->field.cqe_prev)
+
+#define CIRCLEQ_LOOP_NEXT(head, element, field) \
+    (CIRCLEQ_NEXT(element, field) == (void *)(head) ? CIRCLEQ_FIRST(head) \
+                                                    : CIRCLEQ_NEXT(element, field))
+
+#define CIRCLEQ_LOOP_PREV(head, element, field) \
+    (CIRCLEQ_PREV(element, field) == (void *)(head) ? CIRCLEQ_LAST(head) \
+                                                    : CIRCLEQ_PREV(element, field))
+
+#define CIRCLEQ_FOREACH(each, head, field) \
+    for ((each) = CIRCLEQ_FIRST(head); \
+         (each) != (const void *)(head); \
+         (each) = CIRCLEQ_NEXT(each, field))
+
+#define CIRCLEQ_FOREACH_REVERSE(each, head, field) \
+    for ((each) = CIRCLEQ_LAST(head); \
+         (each) != (const void *)(head); \
+         (each) = CIRCLEQ_PREV(each, field))
+
+#define CIRCLEQ_INIT(head) \
+    do { \
+        CIRCLEQ_FIRST(head) = (void *)(head); \
+        CIRCLEQ_LAST(head) = (void *)(head); \
+    } while (0)
+
+#define CIRCLEQ_INSERT_AFTER(head, before, element, field) \
+    do { \
+        CIRCLEQ_NEXT(element, field) = CIRCLEQ_NEXT(before, field); \
+        CIRCLEQ_PREV(element, field) = (before); \
+        if (CIRCLEQ_NEXT(before, field) == (void *)(head)) \
+            CIRCLEQ_LAST(head) = (element); \
+        else \
+            CIRCLEQ_PREV(CIRCLEQ_NEXT(before, field), field) = (element); \
+        CIRCLEQ_NEXT(before, field) = (element); \
+    } while (0)
+
+#define CIRCLEQ_INSERT_BEFORE(head, behind, element, field) \
+    do { \
+        CIRCLEQ_NEXT(element, field) = (behind); \
+        CIRCLEQ_PREV(element, field) = CIRCLEQ_PREV(behind, field); \
+        if (CIRCLEQ_PREV(behind, field) == (void *)(head)) \
+            CIRCLEQ_FIRST(head) = (element); \
+        else \
+            CIRCLEQ_NEXT(CIRCLEQ_PREV(behind, field), field) = (element); \
+        CIRCLEQ_PREV(behind, field) = (element); \
+    } while (0)
+
+#define CIRCLEQ_INSERT_HEAD(head, element, field) \
+    do { \
+        CIRCLEQ_NEXT(element, field) = CIRCLEQ_FIRST(head); \
+        CIRCLEQ_PREV(element, field) = (void *)(head); \
+        if (CIRCLEQ_LAST(head) == (void *)(head)) \
+            CIRCLEQ_LAST(head) = (element); \
+        else \
+            CIRCLEQ_PREV(CIRCLEQ_FIRST(head), field) = (element); \
+        CIRCLEQ_FIRST(head) = (element); \
+    } while (0)
+
+#define CIRCLEQ_INSERT_TAIL(head, element, field) \
+    do { \
+        CIRCLEQ_NEXT(element, field) = (void *)(head); \
+        CIRCLEQ_PREV(element, field) = CIRCLEQ_LAST(head); \
+        if (CIRCLEQ_FIRST(head) == (void *)(head)) \
+            CIRCLEQ_FIRST(head) = (element); \
+        else \
+            CIRCLEQ_NEXT(CIRCLEQ_LAST(head), field) = (element); \
+        CIRCLEQ_LAST(head) = (element); \
+    } while (0)
+
+#define CIRCLEQ_REMOVE(head, element, field) \
+    do { \
+        if (CIRCLEQ_NEXT(element, field) == (void *)(head)) \
+            CIRCLEQ_LAST(head) = CIRCLEQ_PREV(element, field); \
+        else \
+            CIRCLEQ_PREV(CIRCLEQ_NEXT(element, field), field) = CIRCLEQ_PREV(element, field); \
+        if (CIRCLEQ_PREV(element, field) == (void *)(head)) \
+            CIRCLEQ_FIRST(head) = CIRCLEQ_NEXT(element, field); \
+        else \
+            CIRCLEQ_NEXT(CIRCLEQ_PREV(element, field), field) = CIRCLEQ_NEXT(element, field); \
+    } while (0)
+
 #endif

@@ -3,6 +3,7 @@
 #define _SYS_TYPES_H
 
 #include <stdint.h>
+#include <sys/cdefs.h>
 
 #ifndef _SIZE_T
 #define _SIZE_T
