@@ -24,7 +24,8 @@ int fetestexcept(int flags)
 
     if (raised == 0 && !said) {
         said = 1;
-        __crs_complain("fetestexcept", "() finds no flags: arithmetic raises none here\n");
+        __crs_complain("fetestexcept", "() finds no flags: arithmetic raises none here;"
+                       " test results with isnan and isinf, and operands before\n");
     }
     return raised & flags;
 }
@@ -52,7 +53,8 @@ int fesetround(int mode)
 
     if (mode != FE_TONEAREST && !said) {
         said = 1;
-        __crs_complain("fesetround", "() fails: numbers are always rounded to nearest here\n");
+        __crs_complain("fesetround", "() fails: numbers are always rounded to nearest here;"
+                       " nextafter() gives bounds of a result\n");
     }
     return mode != FE_TONEAREST;
 }
