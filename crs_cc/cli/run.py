@@ -118,6 +118,15 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
     is_flag=True,
     help="Draw a map on the terminal while the programs run; see also --speed.",
 )
+@click.option(
+    "--view",
+    is_flag=False,
+    flag_value=0,
+    type=click.IntRange(0, 65535),
+    metavar="[PORT]",
+    help="Show the run in the browser as well, as crs view does: print an address on this machine, "
+    "on PORT or any that is free. Pages may pause it and set its speed.",
+)
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
 @program_options

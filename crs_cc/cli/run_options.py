@@ -27,6 +27,7 @@ class RunOptions(ProgramOptions):
         tables: the folder for tables of the run.
         speed: the highest multiple of real time; infinite for as fast as possible.
         live: draw a map on the terminal while the programs run.
+        view: the port on which a browser is shown the run, 0 for any; None for none.
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
         foxglove: add messages by Foxglove's schemas.
@@ -46,5 +47,6 @@ class RunOptions(ProgramOptions):
     tables: Path | None = None
     speed: float = math.inf
     live: bool = False
+    view: int | None = None
     record_sensors: Sensors = "read"
     foxglove: bool = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.live_map import LiveMap
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
+    from crs_cc.cli.run_view import RunView
     from crs_cc.recording.recorder import Recorder
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
@@ -113,12 +115,13 @@ class Runner:
         )
         self._interrupt = Interrupt()
         self._input = read_script(options.input) if options.input else OwnInput()
-        self._pace = Pace(options.speed)
+        self._pace = Pace(options.speed if options.view is None else math.inf)  # a view has its own
         self._kept = KeptOutput(len(world.robots)) if options.as_json else None
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
         self._recorder = _recorder(loaded, options, self._seed)
+        self._view = _run_view(loaded, options, self._seed)
         self.session = Session(
             world,
             loaded.executables,
@@ -130,7 +133,7 @@ class Runner:
             client=options.client,
             # A recording has what was read, not when it could be.
             waiting=self._waiting,
-            trace=self if self._trace or self._plot or self._live else None,
+            trace=self if self._trace or self._plot or self._live or self._view else None,
             observer=self._recorder,
             threads=options.threads,
         )
@@ -142,12 +145,16 @@ class Runner:
             try:
                 if self._recorder is not None:
                     self._recorder.begin(self.session)
+                if self._view is not None:
+                    self._view.begin(self.session, lambda: self._interrupt.requested)
                 self._step_to_end()
             except KeyboardInterrupt:  # while waiting for input
                 self._interrupt.requested = True
             finally:
                 self._progress.clear()
                 self._output.close()
+                if self._view is not None:
+                    self._view.close()
                 if self._live is not None:
                     self._live.draw(self.session, self._progress_text())
                     self._live.close()
@@ -203,6 +210,8 @@ class Runner:
 
     def _most_timesteps(self) -> int:
         """Return the number of timesteps to run without a look at output and interrupts."""
+        if self._view is not None:
+            return self._view.timesteps()
         if self._plot is not None or self._live is not None or self._pace.is_limited:
             return 1  # it samples each, or waits after each
         left_s = _AT_ONCE_S / max(self.session.state.running, 1)
@@ -221,6 +230,8 @@ class Runner:
             self._plot.add_contacts(step, len(self.session.fleet))
         if self._live is not None:
             self._live.add_contacts(step)
+        if self._view is not None:
+            self._view.step(step)
 
     def _sample(self) -> None:
         """Add the current positions to the plot and to the recording."""
@@ -279,6 +290,8 @@ class Runner:
             self._kept.add(robot, stream, content)
         if self._recorder is not None:
             self._recorder.write(robot, stream, content)
+        if self._view is not None:
+            self._view.write(robot, stream, content)
 
     def _progress_text(self) -> str:
         running = f"{self.session.state.running} of {len(self._loaded.world.robots)} running"
@@ -299,6 +312,14 @@ def _plot(options: RunOptions) -> RunPlot | None:
     from crs_cc.cli.run_plot import RunPlot
 
     return RunPlot()
+
+
+def _run_view(loaded: Loaded, options: RunOptions, seed: int) -> RunView | None:
+    if options.view is None:
+        return None
+    from crs_cc.cli.run_view import RunView
+
+    return RunView(loaded, options, seed)
 
 
 def _live_map(options: RunOptions) -> LiveMap | None:

@@ -38,6 +38,19 @@ def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool)
         CrsError: the programs cannot be loaded.
         OSError: the port is in use, or the input cannot be read.
     """
+    screen = screen_of(options, port)
+    if plays:
+        screen.player.play()
+    return serve(screen, opens=opens)
+
+
+def screen_of(options: DebugOptions, port: int) -> Screen:
+    """Return the screen of programs that are loaded, at their start.
+
+    Raises:
+        CrsError: the programs cannot be loaded.
+        OSError: the port is in use, or the input cannot be read.
+    """
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics, debug=True)
     if not options.quiet:
@@ -52,13 +65,42 @@ def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool)
     debugger = make_debugger(loaded, options, watcher.write, read, observer=watcher)
     watcher.begin(debugger.session)
     debugger.start()
-    screen = Screen(DebuggedRun(debugger, watcher), feed, Player(world.timestep_s), port)
-    if plays:
-        screen.player.play()
-    return serve(screen, opens=opens)
+    return Screen(DebuggedRun(debugger, watcher), feed, Player(world.timestep_s), port)
 
 
-def describe(kind: str, world: WorldModel, title: tuple[str, str], seed: int) -> dict[str, Any]:
+def view_recording(path: Path, port: int, *, opens: bool, plays: bool) -> int:
+    """Show a recorded run in a browser; return the exit status.
+
+    Raises:
+        CrsError: the recording is damaged.
+        OSError: it cannot be read, or the port is in use.
+    """
+    from crs_cc.cli.recording_plot import world_of
+    from crs_cc.recording.recording import Recording
+    from crs_cc.workbench.playback import Playback
+
+    recording = Recording(path)
+    try:
+        run, world = recording.description, world_of(recording)
+        names = ", ".join(dict.fromkeys(Path(source).name for source in run.sources))
+        title = names or "programs", Path(run.world).name or "an empty world"
+        known = recording.rosters[-1].robots
+        feed = Feed(describe("recorded", world, title, run.seed, known), run.frame_s)
+        screen = Screen(Playback(recording, world, feed), feed, Player(run.frame_s), port)
+        if plays:
+            screen.player.play()
+        return serve(screen, opens=opens)
+    finally:
+        recording.close()
+
+
+def describe(
+    kind: str,
+    world: WorldModel,
+    title: tuple[str, str],
+    seed: int,
+    names: Sequence[str] | None = None,
+) -> dict[str, Any]:
     """Return what does not change of a run, as JSON.
 
     Args:
@@ -66,8 +108,9 @@ def describe(kind: str, world: WorldModel, title: tuple[str, str], seed: int) ->
         world: its world.
         title: the names of its programs and of its world.
         seed: its seed.
+        names: its robots; by default those of the world.
     """
-    names: Sequence[str] = [robot.id for robot in world.robots]
+    names = [robot.id for robot in world.robots] if names is None else names
     return {
         "kind": kind,
         "programs": title[0],

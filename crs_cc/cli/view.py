@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from pathlib import Path
 from typing import Any, Final
 
@@ -16,7 +17,6 @@ Examples:
   crs view convoy.c platoon.xml --speed 5        five times as fast as real time
   crs view run.mcap                              look at a run that was recorded
   crs view wander.c room.xml --no-open           print the address only
-  crs view http://127.0.0.1:8700/#token=...      a run that crs run --view has begun
 """
 
 
@@ -47,15 +47,24 @@ Examples:
     help="File to use as the programs' standard input. Default: none.",
 )
 @click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")
-@program_options
+@functools.partial(program_options, needs_files=False)
 def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
     """Compile a C control program and watch it in the browser.
 
     The page shows the world, the robots and the lines at which their programs stand. It plays,
     pauses, goes back to any instant and steps through the program in either direction. It is served
-    to this machine only; who has the printed address may steer the run. Ctrl-C ends it.
+    to this machine only; who has the printed address may steer the run. Ctrl-C ends it. A run that
+    goes on anyway shows itself by crs run --view.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
-    from crs_cc.cli.start_view import view_programs
+    from crs_cc.cli.start_view import view_programs, view_recording
 
-    return view_programs(DebugOptions(**options), port, opens=opens, plays=play)
+    wanted = DebugOptions(**options)
+    sources = wanted.inputs.sources
+    if not sources and wanted.inputs.world is None:
+        raise click.UsageError("no C file or recording to view.")
+    if any(path.suffix.lower() == ".mcap" for path in sources):
+        if len(sources) > 1 or wanted.inputs.world is not None or wanted.arguments:
+            raise click.UsageError("a recording is viewed alone: it has programs and world.")
+        return view_recording(sources[0], port, opens=opens, plays=play)
+    return view_programs(wanted, port, opens=opens, plays=play)

@@ -26,6 +26,7 @@ def _pause(screen: Context) -> None:
     screen.run.interrupt()
 
     def pause() -> None:
+        screen.run.forget_interrupt()
         screen.player.pause()
         screen.publish()
 

@@ -56,6 +56,10 @@ class DebuggedRun:
         """Let what it does end soon; thread-safe."""
         self.debugger.interrupt()
 
+    def forget_interrupt(self) -> None:
+        """Forget an interrupt that has come too late."""
+        self.debugger.forget_interrupt()
+
     def select(self, robot: int) -> None:
         """Select a robot; raise DebugError if there is no such robot."""
         self.debugger.view.select_robot(robot)
@@ -80,7 +84,7 @@ class DebuggedRun:
 
     def _arrive(self, stop: Stop) -> None:
         reason, text = stop.reason, stop.why
-        if reason == "tick":
+        if reason in {"tick", "interrupt"}:
             text = ""
         is_plain = reason in _GOES_ON
         self.halt = Halt("paused" if is_plain else reason, text, stop.robot)

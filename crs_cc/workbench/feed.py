@@ -128,6 +128,10 @@ class Feed:
             self._output_size -= sum(len(each[3].encode()) + 32 for each in gone)
         self._tell("output", output=piece)
 
+    def fill(self, events: Sequence[Any], output: Sequence[Any]) -> None:
+        """Note all events and all output of a run that is over."""
+        self._events, self._output = list(events), list(output)
+
     def forget(self, time_s: float) -> None:
         """Discard what is known after a time: the run takes another course."""
         self.end_s = time_s

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import math
 from base64 import b64encode
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -18,23 +17,20 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.recording import topics
-from crs_cc.recording.content import content_of
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import robot_data
-from crs_cc.workbench.frame_blocks import packed
+from crs_cc.workbench.recorded_content import events_in, frame_blocks, output_in
 from crs_cc.workbench.static_files import FOLDER, MODULES, html
 from crs_cc.workbench.world_data import world_data
 
 if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
-    from crs_cc.recording.recording import Frame, Recording
+    from crs_cc.recording.recording import Recording
     from crs_cc.sim.model.world import WorldModel
 
 MAX_BYTES: Final = 50 * 2**20
 """Of a page: Firefox and Chromium open it; of pages with 1 GB, users say that they do not."""
 
-MAX_EVENTS: Final = 20_000
-MAX_OUTPUT: Final = 4 * 2**20
 MAX_PATHS: Final = 50
 MAX_POINTS: Final = 1000
 
@@ -73,11 +69,11 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
     Raises:
         RecordingError: the recording is damaged.
     """
-    blocks, stride = _blocks(recording, int(most_bytes * _SHARE))
+    blocks, stride = frame_blocks(recording, int(most_bytes * _SHARE))
     if not blocks:
         raise recording.mcap.error("no frames: there is nothing to show")
-    events, lost_events = _events(recording)
-    output, lost_output = _output(recording)
+    events, lost_events = events_in(recording)
+    output, lost_output = output_in(recording)
     left_out = [f"every frame but each {stride}th"] if stride > 1 else []
     left_out += [f"{lost_events} events"] if lost_events else []
     left_out += [f"{lost_output} pieces of output"] if lost_output else []
@@ -100,7 +96,7 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
         "paths": _paths(recording, world),
         "events": events,
         "output": output,
-        "blocks": blocks,
+        "blocks": [[*span, b64encode(block).decode("ascii")] for *span, block in blocks],
     }
     text = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
     style = (FOLDER / "style.css").read_text("utf-8")
@@ -122,42 +118,6 @@ def _import_map() -> str:
         for name, content in files.items()
     }
     return json.dumps({"imports": urls})
-
-
-def _blocks(recording: Recording, most_bytes: int) -> tuple[list[list[Any]], int]:
-    """Return the frames in blocks of about a second, and which share of them: each how manyth."""
-    stride = 1
-    while True:
-        blocks: list[list[Any]] = []
-        size = 0
-        for frames in _seconds(recording, stride):
-            block = packed(
-                [each.time_s for each in frames], np.array([each.values for each in frames])
-            )
-            size += len(block)
-            if size > most_bytes:
-                break
-            span = [frames[0].time_s, frames[-1].time_s]
-            blocks.append([*span, b64encode(block).decode("ascii")])
-        if size <= most_bytes or stride > 2**20:
-            return blocks, stride
-        stride *= 2
-
-
-def _seconds(recording: Recording, stride: int) -> Iterator[list[Frame]]:
-    """Yield the frames by second and roster, each `stride`th of them."""
-    frames: list[Frame] = []
-    for number, frame in enumerate(recording.frames()):
-        if number % stride:
-            continue
-        first = frames[0] if frames else frame
-        is_other = frame.values.shape != first.values.shape
-        if is_other or frame.time_ns // NS != first.time_ns // NS or len(frames) >= 20:
-            yield frames
-            frames = []
-        frames.append(frame)
-    if frames:
-        yield frames
 
 
 def _paths(recording: Recording, world: WorldModel) -> list[dict[str, Any]]:
@@ -184,39 +144,3 @@ def _paths(recording: Recording, world: WorldModel) -> list[dict[str, Any]]:
         if starts.get(name) is not None:
             paths.append({"points": believed.of(row), "colour": colours[row], "believed": True})
     return paths
-
-
-def _events(recording: Recording) -> tuple[list[list[Any]], int]:
-    """Return the first events, and how many are left out."""
-    found: list[list[Any]] = []
-    lost = 0
-    for time_ns, data in recording.data(topics.EVENT.topic):
-        if data.get("kind") == "drawing":
-            continue
-        if len(found) >= MAX_EVENTS:
-            lost += 1
-            continue
-        place = [data.get("x_m"), data.get("y_m")]
-        numbers = [each if isinstance(each, float | int) else None for each in place]
-        with recording.errors():
-            kind, text = str(data.get("kind"))[:40], str(data.get("text"))[:400]
-            found.append([time_ns / NS, kind, int(data.get("robot", -1)), text, *numbers])
-    return found, lost
-
-
-def _output(recording: Recording) -> tuple[list[list[Any]], int]:
-    """Return the first pieces of output, and how many are left out."""
-    found: list[list[Any]] = []
-    lost = size = 0
-    for time_ns, data in recording.data(topics.OUTPUT.topic):
-        with recording.errors():
-            text = content_of(data).decode("utf-8", "replace")
-            robot, stream = int(data.get("robot", -1)), int(data.get("stream", 1))
-        size += len(text) + 32
-        if size > MAX_OUTPUT:
-            lost += 1
-            continue
-        robots = recording.roster_at(time_ns).robots
-        name = robots[robot] if 0 <= robot < len(robots) else ""
-        found.append([time_ns / NS, name, stream, text])
-    return found, lost

@@ -21,8 +21,17 @@ _LAG_S: Final = 0.25
 _MAX_TIMESTEPS: Final = 1000
 _RATE_S: Final = 0.5
 _SLACK: Final = 1e-6
+_LOOK_S: Final = 0.2
 
 Job = Callable[[], None]
+
+
+def _never() -> bool:
+    return False
+
+
+def _always() -> bool:
+    return True
 
 
 class Player:
@@ -33,7 +42,7 @@ class Player:
         speed: simulated by real time; infinite for as fast as possible.
         rate: what it has been lately.
         span: the times [s] between which it is repeated; None for no loop.
-        has_ended: whether the user has closed the run.
+        has_ended: returns whether the run is to end.
     """
 
     def __init__(self, timestep_s: float, *, speed: float = 1.0) -> None:
@@ -41,7 +50,7 @@ class Player:
         self.speed = speed
         self.rate = 0.0
         self.span: tuple[float, float] | None = None
-        self.has_ended = False
+        self.has_ended: Callable[[], bool] = _never
         self._timestep_s = timestep_s
         self._jobs: SimpleQueue[Job] = SimpleQueue()
         self._started: tuple[float, float] | None = None  # real and simulated time
@@ -52,6 +61,11 @@ class Player:
     def put(self, job: Job) -> None:
         """Have something done between two pieces; thread-safe."""
         self._jobs.put(job)
+
+    def end(self) -> None:
+        """Let the run end; thread-safe."""
+        self.has_ended = _always
+        self._jobs.put(lambda: None)
 
     def play(self) -> None:
         """Let it go on."""
@@ -81,10 +95,10 @@ class Player:
         self._measure(now_s())
         while True:
             self._do_jobs(wait_s=0.0)
-            if self.has_ended:
+            if self.has_ended():
                 return 0
             if not self.is_playing:
-                self._do_jobs(wait_s=None)
+                self._do_jobs(wait_s=None if self.has_ended is _never else _LOOK_S)
                 continue
             count = self._due(now_s())
             if count >= 1:

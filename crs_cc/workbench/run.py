@@ -52,6 +52,9 @@ class Run(Protocol):
     def interrupt(self) -> None:
         """Let what it does end soon; thread-safe."""
 
+    def forget_interrupt(self) -> None:
+        """Forget an interrupt that has come too late."""
+
     def select(self, robot: int) -> None:
         """Select a robot."""
 

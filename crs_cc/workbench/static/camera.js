@@ -31,7 +31,7 @@ export class Camera {
     this.azimuth = -Math.PI / 2 - 0.45;
     this.elevation = 0.82;
     this.zoom = 1;
-    this.fit = true;
+    this.mustFit = true;
   }
 
   get isFlat() {
@@ -71,13 +71,16 @@ export class Camera {
     [this.x, this.y, this.z] = [body.x, body.y, body.z];
     if (this.mode === "chase") {
       const turn = body.heading + Math.PI - this.azimuth;
-      this.azimuth += (turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI))) * share;
+      this.azimuth += (turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI))) * (this.isNew ? 1 : share);
+      this.isNew = false;
     }
   }
 
   /** Go with it from now on, from near. @param {Mode} mode */
   setMode(mode) {
     const isNear = mode === "follow" || mode === "chase";
+    if (isNear) this.mustFit = false;
+    this.isNew = true;
     if (isNear && this.mode !== "follow" && this.mode !== "chase") {
       this.distance = Math.min(this.distance, 5);
       this.elevation = mode === "chase" ? 0.42 : Math.min(this.elevation, 0.75);
@@ -105,6 +108,22 @@ export class Camera {
     return { eye, target, up: [0, 0, 1] };
   }
 
+  /** Look from as near as shows the whole area. @param {number} aspect width by height */
+  fit(aspect) {
+    this.mustFit = false;
+    const corners = [-1, 1].flatMap((i) => [-1, 1].map((j) => [(i * this.spanX) / 2, (j * this.spanY) / 2]));
+    const [cosA, sinA] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
+    const [cosE, sinE] = [Math.cos(this.elevation), Math.sin(this.elevation)];
+    const half = Math.tan(this.fov / 2) * 0.92;
+    let least = 0;
+    for (const [x, y] of corners) {
+      const [toward, side] = [x * cosA + y * sinA, Math.abs(y * cosA - x * sinA)];
+      const [near, rise] = [toward * cosE, Math.abs(toward * sinE)];
+      least = Math.max(least, near + side / (half * aspect), near + rise / half);
+    }
+    this.distance = least;
+  }
+
   /** What it depends on, to notice a change. */
   get signature() {
     return [this.mode, this.x, this.y, this.z, this.distance, this.azimuth, this.elevation, this.zoom].join();
@@ -120,5 +139,6 @@ export class Camera {
     if (numbers.length !== 6 || numbers.some((each) => !Number.isFinite(Number(each)))) return;
     this.mode = /** @type {Mode} */ (["orbit", "top", "follow", "chase", "board"].includes(mode) ? mode : "orbit");
     [this.x, this.y, this.distance, this.azimuth, this.elevation, this.zoom] = numbers.map(Number);
+    this.mustFit = false;
   }
 }

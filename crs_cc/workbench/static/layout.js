@@ -29,13 +29,13 @@ export class Layout {
     document.title = `${this.title.textContent} · crs`;
     if (this.isBuilt) return;
     this.isBuilt = true;
-    const panels = PANELS.filter((panel) => (!panel.needs || model.run.can.includes(panel.needs)) && !(panel.id === "robots" && model.channel.isLocal && false));
+    const panels = PANELS.filter((panel) => (!panel.needs || model.run.can.includes(panel.needs)));
     const left = el("aside.left", { "aria-label": "robots" });
     const right = el("aside.right", { "aria-label": "program" });
     const tabs = el("div.tabs", { role: "tablist" });
     right.append(tabs);
     for (const panel of panels) {
-      const root = el(`section.panel.${panel.id}`, { id: `panel-${panel.id}` });
+      const root = el("section.panel", { id: `panel-${panel.id}` });
       if (panel.side === "left") left.append(el("h2", {}, panel.title), root);
       else {
         root.setAttribute("role", "tabpanel");

@@ -102,6 +102,7 @@ export class Model {
   hear_frame({ time, data }) {
     this.frames?.add(time, data);
     this.state.end = Math.max(this.state.end, time);
+    if (this.state.busy) this.clock.hear({ t: time, playing: true, speed: null }, false);
   }
 
   hear_block({ block }) {

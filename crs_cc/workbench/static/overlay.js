@@ -130,15 +130,18 @@ function sonar(o) {
         return [from[0] + echo * Math.cos(angle), from[1] + echo * Math.sin(angle), z];
       });
       const closeness = Math.max(0, 1 - echo / 2);
-      pen.beginPath();
-      o.path([[...from, z], ...arc, [...from, z]]);
+      if (!isChosen && !closeness) return;
       pen.fillStyle = closeness > 0.6 ? "#d1242f" : body.colour;
-      pen.globalAlpha = (isChosen ? 0.1 : 0.05) + 0.16 * closeness;
-      pen.fill();
+      if (isChosen) {
+        pen.beginPath();
+        o.path([[...from, z], ...arc, [...from, z]]);
+        pen.globalAlpha = 0.05 + 0.15 * closeness;
+        pen.fill();
+      }
       pen.beginPath();
       o.path(arc);
       pen.strokeStyle = pen.fillStyle;
-      pen.globalAlpha = (isChosen ? 0.55 : 0.3) + 0.4 * closeness;
+      pen.globalAlpha = (isChosen ? 0.45 : 0.1) + 0.5 * closeness;
       pen.lineWidth = 1.5;
       pen.stroke();
     });
@@ -262,6 +265,14 @@ function scale(o) {
   pen.fillText(lengthText(step), right - (step * pixels) / 2, low - 5);
   const body = o.scene.body(look.selected);
   if (!body) return;
+  const text = `${body.id}  ${body.x.toFixed(2)}, ${body.y.toFixed(2)} m  ${angleText(body.heading)}`;
   pen.textAlign = "left";
-  pen.fillText(`${body.id}  ${body.x.toFixed(2)}, ${body.y.toFixed(2)} m  ${angleText(body.heading)}`, 16, low - 3);
+  pen.fillStyle = look.colours.panel;
+  pen.globalAlpha = 0.8;
+  pen.beginPath();
+  pen.roundRect(10, low - 16, pen.measureText(text).width + 12, 19, 6);
+  pen.fill();
+  pen.globalAlpha = 1;
+  pen.fillStyle = look.colours.muted;
+  pen.fillText(text, 16, low - 2.5);
 }

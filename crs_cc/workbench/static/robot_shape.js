@@ -51,7 +51,6 @@ export function robotShape(kind, radius, isNear) {
   ]);
   const plain = [
     [drum(body * 0.97, height * 0.62, height * 0.78, 40), DARK],
-    [drum(body * 0.8, height, height + 0.004, 32), DARK],
     [drum(radius, foot + 0.015, foot + 0.05, 40), RUBBER],
     [pointer(body * 0.66, height + 0.006), WHITE],
     ...wheels(kind, radius),

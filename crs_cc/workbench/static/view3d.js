@@ -1,7 +1,7 @@
 /** The world in three dimensions, by three.js. z points up. */
 import * as THREE from "three";
 import { robotShape } from "crs/robot_shape.js";
-import { addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
+import { addGrid, addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
 
 const NEAR_ROBOTS = 400; // more are drawn without details
 const DOTS = 2000; // more are dots
@@ -22,6 +22,7 @@ export class View3D {
     this.world = new THREE.Scene();
     this.addSun();
     this.floor = addGround(this.world, scene);
+    this.grid = addGrid(this.world, scene);
     addLamps(this.world, scene);
     this.meshes = new Map(scene.shapes.map((shape) => [shape, this.addShape(shape)]));
     /** @type {Map<any, any>} by kind of robot */
@@ -32,7 +33,7 @@ export class View3D {
   addSun() {
     const { x, y, length, width } = this.scene.area;
     const size = Math.min(60, Math.max(length, width));
-    this.sun = new THREE.DirectionalLight("#fff4e2", 2.1);
+    this.sun = new THREE.DirectionalLight("#ffffff", 1.9);
     const middle = [x + length / 2, y + width / 2];
     this.sun.position.set(middle[0] - size * 0.5, middle[1] - size * 0.7, size * 1.2);
     this.sun.target.position.set(middle[0], middle[1], 0);
@@ -42,7 +43,7 @@ export class View3D {
     [camera.left, camera.right, camera.top, camera.bottom] = [-size * 0.8, size * 0.8, size * 0.8, -size * 0.8];
     camera.far = size * 4;
     this.sun.shadow.bias = -0.0005;
-    this.sky = new THREE.HemisphereLight("#eaf1ff", "#b9b2a6", 1.5);
+    this.sky = new THREE.HemisphereLight("#f6f9ff", "#c9c5bd", 1.55);
     this.world.add(this.sun, this.sun.target, this.sky);
   }
 
@@ -60,6 +61,7 @@ export class View3D {
     renderer.setPixelRatio(this.isSoft ? 1 : window.devicePixelRatio || 1);
     renderer.setSize(width, height, false);
     this.paint(look);
+    this.grid.visible = look.show.grid && !look.heat;
     for (const [shape, mesh] of this.meshes) {
       mesh.position.set(shape.x, shape.y, this.scene.ground.height(shape.x, shape.y));
       mesh.rotation.z = shape.angle;
@@ -104,6 +106,7 @@ export class View3D {
     this.painted = key;
     const isHeat = Boolean(look.heat);
     this.world.background = new THREE.Color(isHeat ? look.heat(0) : look.colours.sky);
+    this.grid.material.color.set(look.colours.grid);
     this.floor.material.color.set(isHeat ? look.heat(0) : look.colours.floor);
     for (const [shape, mesh] of this.meshes) {
       mesh.material.color.set(isHeat ? look.heat(shape.heat ?? 0) : shape.colour);

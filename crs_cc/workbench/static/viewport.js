@@ -53,11 +53,12 @@ export class Viewport {
   /** Draw if anything has changed. @param {any} look @param {number} elapsed [s] */
   draw(look, elapsed) {
     const body = this.scene.body(look.selected);
+    const { clientWidth, clientHeight } = this.element;
     if (!this.isFlat) this.camera.follow(body, elapsed);
     else if (this.camera.mode !== "orbit" && this.camera.mode !== "top" && body) {
       [this.camera.x, this.camera.y] = [body.x, body.y];
     }
-    const { clientWidth, clientHeight } = this.element;
+    if (this.camera.mustFit && clientHeight) this.camera.fit(clientWidth / clientHeight);
     const key = [this.scene.time, look.version, look.time, this.camera.signature, clientWidth, clientHeight].join();
     if (key === this.drawn || !clientWidth || !clientHeight) return;
     this.drawn = key;

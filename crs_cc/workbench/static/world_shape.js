@@ -1,5 +1,6 @@
 /** The things and the ground of a world, as geometries. */
 import * as THREE from "three";
+import { gridStep } from "crs/units.js";
 
 /** @param {import("./scene.js").Shape} shape */
 export function shapeGeometry(shape) {
@@ -28,6 +29,23 @@ export function addGround(world, scene) {
     world.add(mesh);
   }
   return floor;
+}
+
+/** Add lines on a floor without hills, a metre apart, or more in large worlds. */
+export function addGrid(world, scene) {
+  const { x, y, length, width } = scene.area;
+  const vast = Math.max(length, width) > 200;
+  const [left, right, low, high] = vast ? [-100, 100, -100, 100] : [x, x + length, y, y + width];
+  const step = gridStep(Math.max(1, (right - left) / 200));
+  const places = [];
+  for (let at = Math.ceil(left / step) * step; at <= right; at += step) places.push(at, low, 0, at, high, 0);
+  for (let at = Math.ceil(low / step) * step; at <= high; at += step) places.push(left, at, 0, right, at, 0);
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(scene.ground.map ? [] : places, 3));
+  const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial());
+  lines.position.z = 0.004;
+  world.add(lines);
+  return lines;
 }
 
 function mapGeometry(scene) {

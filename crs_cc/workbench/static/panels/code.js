@@ -22,9 +22,9 @@ export const code = {
     const bar = el("div.bar", {},
       files,
       el("span.spacer"),
+      button({ icon: "reverse", title: "Run back to the breakpoint before", key: "Shift+F5", onclick: () => run("reverse-continue") }),
       ...STEPS.map(([line, name, title, key]) => button({ icon: name, title, key, onclick: () => run(line) })),
-      button({ text: "Continue", title: "Run to the next breakpoint", key: "F5", onclick: () => run("continue") }),
-      button({ text: "Reverse", title: "Run back to the breakpoint before", key: "Shift+F5", onclick: () => run("reverse-continue") }));
+      button({ icon: "resume", title: "Run to the next breakpoint", key: "F5", onclick: () => run("continue") }));
     const status = el("p.status", { role: "status" });
     const source = el("div.source", { role: "table", "aria-label": "source", tabIndex: 0 });
     const stack = el("div.stack");

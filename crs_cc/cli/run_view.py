@@ -1,0 +1,78 @@
+"""`crs run --view`: pages look at a run that goes on by itself."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from crs_cc.cli.messages import say
+from crs_cc.cli.start_view import FRAME_S, describe
+from crs_cc.workbench.attached_run import AttachedRun
+from crs_cc.workbench.feed import Feed
+from crs_cc.workbench.player import Player
+from crs_cc.workbench.screen import Screen
+from crs_cc.workbench.watcher import Watcher
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from crs_cc.cli.load import Loaded
+    from crs_cc.cli.run_options import RunOptions
+    from crs_cc.session.session import Session
+    from crs_cc.sim.engine.step import Step
+
+
+class RunView:
+    """Shows a run to pages, and holds it as long as they pause it."""
+
+    def __init__(self, loaded: Loaded, options: RunOptions, seed: int) -> None:
+        """Prepare to show a run."""
+        world = loaded.world
+        names = dict.fromkeys(path.name for row in loaded.sources for path in row)
+        place = options.inputs.world
+        title = ", ".join(names), "an empty world" if place is None else Path(place).name
+        self._port = options.view or 0
+        self._feed = Feed(describe("live", world, title, seed), max(FRAME_S, world.timestep_s))
+        self._watcher = Watcher(self._feed)
+        self._player = Player(world.timestep_s, speed=options.speed)
+
+    def begin(self, session: Session, has_ended: Callable[[], bool]) -> None:
+        """Serve pages from the start of a session on.
+
+        Args:
+            session: the run.
+            has_ended: returns whether the user has interrupted it.
+
+        Raises:
+            OSError: the port is in use.
+        """
+        self._session = session
+        self._watcher.begin(session)
+        self._player.has_ended = has_ended
+        self._player.play()
+        self._screen = Screen(AttachedRun(session), self._feed, self._player, self._port)
+        say(f"crs: open {self._screen.server.address()}")
+        say(f"crs: to look only: {self._screen.server.address('view')}")
+
+    def timesteps(self) -> int:
+        """Wait while pages pause the run or it is too fast; return how far it may go on."""
+        self._screen.tick()
+        count = self._player.timesteps(lambda: self._session.time_s)
+        return min(count, 1) if math.isfinite(self._player.speed) else count
+
+    def step(self, step: Step) -> None:
+        """Show what happened in a timestep."""
+        self._watcher.step(step)
+
+    def write(self, robot: int, stream: int, content: bytes) -> None:
+        """Show what a program has written."""
+        self._watcher.write(robot, stream, content)
+
+    def close(self) -> None:
+        """Show the end, and say good-bye to pages."""
+        self._watcher.ends()
+        self._watcher.show()
+        self._player.pause()
+        self._screen.publish()
+        self._screen.server.close()

@@ -1,0 +1,118 @@
+"""What a recording holds, as the page gets it and within bounds: frames, events and output."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.recording import topics
+from crs_cc.recording.content import content_of
+from crs_cc.recording.mcap_records import NS
+from crs_cc.workbench.frame_blocks import packed
+
+if TYPE_CHECKING:
+    from crs_cc.recording.recording import Frame, Recording
+
+MAX_EVENTS: Final = 20_000
+MAX_OUTPUT: Final = 4 * 2**20
+
+_ARROWS: Final = {"sent": "sent", "delivered": "arrived", "corrupted": "corrupted"}
+
+Block = tuple[float, float, bytes]
+"""Times of the first and the last frame [s], and the packed frames."""
+
+
+def frame_blocks(recording: Recording, most_bytes: int) -> tuple[list[Block], int]:
+    """Return the frames in blocks of about a second, and which share of them: each how manyth.
+
+    Args:
+        recording: the recording.
+        most_bytes: the size of all blocks; more frames are thinned.
+
+    Raises:
+        RecordingError: the recording is damaged.
+    """
+    stride = 1
+    while True:
+        blocks: list[Block] = []
+        size = 0
+        for frames in _seconds(recording, stride):
+            block = packed(
+                [each.time_s for each in frames], np.array([each.values for each in frames])
+            )
+            size += len(block)
+            if size > most_bytes:
+                break
+            blocks.append((frames[0].time_s, frames[-1].time_s, block))
+        if size <= most_bytes or stride > 2**20:
+            return blocks, stride
+        stride *= 2
+
+
+def _seconds(recording: Recording, stride: int) -> Iterator[list[Frame]]:
+    """Yield the frames by second and roster, each `stride`th of them."""
+    frames: list[Frame] = []
+    for number, frame in enumerate(recording.frames()):
+        if number % stride:
+            continue
+        first = frames[0] if frames else frame
+        is_other = frame.values.shape != first.values.shape
+        if is_other or frame.time_ns // NS != first.time_ns // NS or len(frames) >= 20:
+            yield frames
+            frames = []
+        frames.append(frame)
+    if frames:
+        yield frames
+
+
+def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
+    """Return the first events, and how many are left out."""
+    found: list[list[Any]] = []
+    lost = 0
+    for time_ns, data in recording.data(topics.EVENT.topic):
+        if data.get("kind") == "drawing":
+            continue
+        if len(found) >= MAX_EVENTS:
+            lost += 1
+            continue
+        place = [data.get("x_m"), data.get("y_m")]
+        numbers = [each if isinstance(each, float | int) else None for each in place]
+        with recording.errors():
+            kind, text = str(data.get("kind"))[:40], str(data.get("text"))[:400]
+            found.append([time_ns / NS, kind, int(data.get("robot", -1)), text, *numbers])
+    for time_ns, data in recording.data(topics.MESSAGE.topic):
+        with recording.errors():
+            rows = list(_messages(data, recording.roster_at(time_ns).robots))
+        lost += max(0, len(found) + len(rows) - MAX_EVENTS)
+        found += rows[: MAX_EVENTS - len(found)]
+    return sorted(found, key=lambda each: float(each[0])), lost
+
+
+def _messages(data: dict[str, Any], robots: tuple[str, ...]) -> Iterator[list[Any]]:
+    """Yield what became of messages, as events."""
+    columns = (data["time_s"], data["fate"], data["sender"], data["receiver"])
+    for time_s, fate, sender, receiver in zip(*columns, strict=True):
+        names = [robots[each] if 0 <= each < len(robots) else "all" for each in (sender, receiver)]
+        kind = f"message-{_ARROWS.get(str(fate), 'lost')}"
+        text = f"{names[0]} to {names[1]}: {str(fate)[:40]}"
+        yield [float(time_s), kind, int(sender), text, None, None]
+
+
+def output_in(recording: Recording) -> tuple[list[list[Any]], int]:
+    """Return the first pieces of output, and how many are left out."""
+    found: list[list[Any]] = []
+    lost = size = 0
+    for time_ns, data in recording.data(topics.OUTPUT.topic):
+        with recording.errors():
+            text = content_of(data).decode("utf-8", "replace")
+            robot, stream = int(data.get("robot", -1)), int(data.get("stream", 1))
+        size += len(text) + 32
+        if size > MAX_OUTPUT:
+            lost += 1
+            continue
+        robots = recording.roster_at(time_ns).robots
+        name = robots[robot] if 0 <= robot < len(robots) else ""
+        found.append([time_ns / NS, name, stream, text])
+    return found, lost

@@ -1,0 +1,225 @@
+"""The page in a real browser: one run, watched, moved, stepped and left."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from crs_cc.cli.debug_options import DebugOptions
+from crs_cc.cli.inputs import Inputs
+from crs_cc.cli.start_view import screen_of
+from crs_cc.workbench.debugged_run import DebuggedRun
+from crs_cc.workbench.screen import Screen
+
+PROGRAM = """\
+#include <Nclient.h>
+#include <stdio.h>
+
+int step;
+
+void report(void)
+{
+    printf("step %d\\n", step);
+}
+
+int main(void)
+{
+    connect_robot(1);
+    vm(100, 100, 0);
+    for (step = 0; step < 400; step++) {
+        get_sn();
+        if (step % 10 == 0)
+            report();
+    }
+    return 0;
+}
+"""
+WORLD = """<world version="1" timestep="50ms">
+  <area length="6m" width="4m"/>
+  <box id="stove" x="4.500m" y="3m" length="0.5m" width="0.5m" heat="40"/>
+  <robot id="ada" x="1m" y="1m"/>
+  <robot id="bob" x="1m" y="2.500m"/>
+</world>
+"""
+FLAGS = [
+    *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
+    *("--no-proxy-server", "--disable-background-networking"),
+]
+BLANK = """() => {
+    const { canvas } = crs.views.active;
+    const small = Object.assign(document.createElement("canvas"), { width: 60, height: 40 });
+    const pen = small.getContext("2d");
+    pen.drawImage(canvas, 0, 0, 60, 40);
+    const data = pen.getImageData(0, 0, 60, 40).data;
+    const colours = new Set();
+    for (let at = 0; at < data.length; at += 4) colours.add(data.slice(at, at + 3).join());
+    return [Boolean(canvas.getContext("webgl2")), colours.size];
+}"""
+POINT = """() => {
+    const view = crs.views.active;
+    const body = crs.model.scene.bodies[1];
+    const box = view.element.getBoundingClientRect();
+    const [x, y] = view.view.project(body.x, body.y, body.z + body.height / 2);
+    return [box.left + x, box.top + y];
+}"""
+POSE = "() => crs.model.scene.bodies.map((body) => [body.x, body.y, body.heading])"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    if chromium is None:
+        if os.environ.get("CI"):
+            pytest.fail("chromium not found: .ci/run installs it")
+        pytest.skip("chromium not found: the page cannot be looked at")
+    playwright = pytest.importorskip("playwright.sync_api")
+    with playwright.sync_playwright() as started:
+        made = started.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield made
+        made.close()
+
+
+@pytest.fixture(scope="module")
+def screen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Screen]:
+    folder = tmp_path_factory.mktemp("view")
+    (folder / "go.c").write_text(PROGRAM)
+    (folder / "room.xml").write_text(WORLD)
+    files = Inputs((folder / "go.c",), folder / "room.xml")
+    made = screen_of(DebugOptions(inputs=files, quiet=True), 0)
+    thread = threading.Thread(target=made.play, daemon=True)
+    thread.start()
+    yield made
+    made.player.end()
+    thread.join(10)
+    made.server.close()
+
+
+@pytest.fixture(scope="module")
+def page(browser: Any, screen: Screen) -> Iterator[Any]:
+    made = browser.new_page(viewport={"width": 900, "height": 600})
+    wrong: list[str] = []
+    made.on("pageerror", lambda error: wrong.append(str(error)))
+    made.on("console", lambda line: is_fault(line) and wrong.append(line.text))
+    made.on("request", lambda asked: "127.0.0.1" in asked.url or wrong.append(asked.url))
+    made.set_default_timeout(20_000)
+    made.goto(screen.server.address())
+    made.wait_for_function("() => document.body.dataset.time === '0.000'", polling=100)
+    yield made
+    assert wrong == []
+
+
+def is_fault(line: Any) -> bool:
+    """Return whether a line of the browser's console is a fault; a lost connection is none."""
+    return line.type == "error" and "WebSocket" not in line.text
+
+
+def wait(page: Any, condition: str) -> None:
+    page.wait_for_function(f"() => {condition}", polling=100)
+
+
+def poses(screen: Screen) -> list[list[float]]:
+    state = screen.run.debugger.session.environment.state if is_debugged(screen.run) else None
+    assert state is not None
+    rows = zip(state.x_m.tolist(), state.y_m.tolist(), state.heading_rad.tolist(), strict=True)
+    return [list(row) for row in rows]
+
+
+def is_debugged(run: Any) -> bool:
+    return isinstance(run, DebuggedRun)
+
+
+def line(page: Any) -> int:
+    return int(page.locator(".line.current .gutter").inner_text())
+
+
+def test_it_shows_the_world_and_runs(page: Any, screen: Screen) -> None:
+    assert page.title() == "go.c in room.xml · crs"
+    has_webgl, colours = page.evaluate(BLANK)
+    assert has_webgl
+    assert colours > 20
+    assert [row.inner_text() for row in page.locator(".robot b").all()] == ["ada", "bob"]
+    page.click("button.start")
+    wait(page, "crs.model.state.t > 1.2")
+    page.keyboard.press(" ")
+    wait(page, "!crs.model.state.playing && crs.model.clock.shown === crs.model.state.t")
+    wait(page, "Math.abs(crs.model.scene.time - crs.model.state.t) < 1e-6")
+    assert page.evaluate(POSE) == [pytest.approx(row, abs=2e-4) for row in poses(screen)]
+    assert poses(screen)[0][0] > 1.1
+
+
+def test_the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> None:
+    later = poses(screen)
+    end = page.evaluate("crs.timeline.end")
+    box = page.locator(".track").bounding_box()
+    page.mouse.click(box["x"] + box["width"] * 0.5 / end, box["y"] + 30)
+    wait(page, "crs.model.clock.held === null && crs.model.state.t < 1.0")
+    wait(page, "Math.abs(crs.model.scene.time - crs.model.state.t) < 1e-6")
+    assert screen.run.time_s == pytest.approx(0.5, abs=0.051)
+    assert page.evaluate(POSE) == [pytest.approx(row, abs=2e-4) for row in poses(screen)]
+    assert poses(screen)[0][0] < later[0][0]
+
+
+def test_a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:
+    page.click(".line:nth-child(8) .gutter")
+    page.wait_for_selector(".line:nth-child(8).stop")
+    page.keyboard.press("F5")
+    wait(page, "crs.model.state.halt.reason === 'breakpoint' && crs.model.where.line === 8")
+    page.wait_for_selector(".line:nth-child(8).current")
+    value = page.locator(".variables tr", has_text="step").locator("td").first.inner_text()
+    assert int(value) % 10 == 0
+    page.keyboard.press("Shift+F11")
+    wait(page, "crs.model.where.line === 18")
+    page.keyboard.press("F11")
+    wait(page, "crs.model.where.line === 8")
+    page.click(".line:nth-child(8) .gutter")
+    page.wait_for_selector(".line:nth-child(8):not(.stop)")
+
+
+def test_a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) -> None:
+    x, y = page.evaluate(POINT)
+    page.mouse.click(x, y)
+    wait(page, "crs.model.state.robot === 1")
+    assert page.locator(".robot[aria-selected=true] b").inner_text() == "bob"
+    page.click("#tab-console")
+    page.fill(".prompt input", "move bob to 3 3 90")
+    page.press(".prompt input", "Enter")
+    page.wait_for_selector(".log >> text=bob is at 3.000, 3.000 m")
+    wait(page, "Math.abs(crs.model.scene.body(1).x - 3) < 1e-3")
+    page.fill(".prompt input", "source secret.dbg")
+    page.press(".prompt input", "Enter")
+    page.wait_for_selector(".log .error >> text='source' is not available in the browser")
+
+
+def test_heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
+    page.locator(".viewport").first.focus()
+    page.keyboard.press("i")
+    shapes = (
+        "[...crs.views.active.view.meshes].map(([s, m]) => [s.id, m.material.color.getHexString()])"
+    )
+    wait(page, f"new Map({shapes}).get('stove') === 'fcfdbf'")
+    assert dict(page.evaluate(shapes))["edge-south"] == "0b1026"
+    page.keyboard.press("i")
+    page.keyboard.press("f")
+    wait(page, "crs.views.active.isFlat")
+
+
+def test_who_may_only_look_cannot_steer_and_hears_the_end(
+    browser: Any, page: Any, screen: Screen
+) -> None:
+    looker = browser.new_page(viewport={"width": 700, "height": 500})
+    looker.goto(screen.server.address("view") + "&flat=1")
+    looker.wait_for_selector(".robot b")
+    wait(looker, "document.querySelector('.transport .primary').disabled")
+    said = looker.evaluate("crs.model.channel.ask('play').catch((error) => error.message)")
+    assert "may look only" in said
+    screen.player.end()
+    screen.server.close()
+    for each in (page, looker):
+        wait(each, "document.querySelector('.chip.state').textContent === 'not connected'")
+        assert "start it again" in each.locator("#note").inner_text()
+    looker.close()
