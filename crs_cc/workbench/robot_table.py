@@ -104,9 +104,8 @@ def _sensors(session: Session, rows: Sequence[int]) -> dict[str, Any]:
     environment = session.environment
     state, robots = environment.state, environment.world.robots
     chosen = np.array(rows, np.intp)
-    start = np.array([[each.start.x_m, each.start.y_m, each.start.heading_rad] for each in robots])[
-        chosen
-    ]
+    starts = [robots[each].start for each in rows]
+    start = np.array([[each.x_m, each.y_m, each.heading_rad] for each in starts]).reshape(-1, 3)
     odometry = state.odometry
     x_m, y_m = odometry.x_m[chosen], odometry.y_m[chosen]
     cos, sin = np.cos(start[:, 2]), np.sin(start[:, 2])

@@ -30,6 +30,7 @@ MAX_WAITING: Final = 200
 """Commands that wait for the run at most; chosen by us."""
 
 _STATUS_S: Final = 0.2
+_SHARE: Final = 0.05  # of the time that the table may take
 _STATE_S: Final = 0.04
 
 
@@ -81,9 +82,10 @@ class Screen:
         if now_s - self._told_s >= _STATE_S:
             self._told_s = now_s
             self.server.broadcast_latest("state", self._state())
-        if now_s - self._table_s >= _STATUS_S and self.server.count:
-            self._table_s = now_s
+        if now_s >= self._table_s and self.server.count:
             self.server.broadcast_latest("status", self._status())
+            cost_s = time.monotonic() - now_s
+            self._table_s = now_s + max(_STATUS_S, cost_s / _SHARE)
 
     def stopped(self) -> None:
         """Select the robot that the run has stopped for."""

@@ -36,9 +36,11 @@ def world_data(world: WorldModel, names: Sequence[str]) -> dict[str, Any]:
             start = robot.start
             each["kind"] = robot.model.name
             each["start"] = [start.x_m, start.y_m, start.heading_rad]
+            each["heat"] = robot.heat
     shapes = shape_data(world)
     for shape, solid in zip(shapes, world.solids(), strict=True):
         shape["heat"] = solid.heat
+        shape["spread"] = solid.spread_m if math.isfinite(solid.spread_m) else None
         shape["movable"] = is_pushable(solid)
     return {
         "name": world.name,

@@ -41,7 +41,7 @@ int main(void)
 """
 WORLD = """<world version="1" timestep="50ms">
   <area length="6m" width="4m"/>
-  <box id="stove" x="4.500m" y="3m" length="0.5m" width="0.5m" heat="40"/>
+  <box id="stove" x="4.500m" y="3m" length="0.5m" width="0.5m" heat="40" spread="2m"/>
   <robot id="ada" x="1m" y="1m"/>
   <robot id="bob" x="1m" y="2.500m"/>
 </world>
@@ -203,6 +203,11 @@ def test_heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
     )
     wait(page, f"new Map({shapes}).get('stove') === 'fcfdbf'")
     assert dict(page.evaluate(shapes))["edge-south"] == "0b1026"
+    page.evaluate("async () => { window.heat = await import('crs/heat.js'); }")
+    at = "([x, y]) => heat.heatAt(heat.hotThings(crs.model.scene), x, y)"
+    # Half a metre from the stove's edge, whose heat of 40 spreads over 2 m: 40 * (1 - 0.5 / 2).
+    assert page.evaluate(at, [4.5, 2.25]) == pytest.approx(30.0)
+    assert page.evaluate(at, [4.5, 0.5]) == 0.0
     page.keyboard.press("i")
     page.keyboard.press("f")
     wait(page, "crs.views.active.isFlat")

@@ -1,10 +1,10 @@
 /** What the user looks at, and how: overlays, colours, sensors; views are drawn by it. */
+import { heatColour, mostHeat } from "crs/heat.js";
 import { PARTS } from "crs/overlay.js";
 import { palette } from "crs/theme.js";
 import { Trails } from "crs/trails.js";
 
 const FLIGHT = 0.7; // how long a message is shown [s]
-const HEAT = ["#0b1026", "#3b1a6d", "#8c2981", "#de4968", "#fe9f6d", "#fcfdbf"];
 
 export class Look {
   /** @param {import("./model.js").Model} model */
@@ -44,8 +44,8 @@ export class Look {
   /** The colour of a heat, or nothing while colours are plain. */
   get heat() {
     if (!this.isInfrared) return null;
-    const most = Math.max(1, ...this.model.run.world.shapes.map((shape) => shape.heat ?? 0));
-    return (heat) => HEAT[Math.round(Math.min(1, Math.max(0, heat / most)) * (HEAT.length - 1))];
+    const most = mostHeat(this.model.scene);
+    return (heat) => heatColour(heat / most);
   }
 
   /** The sensors of robots, by their rows, as they were told last. */

@@ -2,6 +2,7 @@
  * What is drawn over a view, flat or not: trails, sonar cones, labels, contacts, the scale.
  * Each part is a row of `PARTS`; `show` has their switches.
  */
+import { heatColour, mostHeat } from "crs/heat.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
 const MANY = 60; // robots: of more, only the selected one is annotated
@@ -42,6 +43,7 @@ export class Overlay {
     this.several = this.scene.bodies.length <= MANY;
     for (const part of PARTS) if (part.draw && look.show[part.name]) part.draw(this);
     this.selection();
+    if (look.heat) heatScale(this);
   }
 
   /** The robots that are annotated. */
@@ -85,6 +87,25 @@ export class Overlay {
     this.circle(body.x, body.y, body.z + 0.01, body.radius * 1.35);
     pen.stroke();
   }
+}
+
+/** The scale of infra-red: which colour is which heat. */
+function heatScale(o) {
+  const { pen, look } = o;
+  const most = mostHeat(o.scene);
+  const [left, top, size] = [o.width - 30, o.height / 2 - 80, 160];
+  for (let row = 0; row < size; row++) {
+    pen.fillStyle = heatColour(1 - row / size);
+    pen.fillRect(left, top + row, 14, 1.5);
+  }
+  pen.strokeStyle = look.colours.muted;
+  pen.lineWidth = 1;
+  pen.strokeRect(left, top, 14, size);
+  pen.font = "11px system-ui, sans-serif";
+  pen.textAlign = "right";
+  pen.fillStyle = "#dfe4ec";
+  for (const share of [0, 0.25, 0.5, 0.75, 1]) pen.fillText(`${+(most * share).toPrecision(3)}`, left - 5, top + size * (1 - share) + 4);
+  pen.fillText("heat, as the sensor reads it", left + 14, top - 9);
 }
 
 function trails(o) {

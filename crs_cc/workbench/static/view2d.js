@@ -86,7 +86,7 @@ export class View2D {
 
   robot(pen, body, look) {
     const radius = Math.max(body.radius, 3 / this.scale);
-    pen.fillStyle = look.heat ? look.heat(0) : body.colour;
+    pen.fillStyle = look.heat ? look.heat(this.scene.robots.get(body.id)?.heat ?? 0) : body.colour;
     pen.strokeStyle = "#ffffff";
     pen.beginPath();
     pen.arc(body.x, body.y, radius, 0, 2 * Math.PI);

@@ -1,5 +1,6 @@
 /** The world in three dimensions, by three.js. z points up. */
 import * as THREE from "three";
+import { heatPicture, hotThings, mostHeat } from "crs/heat.js";
 import { robotShape } from "crs/robot_shape.js";
 import { addGrid, addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
 
@@ -101,17 +102,40 @@ export class View3D {
 
   /** Colours of the theme, or of heat. */
   paint(look) {
-    const key = look.colours.sky + look.colours.floor + Boolean(look.heat);
+    const isHeat = Boolean(look.heat);
+    const key = look.colours.sky + look.colours.floor + isHeat;
+    if (isHeat) this.warm(look);
     if (key === this.painted) return;
     this.painted = key;
-    const isHeat = Boolean(look.heat);
+    this.sun.intensity = isHeat ? 0 : 1.9; // heat is seen, not lit
+    this.sky.intensity = isHeat ? 0 : 1.55;
+    if (!isHeat) this.floor.material.emissiveMap = null;
+    this.floor.material.emissive.set(isHeat ? "#ffffff" : "#000000");
+    this.floor.material.needsUpdate = true;
     this.world.background = new THREE.Color(isHeat ? look.heat(0) : look.colours.sky);
     this.grid.material.color.set(look.colours.grid);
-    this.floor.material.color.set(isHeat ? look.heat(0) : look.colours.floor);
+    this.floor.material.color.set(isHeat ? "#000000" : look.colours.floor);
     for (const [shape, mesh] of this.meshes) {
       mesh.material.color.set(isHeat ? look.heat(shape.heat ?? 0) : shape.colour);
       mesh.material.emissive.set(isHeat ? look.heat(shape.heat ?? 0) : "#000000");
     }
+  }
+
+  /** The floor as a heat sensor sees it, anew when something hot has moved. */
+  warm(look) {
+    const things = hotThings(this.scene);
+    const key = things.map((each) => [each.x, each.y, each.heat].map((n) => n.toFixed(2))).join();
+    if (key === this.warmed && this.floor.material.emissiveMap) return;
+    this.warmed = key;
+    const { data, columns, rows } = heatPicture(this.scene, mostHeat(this.scene));
+    const picture = new THREE.DataTexture(data, columns, rows);
+    picture.colorSpace = THREE.SRGBColorSpace;
+    picture.magFilter = THREE.LinearFilter;
+    picture.needsUpdate = true;
+    this.floor.material.emissiveMap?.dispose();
+    this.floor.material.emissiveMap = picture;
+    this.floor.material.needsUpdate = true;
+    for (const [, { meshes }] of this.groups) for (const mesh of meshes) mesh.material.emissive.set(look.heat(0));
   }
 
   /** The meshes of the robots of a kind, with room for a number of them. */

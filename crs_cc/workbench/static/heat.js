@@ -1,0 +1,81 @@
+/**
+ * Infra-red: heat as colour. The floor has what a heat sensor there would read, by the sensor's own
+ * law (`sim/devices/heat`): the sum over things of heat times max(0, 1 - distance / spread), or of
+ * the whole heat where a thing has no spread.
+ */
+import { cornersOf } from "crs/scene.js";
+
+const STOPS = [
+  [0, 11, 16, 38],
+  [0.2, 59, 26, 109],
+  [0.4, 140, 41, 129],
+  [0.6, 222, 73, 104],
+  [0.8, 254, 159, 109],
+  [1, 252, 253, 191],
+];
+const FINE = 96; // cells along the longer side of the floor
+
+/** A share of the largest heat as red, green and blue. @param {number} share 0 to 1 */
+export function heatRgb(share) {
+  const at = Math.min(1, Math.max(0, share));
+  const above = STOPS.findIndex(([stop]) => stop >= at);
+  if (above <= 0) return STOPS[0].slice(1);
+  const [low, high] = [STOPS[above - 1], STOPS[above]];
+  const part = (at - low[0]) / (high[0] - low[0]);
+  return [1, 2, 3].map((each) => Math.round(low[each] + (high[each] - low[each]) * part));
+}
+
+/** @param {number} share */
+export const heatColour = (share) => `rgb(${heatRgb(share).join(", ")})`;
+
+/** The distance of a place from the nearest point of a thing [m]. */
+function distance(shape, x, y) {
+  if (shape.radius) return Math.max(0, Math.hypot(x - shape.x, y - shape.y) - shape.radius);
+  const corners = cornersOf(shape);
+  let [least, isInside] = [Infinity, true];
+  corners.forEach(([ax, ay], number) => {
+    const [bx, by] = corners[(number + 1) % corners.length];
+    const [ex, ey, px, py] = [bx - ax, by - ay, x - ax, y - ay];
+    const along = Math.min(1, Math.max(0, (px * ex + py * ey) / (ex * ex + ey * ey || 1)));
+    least = Math.min(least, Math.hypot(px - along * ex, py - along * ey));
+    if (ex * py - ey * px < 0) isInside = false;
+  });
+  return isInside ? 0 : least;
+}
+
+/** Heat that a sensor at a place reads. @param {any[]} things with heat */
+export function heatAt(things, x, y) {
+  let sum = 0;
+  for (const thing of things) {
+    const share = thing.spread ? Math.max(0, 1 - distance(thing, x, y) / thing.spread) : 1;
+    sum += thing.heat * share;
+  }
+  return sum;
+}
+
+/** What is hot in a scene: things, and robots where they are. @param {any} scene */
+export function hotThings(scene) {
+  const robots = scene.bodies
+    .map((body) => ({ ...body, heat: scene.robots.get(body.id)?.heat ?? 0 }))
+    .filter((body) => body.heat > 0);
+  return [...scene.shapes.filter((shape) => (shape.heat ?? 0) > 0), ...robots];
+}
+
+/** A picture of the heat on the floor, its lower left corner first. @param {any} scene */
+export function heatPicture(scene, most) {
+  const { x, y, length, width } = scene.area;
+  const cell = Math.max(length, width) / FINE;
+  const [columns, rows] = [Math.max(1, Math.round(length / cell)), Math.max(1, Math.round(width / cell))];
+  const things = hotThings(scene).slice(0, 50);
+  const data = new Uint8Array(columns * rows * 4);
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      const heat = heatAt(things, x + ((column + 0.5) * length) / columns, y + ((row + 0.5) * width) / rows);
+      data.set([...heatRgb(heat / most), 255], (row * columns + column) * 4);
+    }
+  }
+  return { data, columns, rows };
+}
+
+/** The largest heat that the colours show. @param {any} scene */
+export const mostHeat = (scene) => Math.max(1, ...hotThings(scene).map((thing) => thing.heat));
