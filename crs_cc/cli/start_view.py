@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import say, show_before_run
-from crs_cc.cli.start_debugger import file_input
+from crs_cc.cli.start_debugger import given_input
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.host import no_input
 from crs_cc.workbench.debugged_run import DebuggedRun
@@ -61,8 +61,10 @@ def screen_of(options: DebugOptions, port: int) -> Screen:
         max(FRAME_S, world.timestep_s),
     )
     watcher = Watcher(feed)
-    read = no_input if options.input is None else file_input(options.input)
-    debugger = make_debugger(loaded, options, watcher.write, read, observer=watcher)
+    read, waiting = given_input(options)
+    debugger = make_debugger(
+        loaded, options, watcher.write, read or no_input, observer=watcher, waiting=waiting
+    )
     watcher.begin(debugger.session)
     debugger.start()
     return Screen(DebuggedRun(debugger, watcher), feed, Player(world.timestep_s), port)

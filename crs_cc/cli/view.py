@@ -44,6 +44,12 @@ Examples:
     "--input",
     metavar="FILE",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Type the lines of FILE at simulated times, as crs run --input does.",
+)
+@click.option(
+    "--stdin",
+    metavar="FILE",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
     help="File to use as the programs' standard input. Default: none.",
 )
 @click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")

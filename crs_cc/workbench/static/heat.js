@@ -1,7 +1,7 @@
 /**
  * Infra-red: heat as colour. The floor has what a heat sensor there would read, by the sensor's own
- * law (`sim/devices/heat`): the sum over things of heat times max(0, 1 - distance / spread), or of
- * the whole heat where a thing has no spread.
+ * law (`sim/devices/heat`): the sum over things of heat times max(0, 1 - distance / spread). Things
+ * without a spread would add the same anywhere, so only they themselves have their colour.
  */
 import { cornersOf } from "crs/scene.js";
 
@@ -66,7 +66,7 @@ export function heatPicture(scene, most) {
   const { x, y, length, width } = scene.area;
   const cell = Math.max(length, width) / FINE;
   const [columns, rows] = [Math.max(1, Math.round(length / cell)), Math.max(1, Math.round(width / cell))];
-  const things = hotThings(scene).slice(0, 50);
+  const things = hotThings(scene).filter((thing) => thing.spread).slice(0, 50); // others are the same anywhere
   const data = new Uint8Array(columns * rows * 4);
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {

@@ -8,11 +8,13 @@ import { angleText, gridStep, lengthText } from "crs/units.js";
 const MANY = 60; // robots: of more, only the selected one is annotated
 const ECHO_S = 0.8; // how long contacts are marked [s]
 
-/** @typedef {{name: string, title: string, on: boolean, draw: ((o: Overlay) => void) | null}} Part */
+/** @typedef {{name: string, title: string, on: boolean, only?: string, draw: (o: Overlay) => void}} Part
+ *   `only`: what a run must hold for it */
 
 /** @type {Part[]} */
 export const PARTS = [
   { name: "trails", title: "Trails", on: true, draw: trails },
+  { name: "paths", title: "Whole paths, and believed ones", on: true, only: "paths", draw: paths },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
   { name: "bumpers", title: "Bumpers", on: true, draw: bumpers },
   { name: "believed", title: "Believed poses", on: false, draw: believed },
@@ -41,7 +43,7 @@ export class Overlay {
     Object.assign(this, { view, camera, look, width, height, scene: view.scene });
     this.project = view.project;
     this.several = this.scene.bodies.length <= MANY;
-    for (const part of PARTS) if (part.draw && look.show[part.name]) part.draw(this);
+    for (const part of PARTS) if (look.show[part.name]) part.draw(this);
     this.selection();
     if (look.heat) heatScale(this);
   }
@@ -130,6 +132,22 @@ function trails(o) {
     o.path([points.at(-1), body].map(({ x, y }) => [x, y, body.z + 0.01]));
     pen.stroke();
   }
+  pen.globalAlpha = 1;
+}
+
+/** The paths of a whole recorded run; those that odometry believed are dashed. */
+function paths(o) {
+  const { pen } = o;
+  for (const { points, colour, believed: isBelieved } of o.look.model.run.paths ?? []) {
+    pen.strokeStyle = colour;
+    pen.globalAlpha = isBelieved ? 0.45 : 0.25;
+    pen.lineWidth = 1.5;
+    pen.setLineDash(isBelieved ? [5, 5] : []);
+    pen.beginPath();
+    o.path(points.map(([x, y]) => [x, y, o.scene.ground.height(x, y) + 0.005]));
+    pen.stroke();
+  }
+  pen.setLineDash([]);
   pen.globalAlpha = 1;
 }
 

@@ -9,7 +9,7 @@ export const overlays = {
   side: "left",
   make(root, model, look) {
     const draw = () =>
-      fill(root, el("div.switches", {}, ...PARTS.map((part) =>
+      fill(root, el("div.switches", {}, ...PARTS.filter(({ only }) => !only || model.run[only]).map((part) =>
         el("label", {}, el("input", { type: "checkbox", checked: look.show[part.name], onchange: () => look.toggle(part.name) }), part.title))));
     model.on("hello", draw);
     model.on("look", draw);
