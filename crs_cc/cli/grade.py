@@ -124,7 +124,7 @@ class _Targets:
     default=1024,
     show_default=True,
     metavar="MIB",
-    help="Memory to compile a program; a running one has 16 MiB.",
+    help="Memory to compile a program, on Linux: a last resort. A running one has 16 MiB.",
 )
 @click.option(
     "--max-compile",

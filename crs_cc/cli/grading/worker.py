@@ -89,7 +89,8 @@ def _failure(error: Exception, job: Job) -> GradedRun:
     """Return what has become of a run that has failed."""
     # The compiler has a thread with a large stack.
     if isinstance(error, MemoryError) or "start new thread" in str(error):
-        text = f"needed more than {job.limits.max_memory >> 20} MiB of memory to compile"
+        most = job.limits.max_memory >> 20
+        text = f"needed more than {most} MiB to compile: a limit that depends on the machine"
         return GradedRun("limit", text)
     return GradedRun("crashed", f"internal error: {type(error).__name__}: {error}")
 
