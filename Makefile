@@ -6,6 +6,7 @@
 # make fuzz-frontend  damage programs and nest all constructs: rejected or compiled, nothing else
 # make bench   run the benchmarks
 # make docs    write the generated pages of docs/ from docs/templates and the code
+# make site    write the documentation as a site with search to build/site; no broken links
 
 PYTHON ?= python3
 VENV := .venv
@@ -32,7 +33,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check times fuzz fuzz-frontend bench docs install install-dev clean
+.PHONY: demo test check times fuzz fuzz-frontend bench docs site install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -66,6 +67,11 @@ bench: install
 
 docs: install
 	$(BIN)/python -m docs.generate
+
+site:
+	$(call install,[docs])
+	$(BIN)/python -m sphinx -W --keep-going -q -b html -c docs/site -d build/doctrees . build/site
+	@echo "The first page is build/site/index.html."
 
 install:
 	$(call install,)

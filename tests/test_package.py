@@ -73,6 +73,8 @@ def test_the_wheel_has_all_pages_and_licences(installed: Path) -> None:
     assert {each.name for each in pages.glob("*.md")} == {
         each.name for each in (ROOT / "docs").glob("*.md")
     }
+    (manual,) = installed.glob("*.data/data/share/man/man1")
+    assert files_in(manual) == files_in(ROOT / "docs" / "man")
     (licences,) = installed.glob("*.dist-info/licenses")
     vendored = {str(each.relative_to(ROOT)) for each in (ROOT / "crs_cc").rglob("LICENSE")}
     assert files_in(licences) == {"LICENSE", *vendored}

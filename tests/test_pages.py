@@ -11,11 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from docs.generate import DOCS, ROOT, fill, page_names, page_path, page_text
+from crs_cc.cli.main import crs
+from docs.generate import DOCS, ROOT, fill, man, page_names, page_path, page_text
 from docs.generate.editors import EXTENSION, extension_text
 
 TEXTS = [
-    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "ARCHITECTURE.md")),
+    *sorted(ROOT.glob("*.md")),
     ROOT / "samples" / "README.md",
     *sorted(DOCS.glob("*.md")),
     *sorted((DOCS / "adr").glob("*.md")),
@@ -33,6 +34,21 @@ def test_generated_page_is_up_to_date(
 
 def test_extension_manifest_is_up_to_date(check_golden: Callable[[Path, bytes], None]) -> None:
     check_golden(EXTENSION, extension_text().encode())
+
+
+@pytest.mark.parametrize("name", man.pages())
+def test_man_page_is_up_to_date(name: str, check_golden: Callable[[Path, bytes], None]) -> None:
+    check_golden(man.MAN / name, man.pages()[name].encode())
+
+
+def test_there_is_a_man_page_for_each_command_and_no_other() -> None:
+    assert {path.name for path in man.MAN.iterdir()} == man.pages().keys()
+    assert {f"crs-{name}.1" for name in crs.commands} < man.pages().keys()
+
+
+def test_the_index_by_task_names_every_page() -> None:
+    named = {Path(name).name for name, _ in LINK.findall((DOCS / "README.md").read_text())}
+    assert {path.name for path in DOCS.glob("*.md")} - {"README.md"} <= named
 
 
 def test_unknown_placeholder_is_an_error() -> None:

@@ -34,13 +34,16 @@ def commands() -> list[str]:
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) -> Path:
     """A folder with the samples, the worlds and the README's own programs, to work in."""
     for name in ("samples", "worlds"):
         shutil.copytree(ROOT / name, tmp_path / name)
     for name, program in zip(("approach.c", "cool.c"), blocks("c"), strict=True):
         (tmp_path / name).write_text(program)
     monkeypatch.chdir(tmp_path)
+    copying = next(each for each in commands() if each.startswith("crs samples copy"))
+    if "command" not in request.fixturenames or request.getfixturevalue("command") != copying:
+        assert main(shlex.split(copying)[1:]) == 0
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO()))  # nobody types
     return tmp_path
 
