@@ -24,6 +24,7 @@ class DebugOptions(ProgramOptions):
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded.
         foxglove: add messages by Foxglove's schemas.
+        foxglove_robots: the robots whose scans and pictures are among them.
         at_s: the time to go to first, in a recording [s].
         dap: serve an editor instead: `stdio` or a port number.
     """
@@ -40,3 +41,4 @@ class DebugOptions(ProgramOptions):
     record_every_s: float = 0.05
     record_sensors: Sensors = "read"
     foxglove: bool = False
+    foxglove_robots: tuple[str, ...] = ()

@@ -39,6 +39,7 @@ def debug_recording(options: DebugOptions) -> int:
                 record_every_s=options.record_every_s,
                 record_sensors=options.record_sensors,
                 foxglove=options.foxglove,
+                foxglove_robots=options.foxglove_robots,
             )
             return debug_programs(wanted, check)
     finally:

@@ -43,6 +43,11 @@ _OPTIONS: Final = (
         "--foxglove", is_flag=True,
         help="Also record scenes and logs in the form that Foxglove shows.",
     ),
+    click.option(
+        "--foxglove-robot", "foxglove_robots", multiple=True, metavar="NAME",
+        help="Also record laser scans and camera pictures of this robot for Foxglove; may be "
+        "repeated.",
+    ),
 )  # fmt: skip
 
 

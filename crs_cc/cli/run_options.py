@@ -31,6 +31,7 @@ class RunOptions(ProgramOptions):
         record_every_s: simulated time between two recorded frames [s].
         record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
         foxglove: add messages by Foxglove's schemas.
+        foxglove_robots: the robots whose scans and pictures are among them.
         summary: show the summary; None to decide by whether stderr is a terminal.
     """
 
@@ -50,3 +51,4 @@ class RunOptions(ProgramOptions):
     view: int | None = None
     record_sensors: Sensors = "read"
     foxglove: bool = False
+    foxglove_robots: tuple[str, ...] = ()

@@ -6,6 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
+
+from crs_cc.core.suggest import unknown
 from crs_cc.frontend.preprocess.regular_file import read_regular_file
 from crs_cc.recording.description import RunDescription
 from crs_cc.recording.recorder import Recorder, RecorderOptions
@@ -44,8 +47,15 @@ def start_recording(
     description = _description(options, tree, loaded, seed, max_time_s)
     frame_s = max(options.record_every_s, loaded.world.timestep_s)
     description = replace(description, frame_s=frame_s)
+    known = [robot.id for robot in loaded.world.robots]
+    for name in options.foxglove_robots:
+        if name not in known:
+            raise click.UsageError(f"--foxglove-robot: {unknown('robot', name, known)}.")
     wanted = RecorderOptions(
-        options.record_every_s, options.record_sensors, foxglove=options.foxglove
+        options.record_every_s,
+        options.record_sensors,
+        foxglove=options.foxglove or bool(options.foxglove_robots),
+        foxglove_robots=options.foxglove_robots,
     )
     return Recorder(options.record, wanted, description.metadata(), attachments)
 

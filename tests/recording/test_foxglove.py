@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 from pathlib import Path
+from typing import Any
 
 import jsonschema
 import numpy as np
@@ -40,6 +41,53 @@ def test_scenes_and_logs_are_valid_and_are_those_of_the_frames(
         place = entities["robot robot0"]["cylinders"][0]["pose"]["position"]
         assert [place["x"], place["y"]] == pytest.approx(frame.values[:2, 0], abs=1e-4)
         assert "crate" in entities
+
+
+ROOT = Path(__file__).parents[2]
+SCANNER = """
+#include <Nclient.h>
+#include <crs.h>
+#include <unistd.h>
+int main(void) {
+    static int ranges[482]; static struct crs_pixel row[320]; int i;
+    connect_robot(1); conf_tm(0);
+    for (i = 0; i < 2; i++) { crs_laser(ranges, 482); crs_camera(row, 320); sleep(1); }
+    return 0;
+}
+"""
+SEEN = """<world version="1" timestep="100ms"><area length="4m" width="3m"/>
+  <box id="red" x="2m" y="1.5m" length="0.4m" width="3m" colour="red"/>
+  <robot id="other" x="3m" y="2m"/><robot id="eye" definition="eye.xml" x="1m" y="1.5m"/>
+</world>
+"""
+
+
+def test_scans_and_pictures_of_a_robot_are_valid_and_show_what_is_there(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    program, path = tmp_path / "scan.c", tmp_path / "run.mcap"
+    (tmp_path / "world.xml").write_text(SEEN)
+    (tmp_path / "eye.xml").write_bytes((ROOT / "worlds" / "lib" / "seer.xml").read_bytes())
+    program.write_text(SCANNER)
+    command = ["run", str(program), str(tmp_path / "world.xml"), "--record", str(path), "--quiet"]
+    assert main([*command, "--foxglove-robot", "eye"]) == 0
+    found: dict[str, list[dict[str, Any]]] = {"/eye/scan": [], "/eye/camera": []}
+    with path.open("rb") as file:
+        for schema, channel, message in make_reader(file).iter_messages():
+            assert "other" not in channel.topic
+            if channel.topic in found:
+                assert schema is not None
+                content = json.loads(message.data)
+                jsonschema.validate(content, json.loads(schema.data))
+                found[channel.topic].append(content)
+    scan, picture = found["/eye/scan"][0], found["/eye/camera"][0]
+    middle = scan["ranges"][len(scan["ranges"]) // 2]
+    assert scan["pose"]["position"]["x"] + middle == pytest.approx(1.8, abs=0.02)
+    pixels = np.frombuffer(base64.b64decode(picture["data"]), np.uint8)
+    rows = pixels.reshape(picture["height"], picture["width"], 3)
+    assert rows[3, picture["width"] // 2].tolist() == [255, 0, 0]
+    assert main([*command, "--foxglove-robot", "eve"]) == 2
+    assert "unknown robot 'eve'" in capfd.readouterr().err
 
 
 def test_many_robots_are_points() -> None:

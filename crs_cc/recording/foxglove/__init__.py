@@ -1,4 +1,5 @@
 """What Foxglove and its kind show of a recording by themselves: scenes, point clouds, logs.
 
 The schemas here are those of npm's @foxglove/schemas 2.1.0 (MIT), unchanged.
+The licence is that of Foxglove's packages of the same repository; this one names it only.
 """

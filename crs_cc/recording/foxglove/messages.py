@@ -33,14 +33,15 @@ _ZERO: Final = {"sec": 0, "nsec": 0}
 _POINT: Final = 12
 
 
-def _channel(topic: str, name: str) -> Channel:
+def channel_of(topic: str, name: str) -> Channel:
+    """Return a channel of messages by one of the schemas."""
     schema = (_HERE / f"{name}.json").read_bytes()
     return Channel(topic, "json", f"foxglove.{name}", "jsonschema", schema)
 
 
-SCENE: Final = _channel("/scene", "SceneUpdate")
-POINTS: Final = _channel("/scene", "PointCloud")
-LOG: Final = _channel("/log", "Log")
+SCENE: Final = channel_of("/scene", "SceneUpdate")
+POINTS: Final = channel_of("/scene", "PointCloud")
+LOG: Final = channel_of("/log", "Log")
 
 
 class FoxgloveView:
@@ -56,7 +57,7 @@ class FoxgloveView:
     ) -> tuple[Channel, bytes]:
         """Return the message for a frame, see `frames`."""
         if len(robots) > MAX_SCENE:
-            return POINTS, _json(_cloud(time_ns, values[:, : len(robots)]))
+            return POINTS, as_json(_cloud(time_ns, values[:, : len(robots)]))
         entities = [
             _entity(f"robot {each['id']}", time_ns, [], [_robot(each, values[:, row])])
             for row, each in enumerate(robot_data(self._world, robots))
@@ -71,12 +72,12 @@ class FoxgloveView:
             self._has_shown_world = True
             fixed = [shape for name, shape in self._shapes.items() if name not in objects]
             entities += [_thing(time_ns, shape) for shape in fixed]
-        return SCENE, _json({"deletions": [], "entities": entities})
+        return SCENE, as_json({"deletions": [], "entities": entities})
 
 
 def log_message(time_ns: int, name: str, stream: int, content: bytes) -> bytes:
     """Return the log message for a piece of output."""
-    return _json(
+    return as_json(
         {
             "timestamp": stamp(time_ns),
             "level": _LEVELS[stream],
@@ -104,7 +105,7 @@ def _cloud(time_ns: int, values: FloatArray) -> dict[str, Any]:
     return {
         "timestamp": stamp(time_ns),
         "frame_id": _FRAME,
-        "pose": _pose(0.0, 0.0, 0.0, 0.0),
+        "pose": pose_of(0.0, 0.0, 0.0, 0.0),
         "point_stride": _POINT,
         "fields": fields,
         "data": b64encode(points.tobytes()).decode("ascii"),
@@ -127,7 +128,7 @@ def _thing(time_ns: int, shape: dict[str, Any]) -> dict[str, Any]:
     low, high = np.min(shape["corners"], axis=0), np.max(shape["corners"], axis=0)
     length_m, width_m = (high - low).tolist()
     cube = {
-        "pose": _pose(x_m, y_m, height_m / 2, angle_rad),
+        "pose": pose_of(x_m, y_m, height_m / 2, angle_rad),
         "size": {"x": length_m, "y": width_m, "z": height_m},
         "color": _colour(shape["colour"]),
     }
@@ -139,7 +140,7 @@ def _cylinder(
 ) -> dict[str, Any]:
     (x_m, y_m, angle_rad), (radius_m, height_m) = at, size_m
     return {
-        "pose": _pose(x_m, y_m, height_m / 2, angle_rad),
+        "pose": pose_of(x_m, y_m, height_m / 2, angle_rad),
         "size": {"x": 2 * radius_m, "y": 2 * radius_m, "z": height_m},
         "bottom_scale": 1.0,
         "top_scale": 1.0,
@@ -166,7 +167,8 @@ def _entity(
     }
 
 
-def _pose(x_m: float, y_m: float, z_m: float, angle_rad: float) -> dict[str, Any]:
+def pose_of(x_m: float, y_m: float, z_m: float, angle_rad: float) -> dict[str, Any]:
+    """Return a pose by the schemas."""
     half = angle_rad / 2
     turn = {"x": 0.0, "y": 0.0, "z": math.sin(half), "w": math.cos(half)}
     return {"position": {"x": x_m, "y": y_m, "z": z_m}, "orientation": turn}
@@ -177,5 +179,6 @@ def _colour(text: str) -> dict[str, float]:
     return {**dict(zip("rgb", parts, strict=True)), "a": 1.0}
 
 
-def _json(data: dict[str, Any]) -> bytes:
+def as_json(data: dict[str, Any]) -> bytes:
+    """Return a message."""
     return json.dumps(data, separators=(",", ":")).encode()
