@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crs_cc.cli.messages import say
 from crs_cc.cli.start_view import FRAME_S, describe
+from crs_cc.cli.view_address import announced
 from crs_cc.workbench.attached_run import AttachedRun
 from crs_cc.workbench.feed import Feed
 from crs_cc.workbench.player import Player
@@ -35,6 +37,7 @@ class RunView:
         self._port = options.view or 0
         self._feed = Feed(describe("live", world, title, seed), max(FRAME_S, world.timestep_s))
         self._watcher = Watcher(self._feed)
+        self._announced = ExitStack()
         self._player = Player(world.timestep_s, speed=options.speed)
 
     def begin(self, session: Session, has_ended: Callable[[], bool]) -> None:
@@ -52,6 +55,7 @@ class RunView:
         self._player.has_ended = has_ended
         self._player.play()
         self._screen = Screen(AttachedRun(session), self._feed, self._player, self._port)
+        self._announced.enter_context(announced(self._screen.server))
         say(f"crs: open {self._screen.server.address()}")
         say(f"crs: to look only: {self._screen.server.address('view')}")
 
@@ -76,3 +80,4 @@ class RunView:
         self._player.pause()
         self._screen.publish()
         self._screen.server.close()
+        self._announced.close()

@@ -12,6 +12,7 @@ from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import say, show_before_run
 from crs_cc.cli.start_debugger import given_input
+from crs_cc.cli.view_address import announced
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.host import no_input
 from crs_cc.workbench.debugged_run import DebuggedRun
@@ -128,10 +129,11 @@ def serve(screen: Screen, *, opens: bool) -> int:
     address = screen.server.address()
     say(f"crs: open {address}")
     say(f"crs: to look only: {screen.server.address('view')}  (Ctrl-C ends the run)")
-    if opens and _has_display():
-        webbrowser.open(address)
+    if opens:
+        open_browser(address)
     try:
-        screen.play()
+        with announced(screen.server):
+            screen.play()
     except KeyboardInterrupt:
         say("crs: the run has ended")
     finally:
@@ -139,11 +141,11 @@ def serve(screen: Screen, *, opens: bool) -> int:
     return 0
 
 
-def _has_display() -> bool:
-    """Return whether a browser can show anything: or else one for terminals might open."""
-    if sys.platform in {"win32", "darwin"}:
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+def open_browser(address: str) -> None:
+    """Open a page if there is a display; else a browser for terminals might open."""
+    is_shown = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if is_shown or sys.platform in {"win32", "darwin"}:
+        webbrowser.open(address)
 
 
 def _title(loaded: Loaded, options: DebugOptions) -> tuple[str, str]:

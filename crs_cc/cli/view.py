@@ -8,7 +8,11 @@ from typing import Any, Final
 
 import click
 
+from crs_cc.cli.messages import say
 from crs_cc.cli.program_options import WithProgramArguments, program_options
+from crs_cc.cli.view_address import address_of, is_address
+
+_ADDRESSES: Final = "crs_cc.addresses"
 
 _EXAMPLES: Final = """
 \b
@@ -17,11 +21,22 @@ Examples:
   crs view convoy.c platoon.xml --speed 5        five times as fast as real time
   crs view run.mcap                              look at a run that was recorded
   crs view wander.c room.xml --no-open           print the address only
+  crs view 127.0.0.1:8700                        one more page of a run that is shown there
 """
 
 
+class _View(WithProgramArguments):
+    """Sets the address of a run aside, which is no file."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Set the address aside, and parse the others."""
+        own = args[: args.index("--")] if "--" in args else args
+        ctx.meta[_ADDRESSES] = [word for word in own if is_address(word)]
+        return super().parse_args(ctx, [word for word in args if not is_address(word)])
+
+
 @click.command(
-    cls=WithProgramArguments,
+    cls=_View,
     epilog=_EXAMPLES,
     short_help="Watch, steer and debug a run in the browser.",
     options_metavar="[OPTIONS]",
@@ -66,6 +81,8 @@ def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
     from crs_cc.cli.start_view import view_programs, view_recording
 
     wanted = DebugOptions(**options)
+    for address in click.get_current_context().meta[_ADDRESSES]:
+        return _open(address_of(address), opens=opens)
     sources = wanted.inputs.sources
     if not sources and wanted.inputs.world is None:
         raise click.UsageError("no C file or recording to view.")
@@ -74,3 +91,13 @@ def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
             raise click.UsageError("a recording is viewed alone: it has programs and world.")
         return view_recording(sources[0], port, opens=opens, plays=play)
     return view_programs(wanted, port, opens=opens, plays=play)
+
+
+def _open(address: str, *, opens: bool) -> int:
+    """Open one more page of a run that is shown already; return the exit status."""
+    from crs_cc.cli.start_view import open_browser
+
+    say(f"crs: open {address}")
+    if opens:
+        open_browser(address)
+    return 0

@@ -63,7 +63,7 @@ export class Layout {
     this.chip.textContent = STATES[reason] ?? (reason === "paused" ? "paused" : `stopped: ${reason}`);
     if (!isConnected && this.model.lost) {
       const { isOver, wasOpen } = this.model.lost;
-      this.note.textContent = isOver ? "the run has ended: start it again, and this page connects by itself"
+      this.note.textContent = isOver ? "the run has ended: start it again, and open the address that crs prints then"
         : wasOpen ? "connecting again ..." : "no run answers: start it again, or open the address that crs has printed";
     } else if (run) {
       const robots = run.rosters.at(-1)?.robots.length ?? 0;

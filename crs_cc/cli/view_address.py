@@ -1,0 +1,75 @@
+"""Runs of this user that show themselves in the browser, by their ports: `crs view HOST:PORT`.
+
+Whoever shows a run writes its address, which has its token, to a file that only the user can read.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.core.loopback import LOOPBACK
+from crs_cc.toolchain.cache import folder
+
+if TYPE_CHECKING:
+    from crs_cc.workbench.server import Server
+
+_HERE: Final = re.compile(rf"(?:http://)?(?:{re.escape(LOOPBACK)}|localhost):(\d{{1,5}})(?:/.*)?")
+_PRIVATE: Final = 0o600
+
+
+def is_address(word: str) -> bool:
+    """Return whether a word names a port of this machine, and no file.
+
+    >>> is_address("127.0.0.1:8700"), is_address("http://localhost:87/#token=x"), is_address("a.c")
+    (True, True, False)
+    """
+    return _HERE.fullmatch(word) is not None
+
+
+def address_of(word: str) -> str:
+    """Return the address of the run that is shown on a port.
+
+    Raises:
+        click.UsageError: no run of this user is.
+    """
+    if "#token=" in word:
+        return word
+    found = _HERE.fullmatch(word)
+    assert found
+    try:
+        return _file(int(found[1])).read_text("utf-8").strip()
+    except OSError:
+        text = f"no run of yours is shown on port {found[1]}: start one with crs run --view"
+        raise click.UsageError(f"{text} {found[1]}.") from None
+
+
+@contextmanager
+def announced(server: Server) -> Iterator[None]:
+    """Let other commands of this user find a server inside a `with` block."""
+    with suppress(OSError):  # then only those who see the address can connect
+        path = _file(server.port)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)
+        handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, _PRIVATE)
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(server.address())
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            _file(server.port).unlink(missing_ok=True)
+
+
+def _file(port: int) -> Path:
+    """Return the file of a port; raise OSError if this user has no folder for it."""
+    place = folder()
+    if place is None:
+        raise OSError("no folder")
+    return place / "shown" / str(port)

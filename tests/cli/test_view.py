@@ -1,0 +1,112 @@
+"""`crs view`, and runs that show themselves by `crs run --view`."""
+
+from __future__ import annotations
+
+import json
+import re
+import threading
+from pathlib import Path
+
+import pytest
+from websockets.sync.client import connect
+
+from crs_cc.cli.main import main
+from crs_cc.cli.view_address import address_of, announced
+from crs_cc.workbench.clients import Client
+from crs_cc.workbench.server import Server
+
+PROGRAM = """\
+#include <Nclient.h>
+#include <stdio.h>
+
+int main(void)
+{
+    int i;
+
+    connect_robot(1);
+    vm(100, 60, 0);
+    for (i = 0; i < 40; i++)
+        get_sn();
+    printf("done\\n");
+    return 0;
+}
+"""
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> str:
+    path = tmp_path / "go.c"
+    path.write_text(PROGRAM)
+    return str(path)
+
+
+class Silent:
+    def greet(self, client: Client) -> None:
+        pass
+
+    def receive(self, client: Client, command: object) -> None:
+        pass
+
+
+def test_a_run_that_is_shown_is_the_same_run(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    runs = []
+    for extra in ([], ["--view"]):
+        assert main(["run", program, "--json", *extra]) == 0
+        shown = capfd.readouterr()
+        runs.append(json.loads(shown.out))
+        assert ("crs: open http://127.0.0.1:" in shown.err) == bool(extra)
+    assert runs[0]["state_hash"] == runs[1]["state_hash"]
+
+
+def test_a_page_can_hold_a_run_that_goes_on_by_itself(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    thread = threading.Thread(target=main, args=(["run", program, "--speed", "0.01", "--view"],))
+    thread.start()
+    said = ""
+    while "token" not in said:
+        said += capfd.readouterr().err
+    found = re.search(r"127.0.0.1:(\d+)/#token=(\S+)", said)
+    assert found
+    words = ["crs.1", f"token.{found[2]}"]
+    url = f"ws://127.0.0.1:{found[1]}/channel"
+    with connect(url, subprotocols=words, proxy=None) as page:  # type: ignore[arg-type]
+        hello = json.loads(page.recv(20))
+        assert hello["can"] == ["play"]
+        page.send(json.dumps({"id": 1, "do": "seek", "time_s": 0.0}))
+        page.send(json.dumps({"id": 2, "do": "speed", "speed": 0.0}))
+        told = [json.loads(each) for each in page if isinstance(each, str)]
+    thread.join(20)
+    answers = {each["id"]: each for each in told if each["type"] == "answer"}
+    assert "it only goes forward" in answers[1]["error"]
+    assert "error" not in answers[2]
+    assert any(each["type"] == "output" and "done" in each["output"][3] for each in told)
+    assert [each for each in told if each["type"] == "state"][-1]["playing"] is False
+
+
+def test_other_commands_of_the_user_find_a_run_by_its_port(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path))
+    server = Server(Silent())
+    place = f"127.0.0.1:{server.port}"
+    with announced(server):
+        file = tmp_path / "shown" / str(server.port)
+        assert file.stat().st_mode & 0o077 == 0
+        assert address_of(place) == server.address()
+        assert main(["view", place, "--no-open"]) == 0
+    server.close()
+    assert server.address() in capfd.readouterr().err
+    assert not file.exists()
+    assert main(["view", place, "--no-open"]) == 2
+    assert f"no run of yours is shown on port {server.port}" in capfd.readouterr().err
+
+
+def test_a_recording_is_viewed_alone_and_something_must_be(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["view"]) == 2
+    assert "no C file or recording to view" in capfd.readouterr().err
+    assert main(["view", program, "run.mcap"]) == 2
