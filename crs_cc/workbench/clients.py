@@ -57,12 +57,14 @@ class Client:
 
     Attributes:
         role: what its token allows.
+        since: how many of the messages to all pages its first message has told.
         frame_number: the number of the last frame that it was sent.
         wake: set when there is something to send.
         is_lost: whether its connection must end.
     """
 
     role: Role
+    since: int = 0
     frame_number: int = -1
     wake: asyncio.Event = field(default_factory=asyncio.Event)
     is_lost: bool = False

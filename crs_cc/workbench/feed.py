@@ -7,6 +7,7 @@ it takes another course (`forget`).
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
@@ -18,6 +19,7 @@ from crs_cc.workbench.frame_store import FrameStore
 from crs_cc.workbench.messages import VERSION, message
 
 if TYPE_CHECKING:
+    from crs_cc.workbench.clients import Client
     from crs_cc.workbench.server import Server
 
 MAX_EVENTS: Final = 20_000
@@ -53,6 +55,7 @@ class Feed:
         self.frames = FrameStore()
         self.server: Server | None = None
         self.end_s = 0.0
+        self._lock = threading.Lock()
         self._frame_s = frame_s
         self._events: list[Event] = []
         self._output: list[Output] = []
@@ -60,28 +63,43 @@ class Feed:
         self._rosters: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = []
         self._sent_s = -1.0
 
-    def hello(self, role: str) -> str:
-        """Return the first message for a page."""
-        return message(
-            "hello",
-            version=VERSION,
-            role=role,
-            **self.description,
-            frame_s=self._frame_s,
-            end_s=self.end_s,
-            rosters=[self._roster(each) for each in self._rosters],
-            events=self._events,
-            output=self._output,
-            blocks=self.frames.index(),
-        )
+    def greet(self, client: Client) -> None:
+        """Send a page its first message, with all that is known; thread-safe."""
+        with self._lock:
+            self._flush()  # the others must know of the block that this page is told
+            client.since = self.server.sent if self.server else 0
+            text = message(
+                "hello",
+                version=VERSION,
+                role=client.role,
+                **self.description,
+                frame_s=self._frame_s,
+                end_s=self.end_s,
+                rosters=[self._roster(each) for each in self._rosters],
+                events=self._events,
+                output=self._output,
+                blocks=self.frames.index(),
+            )
+        client.put(text)
+
+    def settle(self) -> None:
+        """Pass on the frames up to here: the run stands, and pages may go back."""
+        with self._lock:
+            self._flush()
+
+    def _flush(self) -> None:
+        block = self.frames.flush()
+        if block is not None:
+            self._tell("block", block=[block.number, block.begin_s, block.end_s])
 
     def roster(self, time_s: float, robots: Sequence[str], objects: Sequence[str]) -> None:
         """Note who and what is in the frames from a time on."""
         new = time_s, tuple(robots), tuple(objects)
         if self._rosters and (self._rosters[-1][1:] == new[1:] or time_s <= self._rosters[-1][0]):
             return
-        self._rosters.append(new)
-        self._tell("roster", roster=self._roster(new))
+        with self._lock:
+            self._rosters.append(new)
+            self._tell("roster", roster=self._roster(new))
 
     def frame(self, time_s: float, values: FloatArray, *, is_last: bool = False) -> None:
         """Note where everything is.
@@ -96,9 +114,10 @@ class Feed:
         if time_s > last_s + _SLACK_S and (
             last_s < 0.0 or time_s - last_s >= self._frame_s - _SLACK_S
         ):
-            block = self.frames.add(time_s, values)
-            if block is not None:
-                self._tell("block", block=[block.number, block.begin_s, block.end_s])
+            with self._lock:
+                block = self.frames.add(time_s, values)
+                if block is not None:
+                    self._tell("block", block=[block.number, block.begin_s, block.end_s])
         if self.server is None or not self.server.count:
             return
         now_s = time.monotonic()
@@ -112,21 +131,23 @@ class Feed:
     ) -> None:  # fmt: skip
         """Note an event."""
         event: Event = (round(time_s, 6), kind, robot, text, *(place or (None, None)))
-        self._events.append(event)
-        if len(self._events) > MAX_EVENTS:
-            del self._events[: MAX_EVENTS // 2]
-        self._tell("event", event=event)
+        with self._lock:
+            self._events.append(event)
+            if len(self._events) > MAX_EVENTS:
+                del self._events[: MAX_EVENTS // 2]
+            self._tell("event", event=event)
 
     def write(self, time_s: float, robot: int, stream: int, content: bytes) -> None:
         """Note what a program has written."""
         piece: Output = round(time_s, 6), robot, stream, content.decode("utf-8", "replace")
-        self._output.append(piece)
-        self._output_size += len(content) + 32
-        while self._output_size > MAX_OUTPUT:
-            gone = self._output[: len(self._output) // 4 + 1]
-            del self._output[: len(gone)]
-            self._output_size -= sum(len(each[3].encode()) + 32 for each in gone)
-        self._tell("output", output=piece)
+        with self._lock:
+            self._output.append(piece)
+            self._output_size += len(content) + 32
+            while self._output_size > MAX_OUTPUT:
+                gone = self._output[: len(self._output) // 4 + 1]
+                del self._output[: len(gone)]
+                self._output_size -= sum(len(each[3].encode()) + 32 for each in gone)
+            self._tell("output", output=piece)
 
     def fill(self, events: Sequence[Any], output: Sequence[Any]) -> None:
         """Note all events and all output of a run that is over."""
@@ -134,14 +155,15 @@ class Feed:
 
     def forget(self, time_s: float) -> None:
         """Discard what is known after a time: the run takes another course."""
-        self.end_s = time_s
-        self.frames.forget(time_s)
         after_s = time_s + _SLACK_S
-        self._events = [each for each in self._events if each[0] <= after_s]
-        self._output = [each for each in self._output if each[0] <= after_s]
-        self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
-        self._rosters = [each for each in self._rosters if each[0] <= after_s]
-        self._tell("forget", time_s=time_s, blocks=self.frames.index())
+        with self._lock:
+            self.end_s = time_s
+            self.frames.forget(time_s)
+            self._events = [each for each in self._events if each[0] <= after_s]
+            self._output = [each for each in self._output if each[0] <= after_s]
+            self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
+            self._rosters = [each for each in self._rosters if each[0] <= after_s]
+            self._tell("forget", time_s=time_s, blocks=self.frames.index())
 
     def _roster(self, roster: tuple[float, tuple[str, ...], tuple[str, ...]]) -> dict[str, Any]:
         return {"t": roster[0], "robots": roster[1], "objects": roster[2]}

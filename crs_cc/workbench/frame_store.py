@@ -72,6 +72,11 @@ class FrameStore:
         with self._lock:
             self._keep(begin_s, end_s, content)
 
+    def flush(self) -> Block | None:
+        """Complete the block that is being filled; None if there is none."""
+        with self._lock:
+            return self._close() if self._frames else None
+
     def index(self) -> list[tuple[int, float, float]]:
         """Return number, first and last time [s] of each block, the unfinished one included."""
         with self._lock:

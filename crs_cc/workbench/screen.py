@@ -94,6 +94,8 @@ class Screen:
 
     def publish(self) -> None:
         """Tell all about where the run stands."""
+        if not self.player.is_playing:
+            self.feed.settle()
         self.server.broadcast_latest("state", self._state())
         self.server.broadcast_latest("status", self._status())
         where = None if self.player.is_playing else self.run.where()
@@ -134,7 +136,7 @@ class Screen:
 
     def greet(self, client: Client) -> None:
         """Send a page that has connected all that it must know."""
-        client.put(self.feed.hello(client.role))
+        self.feed.greet(client)
         self.player.put(self.publish)
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:

@@ -57,6 +57,7 @@ class Server:
     Attributes:
         port: the port that it listens on.
         tokens: the token of each role.
+        sent: how many messages have been sent to all pages.
     """
 
     def __init__(self, receiver: Receiver, port: int = 0) -> None:
@@ -67,6 +68,7 @@ class Server:
         """
         self.port = port
         self.tokens: dict[Role, str] = {"control": new_token(), "view": new_token()}
+        self.sent = 0
         self._receiver = receiver
         self._clients: dict[Client, ServerConnection] = {}
         self._loop = asyncio.new_event_loop()
@@ -96,11 +98,14 @@ class Server:
         self._do(lambda: client.put(message))
 
     def broadcast(self, message: str) -> None:
-        """Send a message to all pages."""
+        """Send a message to all pages, except those whose first message says it already."""
+        self.sent += 1
+        number = self.sent
 
         def put() -> None:
             for client in self._clients:
-                client.put(message)
+                if number > client.since:
+                    client.put(message)
 
         self._do(put)
 
