@@ -17,6 +17,7 @@ from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
+from crs_cc.recording.frames import frames_in
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.recording import Recording
 
@@ -162,7 +163,8 @@ def summary(recording: Recording) -> Iterator[str]:
     frames = hashes = pieces = size = inputs = 0
     for message in recording.messages(*topics.TOPICS):
         if message.topic == topics.FRAME.topic:
-            frames += 1
+            with recording.errors():
+                frames += len(frames_in(message.time_ns, message.data))
         elif message.topic == topics.HASH.topic:
             hashes += 1
         elif message.topic == topics.INPUT.topic:

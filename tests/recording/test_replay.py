@@ -62,6 +62,9 @@ def test_without_options_it_summarises(recorded: Path, capfd: pytest.CaptureFixt
     assert "program   drive.c" in said
     assert "events    1 collision, 1 exited" in said
     assert "robot0    exited with 3" in said
+    recording = Recording(recorded)
+    assert f"recorded  {len(list(recording.frames()))} frames, " in said
+    recording.close()
 
 
 def test_it_shows_an_instant(recorded: Path, capfd: pytest.CaptureFixture[str]) -> None:
