@@ -86,7 +86,15 @@ def advance(
         _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
         _note_command(state, stopped, CODES["CONF_TM"])
-    _turn(state, constants, rows, to_s)
+    if not _are_simple(state, constants):
+        _turn(state, constants, rows, to_s)
+        return
+    robots = np.arange(len(state.drive.clock_s))[rows]
+    held_up = state.drive.hindered[robots]
+    free = ~held_up
+    advance_freely(state, constants, robots[free], to_s[free])
+    if any_of(held_up):
+        _turn(state, constants, robots[held_up], to_s[held_up])
 
 
 def advance_freely(
@@ -111,9 +119,14 @@ def advance_freely(
     Returns:
         `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
     """
-    if constants.inclines is not None or constants.degradations.concern_motions(state):
+    if not _are_simple(state, constants):
         return HELD_UP
     return state.rows.advance(rows, to_s, last_s, constants.drives.table, renews=renews)
+
+
+def _are_simple(state: EnvState, constants: RobotConstants) -> bool:
+    """Return whether robots that nothing holds up move as their axes are commanded."""
+    return constants.inclines is None and not constants.degradations.concern_motions(state)
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:
