@@ -75,7 +75,7 @@ def check_readable(path: Path, hint: str = "") -> None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
-        raise blame.at(place, "no such file", _similar(path) or hint) from None
+        raise blame.at(place, "no such file", _similar(path) or _sample(path) or hint) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise blame.at(place, f"cannot be read: {reason}") from None
@@ -184,3 +184,11 @@ def _similar(path: Path) -> str:
 
     close = difflib.get_close_matches(path.name, names, n=1)
     return f"did you mean '{path.with_name(close[0])}'?" if close else ""
+
+
+def _sample(path: Path) -> str:
+    """Return a hint to a sample of a name."""
+    from crs_cc.cli.sample_files import all_samples  # rarely needed
+
+    is_sample = any(path.name == each.name for each in all_samples())
+    return f"there is a sample of that name: crs samples copy {path.name} ." if is_sample else ""

@@ -65,8 +65,9 @@ def all_samples() -> list[Sample]:
     """Return all samples, programs first."""
     groups = (each for each in sorted(shared_folder("samples").iterdir()) if each.is_dir())
     programs = [sample for group in groups for sample in _in_folder(group, group.name)]
+    tutorial = Sample("tutorial", "tutorial", shared_folder("docs") / "tutorial")
     worlds = sorted(shared_folder("worlds").glob("*.xml"))
-    return [*programs, *(Sample(each.name, "worlds", each) for each in worlds)]
+    return [*programs, tutorial, *(Sample(each.name, "worlds", each) for each in worlds)]
 
 
 def other_files() -> list[Sample]:

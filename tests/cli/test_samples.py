@@ -103,3 +103,10 @@ def test_an_installation_without_its_files_says_so() -> None:
 
     with pytest.raises(InternalError, match="was not installed"):
         shared_folder("nothing")
+
+
+def test_a_missing_file_that_is_a_sample_is_found(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "wander.c"]) == 121
+    assert "hint: there is a sample of that name: crs samples copy wander.c ." in (
+        capsys.readouterr().err
+    )
