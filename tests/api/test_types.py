@@ -24,6 +24,7 @@ reveal_type(crs_cc.GymEnv(world).reset(seed=1)[0]["sonar"])
 crs_cc.Session(5)
 session.move("robot0", "here", 1.0)
 session.shake()
+from crs_cc.api import load_world, Sesion
 '''
 EXPECTED = [
     'note: Revealed type is "numpy.ndarray[tuple[Any, ...], numpy.dtype[Any]]"',
@@ -32,6 +33,7 @@ EXPECTED = [
     'error: Argument 1 to "Session" has incompatible type "int"',
     'error: Argument 2 to "move" of "Edits" has incompatible type "str"; expected "float"',
     'error: "Session" has no attribute "shake"',
+    'error: Module "crs_cc.api" has no attribute "Sesion"',
 ]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
@@ -27,6 +27,7 @@ ALL = b"""<world version="1" timestep="20ms" duration="90s" seed="7">
   <object id="c1" ref="cart" x="1m" y="1m" heading="33deg" mass="7.3kg"/>
   <object id="c2" ref="cart" x="-1m" y="1m" heading="33deg"/>
   <polygon points="3m,-1m 3.7m,-1m 3.1m,0m" height="40cm"/>
+  <box x="4m" y="3m" length="20cm" width="10cm" heading="-3deg" mass="1kg"/>
   <wall x1="-3m" y1="-3m" x2="-2m" y2="-3m" sonar="0.3"/>
   <robot id="r" x="0" y="0" heading="12.5deg" setup="noisy" join="2s" leave="60s" heat="5"
          program="p.c" dialect="nomad" colour="red"><argument>two words</argument></robot>
@@ -71,6 +72,8 @@ def test_a_written_world_is_read_again_with_equal_values(path: Path, copies: Pat
 def test_every_kind_of_element_is_written(tmp_path: Path) -> None:
     (tmp_path / "p.c").write_text("")
     world = parse_world(ALL, "all", folder=tmp_path)
+    for field in fields(WorldModel):
+        assert getattr(world, field.name) != field.default, f"{field.name} is missing in ALL"
     assert parse_world(world_text(world, tmp_path), "all", folder=tmp_path) == world
 
 
