@@ -111,8 +111,9 @@ def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> Numbe
         place = tree.Dereference(target, location, pointer) if has_target else None
         if max(left.type.size, right.type.size, target.size) > 4:
             return _wide(op, (left, right), target, (first, place), location)
-        exact = operate(unit, op, convert(left, LLONG), convert(right, LLONG), location)
-        keep_exact, exact = kept(exact)
+        left, right = (convert(convert(each, LLONG), ULLONG) for each in (left, right))
+        exact = operate(unit, op, left, right, location)  # unsigned, as it may wrap
+        keep_exact, exact = kept(convert(exact, LLONG))
         cut = convert(exact, target)
         store = [] if place is None else [tree.Assign(target, location, place, cut)]
         differs = operate(unit, "!=", convert(cut, LLONG), exact, location)

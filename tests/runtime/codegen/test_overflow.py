@@ -30,6 +30,7 @@ FINE = (
     "long long n = 9223372036854775806ll; n += one; n = -n;",
     "long long n = 4294967296ll; n = n * (n / 2 - 1) * one; n = -one * n;",
     "int a[4], *p = a; p += 2; p -= one; n = p - a;",
+    "unsigned a = -one; n = __builtin_mul_overflow(a, a, &a);",
 )
 
 
