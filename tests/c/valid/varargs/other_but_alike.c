@@ -40,7 +40,7 @@ int main(void)
 
     printf("%d\n", total("iiiii", 1u, c, RIGHT, (short)4, 5L));
     printf("%d\n", total("uul", 1, 2, 3));
-    printf("%d\n", total("iLdds", 1, 4ll, f, 1.0L, pair));
+    printf("%d\n", total("iLdds", 1, 4ll, f, 1.0, pair));
     printf("%d\n", total("ipppv", 1, text, 0, none, &c));
     printf("%x %u %ld %c %s\n", -1, 2, 3, 'c', text);
     printf("%d\n", (unsigned)(uintptr_t)text == 0);
