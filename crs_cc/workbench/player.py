@@ -108,9 +108,9 @@ class Player:
 
     def _due(self, now_s: float) -> int:
         """Return how many timesteps may be taken now."""
-        most = _MAX_TIMESTEPS if not self._cost_s else max(1, int(PIECE_S / self._cost_s))
+        most = min(_MAX_TIMESTEPS, max(1, int(PIECE_S / self._cost_s))) if self._cost_s else 1
         if math.isinf(self.speed):
-            return min(most, _MAX_TIMESTEPS)
+            return most
         real_s = time.monotonic()
         if self._started is None:
             self._started = real_s, now_s
@@ -118,7 +118,7 @@ class Player:
         due_s = self._started[1] + (real_s - self._started[0]) * self.speed - now_s
         if due_s > _LAG_S * self.speed + self._timestep_s:  # it cannot keep up
             self._started = real_s - (_LAG_S / 2), now_s
-        return min(most, _MAX_TIMESTEPS, int(due_s / self._timestep_s + _SLACK))
+        return min(most, int(due_s / self._timestep_s + _SLACK))
 
     def _measure(self, now_s: float) -> None:
         """Note what the last piece has cost."""

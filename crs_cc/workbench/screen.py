@@ -69,7 +69,9 @@ class Screen:
             if not may_go_on:
                 self.player.pause()
                 self.stopped()
-            elif self.player.span is not None and self.run.time_s >= self.player.span[1]:
+                self.publish()
+                continue
+            if self.player.span is not None and self.run.time_s >= self.player.span[1]:
                 self.run.seek(self.player.span[0])
                 self.player.restart()
             self.tick()
