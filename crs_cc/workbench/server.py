@@ -5,7 +5,8 @@ called by any thread.
 
 Who may connect: the address must name this machine (`Host`), a page must be one of ours (`Origin`),
 and the channel needs one of two tokens: with that for viewing, commands that change the run are
-refused. The files hold no secret: they are the same on every machine.
+refused. Other users of this machine are refused where the system says whose a connection is. The
+files hold no secret: they are the same on every machine.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from crs_cc.core.arrays import FloatArray
+from crs_cc.core.host_system import is_of_another_user
 from crs_cc.core.loopback import LOOPBACK, is_own_host, is_own_origin, is_token, new_token
 from crs_cc.recording.frames import encode
 from crs_cc.workbench.clients import Client, LiveFrame, Role
@@ -178,7 +180,7 @@ class Server:
             server.close(code=_GOING, reason="the run has ended")
             await server.wait_closed()
 
-    def _answer(self, _connection: ServerConnection, request: Request) -> Response | None:
+    def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
         """Return the answer to a request; None to open the channel."""
         if not is_own_host(request.headers.get("Host", ""), self.port):
             return _response(HTTPStatus.FORBIDDEN, b"not the name of this machine\n")
@@ -191,6 +193,8 @@ class Server:
         origin = request.headers.get("Origin")
         if origin is not None and not is_own_origin(origin, self.port):
             return _response(HTTPStatus.FORBIDDEN, b"not a page of this server\n")
+        if is_of_another_user(connection.transport.get_extra_info("socket")):
+            return _response(HTTPStatus.FORBIDDEN, b"this run belongs to another user\n")
         if self._role(request) is None:
             text = b"no valid token: open the address that crs has printed\n"
             return _response(HTTPStatus.UNAUTHORIZED, text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 import json
+import os
 import time
 from collections.abc import Iterator
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
+from crs_cc.core import host_system
 from crs_cc.recording.frames import FrameDecoder
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.messages import MAX_BYTES, answer
@@ -97,6 +99,15 @@ def test_the_channel_needs_a_token_and_a_page_of_ours(server: Server) -> None:
             assert page.recv(5) == f"hello {role}"
             page.send(json.dumps({"id": 1, "do": "play"}))
             assert json.loads(page.recv(5))["value"] == "play"
+
+
+def test_another_user_is_refused_even_with_the_token(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(host_system, "_user_of_peer", lambda _client: os.geteuid() + 1)
+    with pytest.raises(InvalidStatus) as refused, opened(server):
+        pass
+    assert refused.value.response.status_code == 403
 
 
 @pytest.mark.parametrize("sent", ["nonsense", "[]", '{"id": "x", "do": "play"}', "[" * 60_000])
