@@ -77,6 +77,13 @@ def compiles_fast() -> Iterator[None]:
         yield
 
 
+@pytest.fixture
+def users_settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Compile as for users, for programs that recurse so deeply that the host's stack matters."""
+    monkeypatch.setattr(executable, "settings", USERS_SETTINGS)
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "users_cache"))
+
+
 def is_gccs(golden: Path) -> bool:
     """Return whether a file holds what gcc said, so that our own output must never get into it."""
     folder = golden.resolve().parent

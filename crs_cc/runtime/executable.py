@@ -54,16 +54,24 @@ def settings() -> wasmtime.Config:
     return config
 
 
-@functools.cache
 def engine() -> wasmtime.Engine:
     """Return the engine that all fleets share."""
+    return _engine(settings)
+
+
+@functools.cache
+def _engine(settings: Callable[[], wasmtime.Config]) -> wasmtime.Engine:
     return wasmtime.Engine(settings())
 
 
-@functools.cache
 def compile_driver() -> Driver:
     """Return the module that runs a round of any fleet."""
-    return wasmtime.Module(engine(), driver())
+    return _driver(engine())
+
+
+@functools.cache
+def _driver(engine: wasmtime.Engine) -> Driver:
+    return wasmtime.Module(engine, driver())
 
 
 def load_module(machine_code: bytes) -> wasmtime.Module | None:

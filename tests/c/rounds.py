@@ -90,7 +90,7 @@ class Rounds:
         shard.raise_instance_limit()
         store = shard.store
         parts = [shard.mailbox, shard.round]
-        instance = wasmtime.Instance(store, loop(), parts)
+        instance = wasmtime.Instance(store, _loop(engine()), parts)
         exports = instance.exports(store)
         self._fleet = fleet
         self._state = view(store, exports["state"])[: STATE.itemsize].view(STATE)
@@ -117,5 +117,5 @@ class Rounds:
 
 
 @functools.cache
-def loop() -> wasmtime.Module:
-    return wasmtime.Module(engine(), _LOOP)
+def _loop(engine: wasmtime.Engine) -> wasmtime.Module:
+    return wasmtime.Module(engine, _LOOP)
