@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
+
+import crs_cc
 
 MODULE = '''"""A user's module."""
 import numpy as np
@@ -42,6 +45,8 @@ def test_a_users_module_is_checked(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "mypy", "--strict", "user.py"],
         cwd=tmp_path, capture_output=True, text=True, check=False,
+        # As if it were installed: mypy does not follow the import hook of editable ones.
+        env={**os.environ, "PYTHONPATH": str(Path(crs_cc.__file__).parents[1])},
     )  # fmt: skip
     *found, _ = done.stdout.splitlines()
     assert len(found) == len(EXPECTED), done.stdout
