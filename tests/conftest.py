@@ -19,6 +19,19 @@ JUDGED = ["c/valid", "fuzz"]
 """Folders whose `.out` files hold what gcc said."""
 
 
+USERS_SETTINGS = executable.settings
+
+
+def fast_settings() -> wasmtime.Config:
+    """Return settings that compile in half the time, to slower code with larger frames."""
+    config = USERS_SETTINGS()
+    config.cranelift_opt_level = "none"
+    single_pass = _bindings.wasmtime_regalloc_algorithm_enum.WASMTIME_REGALLOC_SINGLE_PASS
+    # The members of the enumeration count from 1, C's from 0.
+    _bindings.wasmtime_config_cranelift_regalloc_algorithm_set(config.ptr(), single_pass.value - 1)
+    return config
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--update-goldens",
@@ -34,6 +47,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    # Most programs of tests run once. What users get, commands in processes of their own show.
+    executable.settings = fast_settings
     if config.getoption("--update-times"):
         config.pluginmanager.register(times.Recorder())
 
@@ -54,27 +69,6 @@ def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         folder = folder.parent
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("CRS_CACHE", str(folder / "crs_cache"))
-        yield
-
-
-USERS_SETTINGS = executable.settings
-
-
-def fast_settings() -> wasmtime.Config:
-    """Return settings that compile in half the time, to slower code with larger frames."""
-    config = USERS_SETTINGS()
-    config.cranelift_opt_level = "none"
-    single_pass = _bindings.wasmtime_regalloc_algorithm_enum.WASMTIME_REGALLOC_SINGLE_PASS
-    # The members of the enumeration count from 1, C's from 0.
-    _bindings.wasmtime_config_cranelift_regalloc_algorithm_set(config.ptr(), single_pass.value - 1)
-    return config
-
-
-@pytest.fixture(scope="session", autouse=True)
-def compiles_fast() -> Iterator[None]:
-    """Compile fast: most programs of tests run once. What users get, commands in processes show."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(executable, "settings", fast_settings)
         yield
 
 

@@ -102,17 +102,18 @@ class Executable:
     command: str
     machine_code: bytes
     detail: Callable[[], Detail]
-    _module: wasmtime.Module | None = field(default=None, repr=False)
+    _loaded: tuple[wasmtime.Engine, wasmtime.Module] | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle with the detail, which cannot be loaded lazily elsewhere."""
         return _executable, (self.name, self.command, self.machine_code, self.detail())
 
     def module(self) -> wasmtime.Module:
-        """Return the module, loaded on first use."""
-        if self._module is None:
-            self._module = wasmtime.Module.deserialize(engine(), self.machine_code)
-        return self._module
+        """Return the module for the engine in use, loaded on first use."""
+        if self._loaded is None or self._loaded[0] is not engine():
+            module = wasmtime.Module.deserialize(engine(), self.machine_code)
+            self._loaded = engine(), module
+        return self._loaded[1]
 
     @property
     def has_marks(self) -> bool:
@@ -162,7 +163,9 @@ def load_executable(
 ) -> Executable | None:
     """Load a cached program; return None if this computer cannot run it, see `load_module`."""
     module = load_module(machine_code)
-    return None if module is None else Executable(name, command, machine_code, detail, module)
+    if module is None:
+        return None
+    return Executable(name, command, machine_code, detail, (engine(), module))
 
 
 def make_executable(
@@ -196,4 +199,4 @@ def make_executable(
     module = wasmtime.Module(engine(), compiled.module.to_binary())
     detail = Detail(program, compiled, lines or {})
     command = command or command_name(name)
-    return Executable(name, command, bytes(module.serialize()), lambda: detail, module)
+    return Executable(name, command, bytes(module.serialize()), lambda: detail, (engine(), module))
