@@ -137,7 +137,7 @@ def line(page: Any) -> int:
     return int(page.locator(".line.current .gutter").inner_text())
 
 
-def test_it_shows_the_world_and_runs(page: Any, screen: Screen) -> None:
+def it_shows_the_world_and_runs(page: Any, screen: Screen) -> None:
     assert page.title() == "go.c in room.xml · crs"
     has_webgl, colours = page.evaluate(BLANK)
     assert has_webgl
@@ -152,7 +152,7 @@ def test_it_shows_the_world_and_runs(page: Any, screen: Screen) -> None:
     assert poses(screen)[0][0] > 1.1
 
 
-def test_the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> None:
+def the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> None:
     later = poses(screen)
     end = page.evaluate("crs.timeline.end")
     box = page.locator(".track").bounding_box()
@@ -164,7 +164,7 @@ def test_the_time_line_goes_back_to_any_instant(page: Any, screen: Screen) -> No
     assert poses(screen)[0][0] < later[0][0]
 
 
-def test_a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:
+def a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -> None:
     page.click(".line:nth-child(8) .gutter")
     page.wait_for_selector(".line:nth-child(8).stop")
     page.keyboard.press("F5")
@@ -180,7 +180,7 @@ def test_a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page: Any) -
     page.wait_for_selector(".line:nth-child(8):not(.stop)")
 
 
-def test_a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) -> None:
+def a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) -> None:
     x, y = page.evaluate(POINT)
     page.mouse.click(x, y)
     wait(page, "crs.model.state.robot === 1")
@@ -195,7 +195,7 @@ def test_a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) 
     page.wait_for_selector(".log .error >> text='source' is not available in the browser")
 
 
-def test_heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
+def heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
     page.locator(".viewport").first.focus()
     page.keyboard.press("i")
     shapes = (
@@ -213,7 +213,7 @@ def test_heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
     wait(page, "crs.views.active.isFlat")
 
 
-def test_who_may_only_look_cannot_steer_and_hears_the_end(
+def who_may_only_look_cannot_steer_and_hears_the_end(
     browser: Any, page: Any, screen: Screen
 ) -> None:
     looker = browser.new_page(viewport={"width": 700, "height": 500})
@@ -228,3 +228,13 @@ def test_who_may_only_look_cannot_steer_and_hears_the_end(
         wait(each, "document.querySelector('.chip.state').textContent === 'not connected'")
         assert "start it again" in each.locator("#note").inner_text()
     looker.close()
+
+
+def test_a_run_is_watched_moved_stepped_and_left(browser: Any, page: Any, screen: Screen) -> None:
+    """One test, since each step begins where the one before has led."""
+    it_shows_the_world_and_runs(page, screen)
+    the_time_line_goes_back_to_any_instant(page, screen)
+    a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page)
+    a_robot_is_selected_in_the_view_and_commands_change_the_run(page)
+    heat_is_a_colour_and_there_is_a_flat_map(page)
+    who_may_only_look_cannot_steer_and_hears_the_end(browser, page, screen)
