@@ -1,4 +1,4 @@
-"""What README and ARCHITECTURE show works and what they name exists.
+"""What README, ARCHITECTURE and the first pages show works and what they name exists.
 
 Commands and programs run, files, tests and make targets exist, exit statuses are those of the code.
 """
@@ -9,7 +9,7 @@ import ast
 import io
 import re
 import shlex
-import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -18,60 +18,88 @@ import pytest
 from crs_cc.cli import exit_status
 from crs_cc.cli.main import main
 from crs_cc.core import errors
+from crs_cc.core.errors import ProgramError
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()
 ARCHITECTURE = (ROOT / "ARCHITECTURE.md").read_text()
 
 
-def blocks(language: str) -> list[str]:
-    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+PAGES = {
+    path.stem: path
+    for path in (
+        ROOT / "README.md",
+        ROOT / "docs" / "first-steps.md",
+        ROOT / "docs" / "command-line.md",
+        ROOT / "docs" / "robot-api.md",
+    )
+}
+"""The pages whose commands a reader types, from the first to the last, in an empty folder."""
+
+_STEP = re.compile(r"`(\w+\.(?:c|xml))`[^`]*\n```(?:c|xml)\n(.*?)```|```sh\n(.*?)```", re.DOTALL)
+"""A file to be saved, with its name in the sentence before, or commands."""
 
 
-def commands() -> list[str]:
-    lines = "".join(blocks("sh")).splitlines()
-    return [line for line in lines if line.startswith("crs ")]
+def steps(page: Path) -> Iterator[tuple[str, str]]:
+    """Yield what the reader of a page does: a file's name and content, or a command and ''."""
+    for name, content, commands in _STEP.findall(page.read_text("utf-8")):
+        if name:
+            yield name, content
+        yield from ((line, "") for line in commands.splitlines() if line.startswith("crs "))
+
+
+def run(command: str, capfd: pytest.CaptureFixture[str]) -> str:
+    """Return what a command of crs prints."""
+    status = main(shlex.split(command, comments=True)[1:])
+    shown = capfd.readouterr()
+    assert status == 0, f"{command}: {shown.err}"
+    assert ": error: " not in shown.err
+    return shown.out + shown.err
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) -> Path:
-    """A folder with the samples, the worlds and the README's own programs, to work in."""
-    for name in ("samples", "worlds"):
-        shutil.copytree(ROOT / name, tmp_path / name)
-    for name, program in zip(("approach.c", "cool.c"), blocks("c"), strict=True):
-        (tmp_path / name).write_text(program)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder to work in; nobody types."""
     monkeypatch.chdir(tmp_path)
-    copying = next(each for each in commands() if each.startswith("crs samples copy"))
-    if "command" not in request.fixturenames or request.getfixturevalue("command") != copying:
-        assert main(shlex.split(copying)[1:]) == 0
-    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO()))  # nobody types
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO()))
     return tmp_path
 
 
-@pytest.mark.parametrize("command", commands())
-def test_every_command_of_the_readme_runs(
-    command: str, folder: Path, capfd: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("page", PAGES.values(), ids=PAGES)
+def test_every_command_of_a_page_runs_in_an_empty_folder(
+    page: Path, folder: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(shlex.split(command, comments=True)[1:]) == 0, capfd.readouterr().err
-    shown = capfd.readouterr()
-    assert shown.out + shown.err
-    assert ": error: " not in shown.err
+    for step, content in steps(page):
+        if content:
+            (folder / step).write_text(content)
+        else:
+            run(step, capfd)
+            for written in re.findall(r"--(?:plot|html|csv|record) (\S+)", step):
+                assert Path(written).exists(), step
 
 
-def test_the_readmes_own_program_does_what_its_text_says(
+def test_first_steps_show_what_the_programs_print(
     folder: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    command = next(command for command in commands() if "approach.c" in command)
-    main(shlex.split(command)[1:])
-    inches = re.match(r"(\d+) inches ahead of the wall at x = ", capfd.readouterr().out)
+    page = PAGES["first-steps"]
+    for name, content in steps(page):
+        if content:
+            (folder / name).write_text(content)
+    run("crs samples copy room.xml .", capfd)
+    shown = run("crs run approach.c room.xml", capfd)
+    inches = re.match(r"(\d+) inches ahead of the wall at x = ", shown)
     assert inches
     assert 5 < int(inches[1]) <= 20
-    assert (folder / "approach.svg").read_text().startswith("<?xml")
+    assert f"```\n{shown.splitlines()[0]}\n```" in page.read_text("utf-8")
+    assert main(["run", "nearest.c", "room.xml"]) == ProgramError.exit_status
+    report = capfd.readouterr().err
+    assert report[report.index("nearest.c") :] in page.read_text("utf-8")
 
 
-def test_the_readmes_lines_of_python_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    exec("".join(blocks("python")), {})
-    assert re.match(r"\[\d+\.\d+ \d+\.\d+ \d+\.\d+\]\n", capsys.readouterr().out)
+def test_the_readmes_lines_of_python_run(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    run("crs samples copy wander.c room.xml .", capfd)
+    exec("".join(re.findall(r"```python\n(.*?)```", README, re.DOTALL)), {})
+    assert re.match(r"\[\d+\.\d+ \d+\.\d+ \d+\.\d+\]\n", capfd.readouterr().out)
 
 
 def exit_statuses() -> set[int]:
@@ -82,8 +110,9 @@ def exit_statuses() -> set[int]:
     return {click.UsageError.exit_code, *named, *blamed}
 
 
-def test_readme_and_help_list_every_exit_status(capsys: pytest.CaptureFixture[str]) -> None:
-    rows = re.findall(r"^\| ([\d, ]+) \|", README, re.MULTILINE)
+def test_page_and_help_list_every_exit_status(capsys: pytest.CaptureFixture[str]) -> None:
+    page = PAGES["command-line"].read_text("utf-8")
+    rows = re.findall(r"^\| ([\d, ]+) \|", page, re.MULTILINE)
     assert {int(number) for row in rows for number in row.split(",")} == exit_statuses()
     main(["--help"])
     shown = re.findall(r"^ +(\d+(?: \d+)*)  ", capsys.readouterr().out, re.MULTILINE)
