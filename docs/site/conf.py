@@ -13,7 +13,10 @@ from sphinx.application import Sphinx
 
 ROOT = Path(__file__).parents[2]
 PAGES = {
-    "Start": ("README", "docs/tutorial*", "samples/README", "docs/platforms", "docs/glossary"),
+    "Start": (
+        *("README", "docs/first-steps", "docs/tutorial*", "samples/README"),
+        *("docs/command-line", "docs/platforms", "docs/glossary"),
+    ),
     "Programs": (
         *("docs/robot-api", "docs/crs-h", "docs/language", "docs/library", "docs/warnings"),
         *("docs/errors", "docs/checks"),
@@ -22,7 +25,11 @@ PAGES = {
         *("docs/world-format", "docs/robots", "docs/sensors", "docs/actuators"),
         *("docs/communication", "docs/terrain", "docs/degradation"),
     ),
-    "Runs": ("docs/debugger", "docs/editors", "docs/recordings", "docs/determinism"),
+    "Runs": (
+        *("docs/workbench", "docs/debugger", "docs/editors", "docs/recordings"),
+        *("docs/determinism", "docs/performance"),
+    ),
+    "Python and teaching": ("docs/python", "docs/teaching", "docs/extending"),
     "More": ("docs/*", "samples/**/README", "*", "docs/adr/README", "docs/adr/*"),
 }
 """The table of contents: what a pattern matches is listed where it is matched first."""
@@ -44,6 +51,8 @@ html_title = "crs_cc"
 html_copy_source = False
 html_show_sphinx = False
 html_extra_path = ["index.html"]
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
 myst_heading_anchors = 4
 
 _LINK = re.compile(r"(?<!!)\[([^\]]+)\]\(([^)#:]+)\)")
