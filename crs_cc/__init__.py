@@ -18,7 +18,14 @@ if TYPE_CHECKING:
     from crs_cc.api.programs import compile_c
     from crs_cc.api.robots import RobotView
     from crs_cc.api.session import Session
-    from crs_cc.api.worlds import load_robot, load_world, world_xml, write_world
+    from crs_cc.api.worlds import (
+        load_robot,
+        load_world,
+        robot_xml,
+        world_xml,
+        write_robot,
+        write_world,
+    )
     from crs_cc.core.errors import CompileError, CrsError, InternalError, ProgramError, WorldError
     from crs_cc.debug.world.events import WorldEvent
     from crs_cc.runtime.executable import Executable
@@ -50,7 +57,7 @@ _HOMES: Final = {
         "crs_cc.api.programs": "compile_c",
         "crs_cc.api.robots": "RobotView",
         "crs_cc.api.session": "Session",
-        "crs_cc.api.worlds": "load_robot load_world world_xml write_world",
+        "crs_cc.api.worlds": "load_robot load_world robot_xml world_xml write_robot write_world",
         "crs_cc.core.errors": "CompileError CrsError InternalError ProgramError WorldError",
         "crs_cc.debug.world.events": "WorldEvent",
         "crs_cc.runtime.executable": "Executable",
@@ -97,8 +104,10 @@ __all__ = [
     "compile_c",
     "load_robot",
     "load_world",
+    "robot_xml",
     "vector_env",
     "world_xml",
+    "write_robot",
     "write_world",
 ]
 

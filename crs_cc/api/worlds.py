@@ -9,10 +9,12 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 from crs_cc.sim.files import world_xml as files
 from crs_cc.sim.files.known_robots import ROBOTS, SCOUT, known_robots
+from crs_cc.sim.files.robot_writer import robot_text
 from crs_cc.sim.files.world_writer import world_text
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
@@ -88,3 +90,28 @@ def write_world(world: WorldModel, path: str | os.PathLike[str]) -> None:
     """
     text = world_xml(world, Path(path).parent)
     Path(path).write_text(text, encoding="utf-8")
+
+
+def robot_xml(model: RobotModel) -> str:
+    """Return a robot model as the text of a definition file, which is read with equal values.
+
+    Raises:
+        ValueError: something in the model cannot be written.
+        WorldError: the model is invalid; all errors are reported at once.
+    """
+    return robot_text(model).decode()
+
+
+def write_robot(model: RobotModel, path: str | os.PathLike[str]) -> RobotModel:
+    """Write a robot model to a definition file, without setups.
+
+    Returns:
+        the model, with that file as its definition: worlds with such robots can be written.
+
+    Raises:
+        ValueError: something in the model cannot be written.
+        WorldError: the model is invalid; all errors are reported at once.
+        OSError: the file cannot be written.
+    """
+    Path(path).write_text(robot_xml(model), encoding="utf-8")
+    return replace(model, definition=str(Path(path)), setup="")

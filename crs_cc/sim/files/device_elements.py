@@ -20,6 +20,7 @@ from crs_cc.sim.model.attribute import (
 from crs_cc.sim.model.colours import rgb
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.robot import RobotModel
 
 
 def models(root: Element, reader: Reader) -> tuple[tuple[str, Any], ...]:
@@ -49,6 +50,40 @@ def read_attributes(model: type, element: Element, reader: Reader) -> Any:
         else:
             values[field.name] = _value(row, element, reader)
     return model(**values)
+
+
+def device_elements(robot: RobotModel) -> list[Element]:
+    """Return the elements of a robot definition that describe the devices of a robot.
+
+    Raises:
+        ValueError: a device cannot be described.
+    """
+    found = []
+    for device in devices():
+        model = robot.device(device.name)
+        if device.write is not None:
+            found += device.write(robot)
+        elif model is not None:
+            found.append(attributes_element(device.element, model))
+    return found
+
+
+def attributes_element(tag: str, model: Any) -> Element:
+    """Return an element with the attributes that describe the model of a device.
+
+    Raises:
+        ValueError: an attribute cannot have this value.
+    """
+    values = {}
+    for field in dataclasses.fields(model):
+        row = field.metadata.get("attribute")
+        if row is None:
+            continue
+        try:
+            values[row.name] = row.values.exact(getattr(model, field.name))
+        except (TypeError, ValueError) as wrong:
+            raise ValueError(f"<{tag}>, {row.name}: {wrong}") from None
+    return Element(tag, 0, values)
 
 
 def _value(row: Attribute, element: Element, reader: Reader) -> Any:

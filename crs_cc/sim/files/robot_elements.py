@@ -32,7 +32,7 @@ from crs_cc.sim.model.robot import Drive, Link, Odometry, RobotModel
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
 
-_MOST_BYTES: Final = 65_535
+MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
 _NETWORK_S: Final = 1e-3  # default of `robot.xsd`
 _SEVERAL: Final = frozenset({"sensor", "setup"})
@@ -137,8 +137,8 @@ def _link(element: Element, reader: Reader) -> Link:
         name = command.attributes["name"]
         if name not in _ROBOT_COMMANDS:
             reader.refuse(command, f"name: {unknown('command', name, sorted(_ROBOT_COMMANDS))}")
-        count = reader.whole(command, "sends", 0, _MOST_BYTES)
-        count += reader.whole(command, "receives", 0, _MOST_BYTES)
+        count = reader.whole(command, "sends", 0, MOST_BYTES)
+        count += reader.whole(command, "receives", 0, MOST_BYTES)
         counts[name] = count
     baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
     network_s = reader.not_negative(element, "network", TIME, absent=_NETWORK_S)

@@ -28,6 +28,8 @@ from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import Area, Robot, WorldModel
 
+_HINT: Final = "write_robot writes it to a definition file"
+
 
 def world_text(world: WorldModel, folder: Path | None = None) -> bytes:
     """Return a world as the text of a world file.
@@ -90,10 +92,7 @@ def _difference(world: WorldModel, again: WorldModel) -> str:
     for robot, other in zip(world.robots, again.robots, strict=False):
         if robot.model != other.model:
             name = robot.model.definition or SCOUT
-            return (
-                f"the model of {robot.id!r} is not that of its definition {name!r}"
-                " (write a definition file, and read it with load_robot)"
-            )
+            return f"the model of {robot.id!r} is not that of its definition {name!r} ({_HINT})"
     for field in fields(WorldModel):
         if getattr(world, field.name) != getattr(again, field.name):
             return f"its {field.name} would be read differently"
@@ -164,8 +163,7 @@ def _model(model: RobotModel, folder: Path | None) -> dict[str, str]:
         if not model.definition:
             names = ", ".join(known_robots())
             raise ValueError(
-                f"the robot model {model.name!r} is from no definition (known: {names}, or a file"
-                " that load_robot reads)"
+                f"the robot model {model.name!r} is from no definition: {_HINT} (built in: {names})"
             )
         definition = _relative(definition, folder)
     found = {} if definition == SCOUT else {"definition": definition}

@@ -100,10 +100,20 @@ def load_robot(path: Path, setup: str = "") -> RobotModel:
     Raises:
         WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
-    return _robot(read_file(path), str(path), setup)
+    return parse_robot(read_file(path), str(path), setup)
 
 
-def _robot(text: bytes, file: str, setup: str) -> RobotModel:
+def parse_robot(text: bytes, file: str, setup: str = "") -> RobotModel:
+    """Return the robot model that a text describes.
+
+    Args:
+        text: the text of a robot definition.
+        file: its file name in messages.
+        setup: one of its setups.
+
+    Raises:
+        WorldError: the text is invalid; all errors are reported at once.
+    """
     diagnostics = Diagnostics(lines={file: lines_of(text)})
     root = elements(text, "robot.xsd", file, diagnostics, outermost="robot-definition", setup=setup)
     model = robot_model(root, Reader(file, diagnostics))
@@ -207,7 +217,7 @@ class _World:
             )
             return None
         try:
-            return _robot(self._definition(element, path), str(path), setup)
+            return parse_robot(self._definition(element, path), str(path), setup)
         except WorldError as wrong:
             self.reader.error(element, f"robot definition {str(name)!r} cannot be used")
             self.reader.diagnostics.messages.extend(wrong.diagnostics)

@@ -10,11 +10,13 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, Final, TypeAlias
 
 from crs_cc.core.quantity import FREQUENCY, LENGTH, TIME, Kind
-from crs_cc.sim.model.colours import rgb
+from crs_cc.sim.model.colours import hexadecimal, rgb
 
 __all__ = [
     "COLOUR",
@@ -45,6 +47,10 @@ class Count:
         """Return the value of a text that the schema allows."""
         return int(text)
 
+    def exact(self, value: int) -> str:
+        """Return the text of a value."""
+        return str(value)
+
 
 @dataclass(frozen=True, slots=True)
 class Choice:
@@ -60,6 +66,14 @@ class Choice:
         """Return the value of a word that the schema allows."""
         return dict(self.values)[text]
 
+    def exact(self, value: Any) -> str:
+        """Return the word of a value; raise ValueError if it has none."""
+        for word, each in self.values:
+            if each == value:
+                return word
+        known = ", ".join(repr(each) for _, each in self.values)
+        raise ValueError(f"{value!r} is not one of {known}")
+
 
 @dataclass(frozen=True, slots=True)
 class Fraction:
@@ -74,6 +88,14 @@ class Fraction:
     def parse(self, text: str) -> float:
         """Return the value of a text that the schema allows."""
         return float(text)
+
+    def exact(self, value: float) -> str:
+        """Return the text of a value; the schema allows nine decimals.
+
+        >>> FRACTION.exact(0.25), FRACTION.exact(1e-7), FRACTION.exact(1.0)
+        ('0.25', '0.0000001', '1.0')
+        """
+        return _decimal(value)
 
 
 FRACTION: Final = Fraction()
@@ -94,6 +116,10 @@ class Numbers:
         """Return the value of a text that the schema allows."""
         return tuple(int(number) for number in text.split())
 
+    def exact(self, value: Sequence[int]) -> str:
+        """Return the text of a value."""
+        return " ".join(map(str, value))
+
 
 @dataclass(frozen=True, slots=True)
 class Voltages:
@@ -109,6 +135,10 @@ class Voltages:
         """Return the value of a text that the schema allows."""
         return tuple(float(volts) for volts in text.split())
 
+    def exact(self, value: Sequence[float]) -> str:
+        """Return the text of a value."""
+        return " ".join(map(_decimal, value))
+
 
 @dataclass(frozen=True, slots=True)
 class Colour:
@@ -118,8 +148,18 @@ class Colour:
         """Return red, green and blue, 0 to 255; raise ValueError if the text is not a colour."""
         return rgb(text)
 
+    def exact(self, value: tuple[int, int, int]) -> str:
+        """Return the text of a value."""
+        return hexadecimal(value)
+
 
 COLOUR: Final = Colour()
+
+
+def _decimal(value: float) -> str:
+    """Return the exact text of a number without an exponent, as of `xs:decimal`."""
+    return f"{Decimal(repr(float(value))):f}"
+
 
 Values: TypeAlias = Kind | Count | Choice | Fraction | Numbers | Voltages | Colour
 """Which values an attribute can have."""

@@ -43,6 +43,8 @@ class Device:
             `attribute`.
         read: reads its model from the root element of a robot definition, given that and the
             `files.document.Reader`; None to read it from the attributes of the element.
+        write: returns the elements of a robot definition that describe it, given the model of the
+            robot; None to write its model to the attributes of the element.
         state: returns the columns of its state at the start, a dataclass of arrays with a row for
             each device, given the models of all; None if it has none.
         dense: whether these have a row for every robot instead, with None as the model of robots
@@ -72,6 +74,7 @@ class Device:
     install: Callable[..., Any]
     state: Callable[[Sequence[Any]], Any] | None = None
     read: Callable[[Any, Any], Any] | None = None
+    write: Callable[[Any], list[Any]] | None = None
     requests: tuple[Request, ...] = ()
     functions: tuple[Function, ...] = ()
     declarations: str = ""

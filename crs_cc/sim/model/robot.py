@@ -136,7 +136,7 @@ class RobotModel:
         vendor_model: number of the model in the vendor's `connect_robot`: 0 for a Nomad 200, 1 for
             a Nomad 150, 2 for a Scout.
         height_m: its height; infinite for one that is visible at any height.
-        devices: names and models of its devices of `registry.devices()`.
+        devices: names and models of its devices of `registry.devices()`, kept by rising name.
         definition: where it is from: the name of a built-in definition, or the path of a file;
             empty for a model made in Python. It does not count when models are compared.
         setup: the setup of the definition; empty for none. It does not count either.
@@ -156,11 +156,16 @@ class RobotModel:
     definition: str = field(default="", compare=False, repr=False)
     setup: str = field(default="", compare=False, repr=False)
 
+    def __post_init__(self) -> None:
+        there = (device for device in self.devices if device[1] is not None)
+        in_order = tuple(sorted(there, key=lambda device: device[0]))
+        object.__setattr__(self, "devices", in_order)  # the class is frozen
+
     def __hash__(self) -> int:
         return hash(self.name)  # for speed: models are dictionary keys in inner loops
 
     def with_device(self, name: str, model: Any) -> Self:
-        """Return a robot that differs in one device."""
+        """Return a robot that differs in one device; None removes it."""
         others = tuple(each for each in self.devices if each[0] != name)
         return replace(self, devices=(*others, (name, model)))
 

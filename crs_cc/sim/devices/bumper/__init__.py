@@ -22,7 +22,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.quantity import RATIO
-from crs_cc.sim.devices.bumper.element import BUMPER_BITS, Switches, read, switches_of
+from crs_cc.sim.devices.bumper.element import BUMPER_BITS, Switches, read, switches_of, write
 from crs_cc.sim.devices.bumper.state import BumperState, bumper_state
 from crs_cc.sim.devices.installed import Installed
 from crs_cc.sim.devices.vendor_state import configuration
@@ -169,6 +169,7 @@ DEVICE = Device(
     summary="Contact switches around the body, in one or several rings.",
     model=Switches,
     read=read,
+    write=write,
     state=lambda models: BumperState.released(len(models)),
     dense=True,
     install=install,

@@ -1,4 +1,4 @@
-"""The switches of bumpers, and their elements in a robot definition."""
+"""The switches of bumpers, and their elements in a robot definition, read and written."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.quantity import ANGLE
+from crs_cc.sim.files.document import Element
 
 if TYPE_CHECKING:
-    from crs_cc.sim.files.document import Element, Reader
+    from crs_cc.sim.files.document import Reader
     from crs_cc.sim.model.robot import RobotModel
 
 BUMPER_BITS: Final = 24
@@ -74,3 +75,21 @@ def _ring(ring: Element, reader: Reader) -> list[Switch]:
         Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
         for number, bit in enumerate(bits)
     ]
+
+
+def write(model: RobotModel) -> list[Element]:
+    """Return the element that describes the switches of a robot: a ring for each."""
+    rings = [
+        Element(
+            "ring",
+            0,
+            {
+                "switches": "1",
+                "first": ANGLE.exact(each.bearing_rad),
+                "span": ANGLE.exact(each.span_rad),
+                "bits": str(each.bit),
+            },
+        )
+        for each in switches_of(model)
+    ]
+    return [Element("bumpers", 0, children=rings)] if rings else []

@@ -65,6 +65,7 @@ from crs_cc.sim.devices.sonar.model import (
     sonars_of,
 )
 from crs_cc.sim.devices.sonar.state import SonarState, inches, sonar_state
+from crs_cc.sim.devices.sonar.writer import write
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.echoes import first_echo
 from crs_cc.sim.geometry.pings import Pings
@@ -418,6 +419,7 @@ DEVICE = Device(
     summary="Properties of all sonars.",
     model=Sonars,
     read=read,
+    write=write,
     state=SonarState.at_start,
     dense=True,
     install=install,

@@ -91,12 +91,12 @@ def _modes(
         name = mode.attributes["name"]
         if name in found:
             reader.error(mode, f"duplicate mode {name!r}")
-        found[name] = SonarMode(name, _beams(mode, of, reader), _heard(mode, usual, reader))
+        found[name] = SonarMode(name, beams(mode, of, reader), _heard(mode, usual, reader))
     return tuple(found.values())
 
 
-def _beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar, ...]:
-    """Return sonars with the range and the beam of a mode."""
+def beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar, ...]:
+    """Return sonars with the range and the beam of a mode's element."""
     ranges_m = [reader.positive(mode, "range", LENGTH)] * len(of)
     if "range" not in mode.attributes:
         ranges_m = [sonar.range_m for sonar in of]

@@ -21,14 +21,13 @@ from crs_cc.requests.request import fields
 from crs_cc.robot_api.row import OURS, Function
 from crs_cc.sim.devices import heat
 from crs_cc.sim.devices.installed import Installed
-from crs_cc.sim.files.document import Reader
+from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.degradable import Degradable, elements_of
 from crs_cc.sim.model.device import Device
-from crs_cc.sim.model.robot import devices_of
+from crs_cc.sim.model.robot import RobotModel, devices_of
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
-    from crs_cc.sim.files.document import Element
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.events import EventLog
 
@@ -54,6 +53,15 @@ def read(root: Element, reader: Reader) -> Tag | None:
     """
     found = heat.both(root, Reader(reader.file, Diagnostics()))
     return Tag(found.tag_range_m) if found is not None and found.tag_range_m > 0.0 else None
+
+
+def write(robot: RobotModel) -> list[Element]:
+    """Return the heat sensor's element for a robot without a heat sensor, else none."""
+    tag: Tag | None = robot.device("tag")
+    if tag is None or robot.device("heat") is not None:
+        return []
+    ranges = {"range": LENGTH.exact(0.0), "tag-range": LENGTH.exact(tag.range_m)}
+    return [Element("heat", 0, ranges)]
 
 
 def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
@@ -87,6 +95,7 @@ DEVICE = Device(
     summary="Removes the heat of all objects in range.",
     model=Tag,
     read=read,
+    write=write,
     install=install,
     requests=(
         device_request(
