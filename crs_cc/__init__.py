@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.world.events import WorldEvent
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.result import RobotResult, RunResult
+    from crs_cc.sim.comms.control import Message
     from crs_cc.sim.model.beacons import Light, Sound
     from crs_cc.sim.model.degradation import Degradation
     from crs_cc.sim.model.registry import add_device
@@ -62,6 +63,7 @@ _HOMES: Final = {
         "crs_cc.debug.world.events": "WorldEvent",
         "crs_cc.runtime.executable": "Executable",
         "crs_cc.session.result": "RobotResult RunResult",
+        "crs_cc.sim.comms.control": "Message",
         "crs_cc.sim.model.beacons": "Light Sound",
         "crs_cc.sim.model.degradation": "Degradation",
         "crs_cc.sim.model.registry": "add_device",
@@ -85,6 +87,7 @@ __all__ = [
     "InternalError",
     "Light",
     "Material",
+    "Message",
     "ParallelEnv",
     "Polygon",
     "Pose",

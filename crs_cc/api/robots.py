@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.api.program_choice import NONE
 from crs_cc.core.arrays import FloatArray, read_only
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.registry import devices
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.api.output import Streams
     from crs_cc.session.result import RobotResult
     from crs_cc.session.session import Session
+    from crs_cc.sim.comms.control import Message
     from crs_cc.sim.engine.environment import Environment
     from crs_cc.sim.model.robot import RobotModel
 
@@ -166,6 +168,18 @@ class RobotView:
         if not self.is_present:
             raise ValueError(f"{self.name} is not in the world")
         return np.append(given, np.zeros(3 - len(names)))
+
+    def receive(self) -> Message | None:
+        """Take the first message out of its inbox; None if that is empty.
+
+        `Session.message` sends one in its name.
+
+        Raises:
+            ValueError: a program runs on it, which receives its messages itself.
+        """
+        if self._session.fleet.executable(self.number).name != NONE:
+            raise ValueError(f"{self.name} runs a program, which receives its messages itself")
+        return self._environment.communication.receive(self.name)
 
     # -- its program ---------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
@@ -33,6 +34,23 @@ from crs_cc.sim.model.world import WorldModel
 
 _ROUNDING: Final = 1e-6  # [timesteps]
 _ROUNDING_S: Final = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The whole state of a session at an instant.
+
+    Attributes:
+        state: the state.
+        world: the session's world at the start.
+        seed: its seed.
+        programs: the machine code of its programs at the start.
+    """
+
+    state: SessionSnapshot = field(repr=False)
+    world: WorldModel = field(repr=False)
+    seed: int
+    programs: tuple[bytes, ...] = field(repr=False)
 
 
 class Session(Edits):
@@ -151,7 +169,12 @@ class Session(Edits):
         Args:
             until_s: the time [s]; by default the duration of the session. Without either, a
                 program that never ends runs until it is interrupted.
+
+        Raises:
+            ValueError: the time is not a number.
         """
+        if until_s is not None and math.isnan(until_s):
+            raise ValueError("until_s must be a number, not nan")
         end_s = self.duration_s if until_s is None else until_s
         while not self._is_late(end_s) and self._advance(self._timesteps_to(end_s)):
             pass
@@ -209,13 +232,22 @@ class Session(Edits):
         """Return the SHA-256 of the whole state, see `RunResult`."""
         return self.inner.state_hash()
 
-    def snapshot(self) -> SessionSnapshot:
+    def snapshot(self) -> Snapshot:
         """Return the whole state, apart from the standard streams."""
-        return self.inner.snapshot()
+        codes = tuple(each.machine_code for each in self.programs)
+        return Snapshot(self.inner.snapshot(), self.world, self.seed, codes)
 
-    def restore(self, snapshot: SessionSnapshot) -> None:
-        """Go back, or forward, to a snapshot of a session of the same programs, world and seed."""
-        self.inner.restore(snapshot)
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back, or forward, to a snapshot of a session of the same programs, world and seed.
+
+        Raises:
+            ValueError: it is that of another session; nothing changes.
+        """
+        codes = tuple(each.machine_code for each in self.programs)
+        for what, own in (("world", self.world), ("seed", self.seed), ("programs", codes)):
+            if getattr(snapshot, what) != own:
+                raise ValueError(f"the snapshot is of a session with other {what}")
+        self.inner.restore(snapshot.state)
 
     # -- events --------------------------------------------------------------------------------
 

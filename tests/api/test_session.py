@@ -156,6 +156,29 @@ def test_messages_are_sent_as_programs_send_them() -> None:
     assert session.robots["robot1"].stdout.splitlines()[-1] == "0 0 again"
 
 
+def test_python_receives_the_messages_to_a_robot_that_it_steers() -> None:
+    tells = """#include <crs.h>
+    int main(void) { crs_send(0, 7, "hello", 5); crs_broadcast(8, "all", 3); return 0; }"""
+    session = crs_cc.Session(WORLD, {"robot0": None, "robot1": tells})
+    robot = session.robots["robot0"]
+    assert robot.receive() is None
+    session.step(4)
+    first, second = robot.receive(), robot.receive()
+    assert first is not None
+    assert second is not None
+    assert (first.sender, first.content, first.kind, first.channel) == (
+        "robot1",
+        b"hello",
+        7,
+        "radio",
+    )
+    assert 0.0 <= first.sent_s <= first.arrived_s <= session.time_s
+    assert second.content == b"all"
+    assert robot.receive() is None
+    with pytest.raises(ValueError, match="robot1 runs a program, which receives"):
+        session.robots["robot1"].receive()
+
+
 @pytest.mark.parametrize(
     ("change", "expected"),
     [
@@ -178,6 +201,8 @@ def test_messages_are_sent_as_programs_send_them() -> None:
         (lambda run: run.message("robot0", "x", channel="tv"), "unknown channel 'tv'"),
         (lambda run: run.message("robot0", "x", kind=2**40), "invalid type of a message"),
         (lambda run: run.robots["robot0"].drive(1.0), "expected 2 finite numbers"),
+        (lambda run: run.run(until_s=math.nan), "until_s must be a number, not nan"),
+        (lambda run: run.restore(crs_cc.Session().snapshot()), "of a session with other world"),
     ],
 )
 def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
@@ -216,6 +241,13 @@ def test_snapshots_go_back(session: crs_cc.Session) -> None:
     session.step(5)
     session.restore(snapshot)
     assert session.state_hash() == there
+    same = crs_cc.Session(WORLD, AHEAD)
+    same.restore(snapshot)
+    assert same.state_hash() == there
+    with pytest.raises(ValueError, match="other seed"):
+        crs_cc.Session(WORLD, AHEAD, seed=5).restore(snapshot)
+    with pytest.raises(ValueError, match="other programs"):
+        crs_cc.Session(WORLD, AHEAD.replace("3", "4")).restore(snapshot)
 
 
 def test_notebooks_show_a_small_picture(session: crs_cc.Session) -> None:

@@ -15,9 +15,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from crs_cc.core.suggest import unknown
+from crs_cc.sim.comms.inbox import Inboxes
 from crs_cc.sim.comms.message_log import Fate
 from crs_cc.sim.comms.outages import reopen, shut
 from crs_cc.sim.model.communication import ANY
@@ -25,6 +29,27 @@ from crs_cc.sim.state.messages import MessageState
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.running_world import Running
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A message that a robot has received.
+
+    Attributes:
+        sender: the name of the robot that sent it.
+        content: its content, at most 248 bytes.
+        kind: its type, a number that the programs agree on.
+        channel: the name of the channel.
+        sent_s: when it was sent [s].
+        arrived_s: when it arrived [s].
+    """
+
+    sender: str
+    content: bytes
+    kind: int
+    channel: str
+    sent_s: float
+    arrived_s: float
 
 
 class CommunicationControl:
@@ -68,6 +93,26 @@ class CommunicationControl:
         """
         if not reopen(self._state, self._time_s, *self._numbers(channel, sender, receiver)):
             raise ValueError("no such outage")
+
+    def receive(self, robot: str) -> Message | None:
+        """Take the first message out of the inbox of a robot, as its program would; None if empty.
+
+        Raises:
+            ValueError: the robot does not exist.
+        """
+        number = _number(robot, self._robots, "robot")
+        have, packets, arrived_s = Inboxes().take(self._state, np.array([number]))
+        if not len(have):
+            return None
+        packet = packets[0]
+        return Message(
+            self._robots[packet["sender"]],
+            packet["data"][: packet["size"]].tobytes(),
+            int(packet["type"]),
+            self._channels[packet["channel"]],
+            float(packet["sent_s"]),
+            float(arrived_s[0]),
+        )
 
     def counts(self, channel: str) -> dict[Fate, int]:
         """Return the number of messages on a channel by their fate so far.
