@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any, Final
 
-import numpy as np
-
 from crs_cc.api.program_choice import Program, executable_of
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import edit
-from crs_cc.requests import CODES, DATA_SIZE, MESSAGE
 from crs_cc.runtime.executable import Executable
+from crs_cc.sim.engine.inject import inject
 from crs_cc.sim.model.degradation import Degradation, degradables, element_of
 from crs_cc.sim.model.world import Pose, Robot
 
@@ -23,8 +21,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.comms.control import CommunicationControl
     from crs_cc.sim.devices.degradation.control import DegradationControl
 
-_EVERYBODY: Final = -1
-_NO_GROUP: Final = -1
 _FAULTS: Final = frozenset(each.name for each in fields(Degradation)) - {
     "robot",
     "device",
@@ -172,29 +168,8 @@ class Edits:
             channel: the channel.
             kind: the message's type, a number that the programs agree on.
         """
-        if not -(2**31) <= kind < 2**31:
-            raise ValueError(f"invalid type of a message {kind!r} (expected a 32-bit integer)")
         data = content.encode() if isinstance(content, str) else content
-        if len(data) > DATA_SIZE:
-            raise ValueError(f"the message has {len(data)} bytes (maximum: {DATA_SIZE})")
-        environment = self.inner.environment
-        channels = [each.name for each in environment.world.communication.channels]
-        if channel not in channels:
-            raise ValueError(unknown("channel", channel, channels))
-        number, to = self._number(sender), _EVERYBODY
-        if receiver is not None:
-            to = self._number(receiver)
-        if to == number:
-            raise ValueError(f"{sender!r} cannot send a message to itself")
-        request = np.zeros(1, MESSAGE)
-        request["i"][0, :4] = to, _NO_GROUP, kind, channels.index(channel)
-        request["size"] = len(data)
-        request["data"][0, : len(data)] = np.frombuffer(data, np.uint8)
-        environment.serve(
-            CODES["SEND"], np.array([number]), request, np.array([environment.time_s])
-        )
-        if not request["result"][0]:
-            raise ValueError(f"{sender!r} cannot send the message")
+        inject(self.inner.environment, sender, data, receiver, channel=channel, kind=kind)
 
     @property
     def _robot_names(self) -> list[str]:

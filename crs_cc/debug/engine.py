@@ -37,8 +37,8 @@ from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.view import BacktraceFrame, View
-from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import WorldEvent
+from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.session.host import Client, Input, Output, discard, never_waits, no_input
 from crs_cc.session.session import Listener, Session
 from crs_cc.sim.model.world import WorldModel
@@ -336,6 +336,8 @@ class Debugger:
         self._note(stop)
         if stop.robot >= 0:
             self.view.robot = stop.robot
+        elif self.view.robot >= len(self.names):  # a robot that has been added, and is no more
+            self.view.robot = 0
         for number in stop.breakpoints:
             if self.stop_points.breakpoints.get(number).temporary:
                 self.stop_points.breakpoints.remove(number)
@@ -372,17 +374,34 @@ class Debugger:
         return found.value
 
     def edit_world(self, text: str) -> str:
-        """Change the world; return a description of the change.
+        """Change the run or its world; return a description of the change.
 
         Args:
-            text: the change, see `edits.EDITS`.
+            text: the change, see `run_edits.ALL_EDITS`.
 
         Raises:
             DebugError: it is invalid or impossible; nothing has changed.
         """
-        done = edit(self.session.environment, text)
+        done = edit_run(self.session, text, self.run.executables())
         self._changed(text)
         return done
+
+    def take_back(self, number: int) -> Stop:
+        """Take back a change and all later ones: go to where it was made, as it was before.
+
+        Raises:
+            DebugError: there is no such change.
+        """
+        changes = self.run.history.changes
+        if not 0 <= number < len(changes):
+            raise DebugError(f"no change {number}")
+        place = changes[number].position
+        same = [each for each in changes[:number] if each.position == place]
+        self.run.take_back(place)
+        self.branches.changed()
+        for each in same:
+            self.repeat(each)
+        return self._arrive(self.navigator.stop("goto"))
 
     def repeat(self, change: Change) -> None:
         """Go to the position of a change of the same run, and make it again.
@@ -394,7 +413,7 @@ class Debugger:
         if self.position != change.position:
             raise DebugError(f"the run does not get to where {change.text[:40]!r} changed it")
         if change.robot < 0:
-            edit(self.session.environment, change.text)
+            edit_run(self.session, change.text, self.run.executables())
         else:
             try:
                 self.run.patch(change.robot, change.patches)

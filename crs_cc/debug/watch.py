@@ -123,6 +123,10 @@ class WatchSet:
         ] = {}  # by number, and whether of a header: its range
         self._places: list[tuple[Location, str]] = []
 
+    def is_of(self, executable: Executable) -> bool:
+        """Return whether this is the robot's program, in its plain build."""
+        return self._plain is executable
+
     def arm(self, wanted: Sequence[WatchedObject]) -> None:
         """Set the watched objects; accesses to unchanged ones are kept.
 

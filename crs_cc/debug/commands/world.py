@@ -11,10 +11,10 @@ from crs_cc.debug.commands.arguments import parse_count, parse_robot
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.edits import EDITS
 from crs_cc.debug.world.goal_rows import goal_rows
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
+from crs_cc.debug.world.run_edits import ALL_EDITS
 from crs_cc.debug.world.run_map import run_map
 from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.debug.world.world_rows import world_rows
@@ -158,6 +158,6 @@ CHANGES: Final = Group(
             name, each.syntax, each.summary, partial(_change, name=name),
             text=each.text, completes="edit",
         )
-        for name, each in EDITS.items()
+        for name, each in ALL_EDITS.items()
     ),
 )  # fmt: skip

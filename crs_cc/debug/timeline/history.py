@@ -77,6 +77,7 @@ class History:
         self._kept: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
         self.changes: tuple[Change, ...] = ()
+        self._start: RunSnapshot | None = None  # before any change there
         self._user: Position | None = None  # the last position that the user went back to
         self._here = Position(0, 0)
 
@@ -113,13 +114,30 @@ class History:
         """Store a change and the snapshot after it; discard all later ones."""
         position = change.position
         self.changes = (*self.changes_until(position), change)
+        if self._start is None and position == self._positions[0]:
+            self._start = self._store.take(self._kept[position])
+        self._drop(position)
+        self._edits.append(position)
+        self._user = None
+        self.keep(position, kept)
+
+    def take_back(self, position: Position) -> None:
+        """Discard the changes at a position and later, and the snapshots."""
+        self.changes = tuple(each for each in self.changes if each.position < position)
+        first = self._positions[0]
+        self._drop(position)
+        if self._start is not None and position == first:
+            self._positions.append(first)
+            self._kept[first], self._start = self._start, None
+        self._user = None
+
+    def _drop(self, position: Position) -> None:
+        """Discard the snapshots and edits from a position on."""
         first = bisect_left(self._positions, position)
         for each in self._positions[first:]:
             self._store.drop(self._kept.pop(each))
         del self._positions[first:]
-        self._edits[:] = [each for each in self._edits if each < position] + [position]
-        self._user = None
-        self.keep(position, kept)
+        self._edits[:] = [each for each in self._edits if each < position]
 
     def fork(self, position: Position) -> History:
         """Return an independent history with the snapshots up to a position.
@@ -133,6 +151,8 @@ class History:
         other._edits = [each for each in self._edits if each <= position]
         other.changes = self.changes_until(position)
         other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
+        if self._start is not None:
+            other._start = self._store.take(self._start)
         return other
 
     def changes_until(self, position: Position) -> tuple[Change, ...]:

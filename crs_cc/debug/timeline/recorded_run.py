@@ -33,6 +33,7 @@ from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.sites import StatementSite
 from crs_cc.session.build import build_watching
+from crs_cc.session.result import Added
 from crs_cc.session.session import Session
 from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
@@ -80,7 +81,8 @@ class RecordedRun:
             history: stores the snapshots.
             options: further options of `Session`.
         """
-        self.programs = programs
+        self.programs = list(programs)
+        self._robots = len(programs)  # those of the world; others may have been added
         self.console = console
         self.history = history
         self.event_history = EventHistory()
@@ -175,9 +177,9 @@ class RecordedRun:
         slots["stop_before_all"] = 0
         slots["stop_from"] = 0
         for robot in self._marks.all:
-            slots["stop_before_all"][robot] = 1
+            slots["stop_before_all"][robot : robot + 1] = 1  # a robot that was added may be gone
         for robot, statements in self._marks.since.items():
-            slots["stop_from"][robot] = statements
+            slots["stop_from"][robot : robot + 1] = statements
 
     def _statements(self, robot: int) -> int:
         return len(self.programs[robot].executable.detail().compiled.statements)
@@ -387,6 +389,7 @@ class RecordedRun:
         self.is_off_timeline = False
         self._stopped.clear()
         self.session.restore(kept.session)
+        self._know(kept.session.added)
         self.console.restore(kept.console)
         self._set_slots()
         self._look_anew()
@@ -398,13 +401,39 @@ class RecordedRun:
         self.input_log = InputLog()
         self.is_off_timeline = True
 
-    def changed(self, change: Change) -> None:
-        """Record a change that the user has made here: discard the future of the history."""
+    def executables(self) -> list[Executable]:
+        """Return the robots' programs, in their plain builds."""
+        return [program.executable for program in self.programs]
+
+    def _know(self, added: Sequence[Added]) -> None:
+        """Know the programs of the robots that have been added, and no others."""
+        known = {id(each.executable): each for each in self.programs}
+        count = self._robots
+        self.programs[count:] = [known[id(each.executable)] for each in added]
+        for robot, each in enumerate(added, count):
+            if robot == len(self._watches) or not self._watches[robot].is_of(each.executable):
+                self._watches[robot:] = [WatchSet(self.session.fleet, robot, self._watching)]
+        del self._watches[count + len(added) :]
+
+    def take_back(self, place: Position) -> None:
+        """Go to a position as if nothing had been changed there or later; discard the future."""
+        self.history.take_back(place)
+        self.is_off_timeline = True
+        self.seek(place)
+        self._discard_future()
+
+    def _discard_future(self) -> None:
         self._look_anew()
         self.console.truncate()
         self.event_history.forget(self.position.timestep)
         self.input_log.forget(self.position)
-        self.history.branch(change, self._kept())
+
+    def changed(self, change: Change) -> None:
+        """Record a change that the user has made here: discard the future of the history."""
+        kept = self._kept()
+        self._know(kept.session.added)
+        self._discard_future()
+        self.history.branch(change, kept)
 
     def patch(self, robot: int, patches: Sequence[MemoryPatch]) -> None:
         """Write bytes to a program's memory.

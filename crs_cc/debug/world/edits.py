@@ -17,15 +17,16 @@ in world files. `EDITS` is the table of changes; the help is generated from it.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.quantity import ANGLE, HEAT, LENGTH
 from crs_cc.core.source import Diagnostics
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.edit import Edit, Words, find_robot
+from crs_cc.debug.world.message_edits import MESSAGES
 from crs_cc.debug.world.rows import angle, instant, pose_text
+from crs_cc.debug.world.steering_edits import STEERING
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.degradation import Degradation, degradables, described
@@ -33,8 +34,6 @@ from crs_cc.sim.model.world import Pose, Robot
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
-
-Words = Sequence[str]
 
 _MAX_WORDS: Final = 40
 _MAX_LENGTH: Final = 60
@@ -47,23 +46,6 @@ FAULTS: Final = (*_VALUES, "dead", "for")
 """The keywords of faults and their times."""
 
 
-@dataclass(frozen=True, slots=True)
-class Edit:
-    """A kind of change.
-
-    Attributes:
-        syntax: its arguments, optional ones in brackets.
-        summary: what it does, in a line.
-        text: further help.
-        do: makes it, given the arguments; returns a description.
-    """
-
-    syntax: str
-    summary: str
-    text: str
-    do: Callable[[Environment, Words], str]
-
-
 def edit(environment: Environment, text: str) -> str:
     """Change the world; return a description of the change.
 
@@ -74,7 +56,7 @@ def edit(environment: Environment, text: str) -> str:
     Raises:
         DebugError: it is invalid or impossible; nothing has changed.
     """
-    words = text.replace("=", " ").split()
+    words = words_of(text)
     if not words:
         raise DebugError(f"missing change ({_choice()})")
     if len(words) > _MAX_WORDS:
@@ -86,6 +68,18 @@ def edit(environment: Environment, text: str) -> str:
         return wanted.do(environment, words[1:])
     except ValueError as wrong:
         raise DebugError(str(wrong)) from None
+
+
+def words_of(text: str) -> list[str]:
+    """Return the words of a change; the content of a message, after a colon, is one.
+
+    >>> words_of("message a to b: go = now"), words_of("degrade a sonar gain=0.5")
+    (['message', 'a', 'to', 'b', 'go = now'], ['degrade', 'a', 'sonar', 'gain', '0.5'])
+    """
+    head, colon, content = text.partition(":")
+    if colon and head.split()[:1] == ["message"]:
+        return [*head.split(), content.strip()]
+    return text.replace("=", " ").split()
 
 
 def _choice() -> str:
@@ -159,7 +153,7 @@ def _heading_rad(environment: Environment, name: str) -> float:
 def _degrade(environment: Environment, words: Words) -> str:
     if len(words) < 3:
         raise _wrong_words("degrade")
-    robot = _robot(environment, words[0])
+    robot = find_robot(environment, words[0])
     attributes = {"robot": robot.id, **_device(words[1]), **_faults(words[2:])}
     diagnostics = Diagnostics()
     element = Element("degrade", 1, attributes)
@@ -202,9 +196,9 @@ def _heal(environment: Environment, words: Words) -> str:
     control = environment.degradations
     own = [each for each in control.all() if each.id == words[0]] if len(words) == 1 else []
     if own:
-        robot = _robot(environment, own[0].robot)
+        robot = find_robot(environment, own[0].robot)
     else:
-        robot = _robot(environment, words[0])
+        robot = find_robot(environment, words[0])
         own = [each for each in control.all() if each.robot == robot.id]
         if len(words) == 2:
             own = [each for each in own if _concerns(each, robot, words[1])]
@@ -227,21 +221,13 @@ def _concerns(each: Degradation, robot: Robot, text: str) -> bool:
     return not element or element in {own, str(each.element)}
 
 
-def _robot(environment: Environment, name: str) -> Robot:
-    robots = environment.world.robots
-    for robot in robots:
-        if robot.id == name:
-            return robot
-    raise ValueError(unknown("robot", name, [robot.id for robot in robots]))
-
-
-# -- energy, heat, messages ------------------------------------------------------------------------
+# -- energy and heat ------------------------------------------------------------------------
 
 
 def _charge(environment: Environment, words: Words) -> str:
     if len(words) != 2:
         raise _wrong_words("charge")
-    robot = _robot(environment, words[0])
+    robot = find_robot(environment, words[0])
     text = words[1].removesuffix("%")
     percent = float(text) if text.replace(".", "", 1).isdigit() else math.nan
     if not 0.0 <= percent <= 100.0:
@@ -262,41 +248,6 @@ def _heat(environment: Environment, words: Words) -> str:
         raise ValueError("heat must not be negative")
     environment.warm(name, heat)
     return f"{name} has a heat of {heat:g} now"
-
-
-def _shut(environment: Environment, words: Words) -> str:
-    way = _way(words, "shut")
-    environment.communication.shut(**way)
-    return f"{_way_text(way)} shut now"
-
-
-def _open(environment: Environment, words: Words) -> str:
-    way = _way(words, "open")
-    environment.communication.open(**way)
-    return f"{_way_text(way)} open now"
-
-
-def _way(words: Words, name: str) -> dict[str, str]:
-    """Return the link that words describe: `radio from robot0 to robot1`."""
-    left, way = list(words), {}
-    if left and left[0] not in ("from", "to", "all"):
-        way["channel"] = left.pop(0)
-    if left == ["all"]:
-        return {}
-    for word, role in (("from", "sender"), ("to", "receiver")):
-        if len(left) > 1 and left[0] == word:
-            way[role] = left[1]
-            del left[:2]
-    if left or not way:
-        raise _wrong_words(name)
-    return way
-
-
-def _way_text(way: dict[str, str]) -> str:
-    parts = [way.get("channel", "all that goes" if way else "everything")]
-    parts += [f"from {way['sender']}"] if "sender" in way else []
-    parts += [f"to {way['receiver']}"] if "receiver" in way else []
-    return f"{' '.join(parts)} is"
 
 
 EDITS: Final = {
@@ -335,17 +286,7 @@ EDITS: Final = {
         "ROBOT PERCENT", "Set the state of charge of a robot's motor battery.", "", _charge
     ),
     "heat": Edit("NAME HEAT", "Set the heat of a robot or an object.", "", _heat),
-    "shut": Edit(
-        "[CHANNEL] [from ROBOT] [to ROBOT]",
-        "Block messages that are sent from now on.",
-        "shut all blocks every link.",
-        _shut,
-    ),
-    "open": Edit(
-        "[CHANNEL] [from ROBOT] [to ROBOT]",
-        "Unblock a link that was shut with the same arguments.",
-        "",
-        _open,
-    ),
+    **STEERING,
+    **MESSAGES,
 }
 """All changes by name."""

@@ -15,8 +15,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -52,6 +53,10 @@ class Message:
     arrived_s: float
 
 
+MAX_SHUTS: Final = 4096
+"""Outages of a run; chosen by us."""
+
+
 class CommunicationControl:
     """The communication links of a running world, to be changed between two steps."""
 
@@ -75,23 +80,58 @@ class CommunicationControl:
     def _robots(self) -> tuple[str, ...]:
         return tuple(robot.id for robot in self._running.world.robots)
 
-    def shut(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
+    def shut(
+        self,
+        *,
+        channel: str = "",
+        sender: str = "",
+        receiver: str = "",
+        at_s: float | None = None,
+        duration_s: float | None = None,
+    ) -> None:
         """Shut a channel, a sender, a receiver, or the link given by a combination of these.
 
-        Messages whose transmission begins there from now on are lost; others are delivered.
+        Messages whose transmission begins there from then on are lost; others are delivered.
+
+        Args:
+            channel: the channel; by default all.
+            sender: the sending robot; by default all.
+            receiver: the receiving robot; by default all.
+            at_s: when it begins; by default now, as for times in the past.
+            duration_s: how long it lasts; by default until `open`.
 
         Raises:
             ValueError: the channel or robot does not exist.
         """
-        shut(self._state, self._time_s, *self._numbers(channel, sender, receiver))
+        begin_s = self._time_s if at_s is None else max(at_s, self._time_s)
+        until_s = math.inf if duration_s is None else begin_s + duration_s
+        if len(self._state.shuts) >= MAX_SHUTS:
+            raise ValueError(f"too many outages (maximum: {MAX_SHUTS})")
+        numbers = self._numbers(channel, sender, receiver)
+        shut(self._state, *numbers, at_s=begin_s, until_s=until_s)
 
-    def open(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
+    def open(
+        self,
+        *,
+        channel: str = "",
+        sender: str = "",
+        receiver: str = "",
+        at_s: float | None = None,
+    ) -> None:
         """End the outage of the same channel, sender and receiver, of `shut` or the world file.
+
+        Args:
+            channel: as for `shut`.
+            sender: as for `shut`.
+            receiver: as for `shut`.
+            at_s: when it ends; by default now, and an outage that would begin later is cancelled.
 
         Raises:
             ValueError: the channel, the robot or the outage does not exist.
         """
-        if not reopen(self._state, self._time_s, *self._numbers(channel, sender, receiver)):
+        numbers = self._numbers(channel, sender, receiver)
+        end_s = self._time_s if at_s is None else max(at_s, self._time_s)
+        if not reopen(self._state, self._time_s, *numbers, at_s=end_s):
             raise ValueError("no such outage")
 
     def receive(self, robot: str) -> Message | None:
@@ -113,6 +153,18 @@ class CommunicationControl:
             float(packet["sent_s"]),
             float(arrived_s[0]),
         )
+
+    def outages(self) -> list[tuple[float, float, str, str, str]]:
+        """Return the outages that are not over: begin and end [s], channel, sender, receiver.
+
+        Names are empty for all; the end is infinite for never.
+        """
+        channels, robots = (*self._channels, ""), (*self._robots, "")  # the last is `ANY`
+        return [
+            (at_s, until_s, channels[channel], robots[sender], robots[receiver])
+            for at_s, until_s, channel, sender, receiver in self._state.shuts.tolist()
+            if until_s > max(at_s, self._time_s)
+        ]
 
     def counts(self, channel: str) -> dict[Fate, int]:
         """Return the number of messages on a channel by their fate so far.

@@ -2,7 +2,7 @@
 
 Each outage is a row of `MessageState.shuts`. A message is lost if its transmission begins at or
 after the start of a row that matches it, and before its end. An outage set while the world runs
-starts with the current cycle.
+starts with the current cycle, or later.
 """
 
 from __future__ import annotations
@@ -16,18 +16,28 @@ from crs_cc.sim.state.events import EventLog
 from crs_cc.sim.state.messages import SHUT, MessageState
 
 
-def shut(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> None:
-    """Start an outage now."""
-    row = np.array([(now_s, np.inf, channel, sender, receiver)], SHUT)
+def shut(
+    messages: MessageState,
+    channel: int,
+    sender: int,
+    receiver: int,
+    *,
+    at_s: float,
+    until_s: float = np.inf,
+) -> None:
+    """Start an outage at a time, now or later."""
+    row = np.array([(at_s, until_s, channel, sender, receiver)], SHUT)
     messages.shuts = np.concatenate([messages.shuts, row])
 
 
-def reopen(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> bool:
-    """End the outage with these numbers; return whether there was one."""
+def reopen(
+    messages: MessageState, now_s: float, channel: int, sender: int, receiver: int, *, at_s: float
+) -> bool:
+    """End the outage with these numbers at a time, now or later; return whether there was one."""
     rows = messages.shuts
     same = (rows["channel"] == channel) & (rows["sender"] == sender)
-    same &= (rows["receiver"] == receiver) & (rows["at_s"] <= now_s) & (rows["until_s"] > now_s)
-    rows["until_s"][same] = now_s
+    same &= (rows["receiver"] == receiver) & (rows["until_s"] > np.maximum(rows["at_s"], now_s))
+    rows["until_s"][same] = np.maximum(rows["at_s"], at_s)[same]
     return bool(same.any())
 
 

@@ -350,8 +350,8 @@ class Environment:
             speed: of each axis [m/s or rad/s], clipped to its limit, (k, 3).
         """
         data, state = self._data, self.state
-        at_s = np.full(len(robots), self.time_s)
-        if (state.drive.clock_s[robots] != at_s).any():  # in the middle of a cycle
+        at_s = np.maximum(state.drive.clock_s[robots], self.time_s)
+        if (state.drive.clock_s[robots] != at_s).any():  # some may be in the middle of a cycle
             data.advance_to(robots, at_s)
         drive.renew_deadline(state, robots)
         drive.run_at(state, data.constants, robots, speed)

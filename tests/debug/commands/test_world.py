@@ -9,7 +9,7 @@ import pytest
 from crs_cc.debug.commands import world
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.edits import EDITS
+from crs_cc.debug.world.run_edits import ALL_EDITS
 from tests.debug.debuggers import debugger_at, debugger_of
 
 DRIVES = """\
@@ -155,7 +155,7 @@ def test_invalid_changes_change_nothing(shell: Shell) -> None:
 
 
 def test_every_change_has_help(shell: Shell) -> None:
-    for name, each in EDITS.items():
+    for name, each in ALL_EDITS.items():
         assert said(shell, f"help {name}")[0] == f"{name} {each.syntax} - {each.summary}"
     assert any("bumper-pressed" in line for line in said(shell, "help catch"))
 
