@@ -24,6 +24,11 @@ class KeptOutput:
         self._truncated = [False] * robots
         self._left = MAX_BYTES
 
+    def add_robot(self) -> None:
+        """Keep what one robot more prints, which has joined."""
+        self._streams.append({1: bytearray(), 2: bytearray()})
+        self._truncated.append(False)
+
     def add(self, robot: int, stream: int, content: bytes) -> None:
         """Keep a piece of output."""
         if len(content) > self._left:

@@ -74,13 +74,18 @@ class ProgramOutput:
     def __init__(
         self, robots: Sequence[str], out: BinaryIO, err: BinaryIO, progress: ProgressLine
     ) -> None:
-        self.robots = robots
+        self.robots = list(robots)
         self.streams = {1: out, 2: err}
         self._progress = progress
         self._prefixes = [f"[{name}] ".encode() for name in robots]
         self._shared = {fd: stream.isatty() for fd, stream in self.streams.items()}
         self._begun: dict[tuple[int, int], bytes] = {}
         self._last_fd = 1
+
+    def add(self, robot: str) -> None:
+        """Add a robot that has joined."""
+        self.robots.append(robot)
+        self._prefixes.append(f"[{robot}] ".encode())
 
     def write(self, robot: int, fd: int, data: bytes) -> None:
         """Write the output of a robot's program to a stream (1 or 2)."""

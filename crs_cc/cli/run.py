@@ -63,6 +63,14 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
     "return key after 2.5 s. Every robot gets them as its standard input.",
 )
 @click.option(
+    "--inputs",
+    "changes",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Change the run at simulated times, by the debugger's commands: '12.5s: degrade robot0 "
+    "sonar.3 dead'. crs view writes such files.",
+)
+@click.option(
     "--plot",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE",

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Final
 
 from crs_cc.core.source import Diagnostic, Location
-from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
 
 SILENT_S: Final = 5.0
@@ -24,10 +23,9 @@ class RunHints:
         found: those said during the run.
     """
 
-    def __init__(self, session: Session, executables: Sequence[Executable]) -> None:
+    def __init__(self, session: Session) -> None:
         self.found: list[Diagnostic] = []
         self._session = session
-        self._executables = executables
         self._wrote_s, self._wrote_at_s = time.monotonic(), 0.0
 
     def wrote(self) -> None:
@@ -76,7 +74,7 @@ class RunHints:
     def _diagnostic(
         self, robot: int, place: Location | None, text: str, hint: str, flag: str
     ) -> Diagnostic:
-        executable = self._executables[robot]
+        executable = self._session.fleet.executable(robot)
         if place is None:
             return Diagnostic("warning", Location(executable.name), text, hint=hint, flag=flag)
         lines = executable.detail().lines.get(place.file, ())

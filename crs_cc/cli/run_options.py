@@ -18,6 +18,7 @@ class RunOptions(ProgramOptions):
         max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
             else no end.
         input: the file of what is typed at simulated times; None for our standard input.
+        changes: the file of what is changed at simulated times; None for nothing.
         plot: the SVG file of the plot.
         plot_sensors: whether the plot shows the last sensor readings.
         trace: what to show of each timestep: `requests`, the request queue, or `messages`.
@@ -37,6 +38,7 @@ class RunOptions(ProgramOptions):
 
     max_time_s: float | None = None
     input: Path | None = None
+    changes: Path | None = None
     plot: Path | None = None
     plot_sensors: bool = False
     trace: str | None = None

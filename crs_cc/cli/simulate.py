@@ -34,9 +34,11 @@ from crs_cc.sim.model.world import WorldModel
 
 if TYPE_CHECKING:
     from crs_cc.cli.live_map import LiveMap
+    from crs_cc.cli.run_changes import RunChanges
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
     from crs_cc.cli.run_view import RunView
+    from crs_cc.debug.timeline.change import Change
     from crs_cc.recording.recorder import Recorder
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
@@ -44,6 +46,7 @@ if TYPE_CHECKING:
 _AT_ONCE_S: Final = 5.0
 """Simulated time between two looks at interrupts: a program computes less than a second for it."""
 
+_MOST: Final = 2**30
 _ROUNDING: Final = 1e-6  # [timesteps]
 
 
@@ -115,6 +118,7 @@ class Runner:
         )
         self._interrupt = Interrupt()
         self._input = read_script(options.input) if options.input else OwnInput()
+        self._changes = _changes(options, world)
         self._pace = Pace(options.speed if options.view is None else math.inf)  # a view has its own
         self._kept = KeptOutput(len(world.robots)) if options.as_json else None
         self._started_s = time.monotonic()
@@ -137,7 +141,7 @@ class Runner:
             observer=self._recorder,
             threads=options.threads,
         )
-        self.hints = RunHints(self.session, loaded.executables)
+        self.hints = RunHints(self.session)
 
     def run(self) -> Run:
         """Step until all programs have ended, time is up, or Ctrl-C."""
@@ -161,6 +165,8 @@ class Runner:
         result = self.session.result()
         if self._recorder is not None:
             self._recorder.finish(result)
+        if self._changes is not None:
+            self._changes.report()
         return Run(
             result,
             str(self._options.inputs.world or ""),
@@ -186,8 +192,10 @@ class Runner:
 
     def _step_to_end(self) -> None:
         end_s = self._end_s
+        self._change()
         self._sample()
         while not self._interrupt.requested and self.session.advance(self._most_timesteps()):
+            self._change()
             self._sample()
             self._output.flush()
             if self._pace.is_limited:
@@ -201,6 +209,21 @@ class Runner:
             if end_s is not None and self.session.time_s >= end_s - 1e-9:
                 return
 
+    def _change(self) -> None:
+        """Make the changes that are due, and record them."""
+        if self._changes is None:
+            return
+        before = len(self.session.fleet)
+        self._changes.make(self.session, self._note)
+        for robot in self.session.environment.world.robots[before:]:
+            self._output.add(robot.id)
+            if self._kept is not None:
+                self._kept.add_robot()
+
+    def _note(self, change: Change) -> None:
+        if self._recorder is not None:
+            self._recorder.change(change.as_data())
+
     def _hint_at_silence(self) -> None:
         """Say where a run stands that has no limit and has written nothing."""
         hint = self.hints.silence(on_terminal=is_terminal(sys.stderr))
@@ -210,8 +233,9 @@ class Runner:
 
     def _most_timesteps(self) -> int:
         """Return the number of timesteps to run without a look at output and interrupts."""
+        most = self._changes.timesteps_left(self.session) if self._changes else _MOST
         if self._view is not None:
-            return self._view.timesteps()
+            return min(most, self._view.timesteps())
         if self._plot is not None or self._live is not None or self._pace.is_limited:
             return 1  # it samples each, or waits after each
         left_s = _AT_ONCE_S / max(self.session.state.running, 1)
@@ -219,7 +243,7 @@ class Runner:
             left_s = min(left_s, self._recorder.seconds_left())
         if self._end_s is not None:
             left_s = min(left_s, self._end_s - self.session.time_s)
-        return max(1, int(left_s / self._loaded.world.timestep_s + _ROUNDING))
+        return max(1, min(most, int(left_s / self._loaded.world.timestep_s + _ROUNDING)))
 
     def step(self, step: Step) -> None:
         """Process a timestep: trace it, and collect contacts for the plot."""
@@ -312,6 +336,14 @@ def _plot(options: RunOptions) -> RunPlot | None:
     from crs_cc.cli.run_plot import RunPlot
 
     return RunPlot()
+
+
+def _changes(options: RunOptions, world: WorldModel) -> RunChanges | None:
+    if options.changes is None:
+        return None
+    from crs_cc.cli.run_changes import RunChanges
+
+    return RunChanges(options.changes, world.timestep_s)
 
 
 def _run_view(loaded: Loaded, options: RunOptions, seed: int) -> RunView | None:

@@ -120,6 +120,7 @@ def describe(
         "world_name": title[1],
         "seed": seed,
         "timestep_s": world.timestep_s,
+        "channels": [channel.name for channel in world.communication.channels],
         "world": world_data(world, names),
     }
 

@@ -26,7 +26,7 @@ from crs_cc.cli.messages import is_terminal
 from crs_cc.cli.program_output import read_line
 from crs_cc.core.host_system import is_input_waiting
 
-_LINE: Final = re.compile(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*s?\s*:[ \t]?(.*)")
+TIMED_LINE: Final = re.compile(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*s?\s*:[ \t]?(.*)")
 _ESCAPE: Final = re.compile(rb"\\(?:x([0-9A-Fa-f]{1,2})|([0-7]{1,3})|(.))")
 _LETTERS: Final = {
     b"n": b"\n", b"t": b"\t", b"r": b"\r", b"e": b"\x1b", b"b": b"\b", b"a": b"\a", b"f": b"\f",
@@ -51,7 +51,7 @@ def parse_script(text: str, name: str) -> list[Typed]:
     for number, line in enumerate(text.splitlines(), start=1):
         if not line.strip() or line.lstrip().startswith("#"):
             continue
-        match = _LINE.match(line)
+        match = TIMED_LINE.match(line)
         if match is None:
             raise click.UsageError(
                 f"{name}:{number}: expected a time and a text, as in '2.5s: go\\n'"

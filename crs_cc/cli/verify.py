@@ -102,7 +102,7 @@ class _Rerun:
             if expected[1] != found[1]:
                 raise self._mismatch(time_ns, "the programs have printed something else")
             hashes += 1
-            if "state" in data:
+            if "state" in data and self._changed is None:  # else in builds for the debugger
                 states += 1
                 if data["state"] != self._session.state_hash():
                     raise self._mismatch(time_ns, "the programs' memory differs")

@@ -68,5 +68,13 @@ class AttachedRun:
         """Raise DebugError: there is no engine."""
         raise DebugError("this run is not debugged: start it with crs view")
 
+    def panel(self) -> dict[str, Any] | None:
+        """Return None: it cannot be changed."""
+        return None
+
+    def new_world(self) -> dict[str, Any] | None:
+        """Return None: its robots are known."""
+        return None
+
     def settle(self) -> None:
         """Do nothing: pages change nothing."""

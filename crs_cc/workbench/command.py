@@ -26,6 +26,8 @@ class Command:
         fields: the names and types of its fields.
         controls: whether it needs the token for control.
         needs: what the run must be able to do, one of its `can`; empty for nothing.
+        asks: whether it changes nothing, so that nobody else need be told.
+        longest: the most characters of a field.
         at_once: whether it is carried out in the server's thread, while the run goes on: only what
             is thread-safe.
     """
@@ -37,6 +39,8 @@ class Command:
     controls: bool = True
     needs: str = ""
     at_once: bool = False
+    asks: bool = False
+    longest: int = MAX_TEXT
 
     def arguments(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the fields of a command that a page has sent.
@@ -44,20 +48,23 @@ class Command:
         Raises:
             ValueError: one is missing, or of another type.
         """
-        return {name: _checked(name, given.get(name), kind) for name, kind in self.fields.items()}
+        return {
+            name: _checked(name, given.get(name), kind, self.longest)
+            for name, kind in self.fields.items()
+        }
 
     def __call__(self, screen: Context, given: Mapping[str, Any]) -> Any:
         """Carry it out with fields of a page."""
         return self.run(screen, **self.arguments(given))
 
 
-def _checked(name: str, value: Any, kind: Field) -> Any:
+def _checked(name: str, value: Any, kind: Field, longest: int) -> Any:
     if kind is float and isinstance(value, int) and not isinstance(value, bool):
         value = float(value) if abs(value) < 2**53 else None
     if type(value) is not kind:
         raise ValueError(f"'{name}' must be a {kind.__name__}")
     if isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"'{name}' must be finite")
-    if isinstance(value, str) and len(value) > MAX_TEXT:
-        raise ValueError(f"'{name}' is longer than {MAX_TEXT} characters")
+    if isinstance(value, str) and len(value) > longest:
+        raise ValueError(f"'{name}' is longer than {longest} characters")
     return value

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.workbench import console, sources
 from crs_cc.workbench.command import Command
 from crs_cc.workbench.messages import block_message
+from crs_cc.workbench.panel_commands import PANEL
 from crs_cc.workbench.player import FASTEST, SLOWEST
 
 if TYPE_CHECKING:
@@ -99,5 +100,5 @@ DEBUGGING: Final = (
             controls=False, needs="debug"),
 )  # fmt: skip
 
-TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING)}
+TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING, *PANEL)}
 """All commands by name."""

@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.workbench import sources
+from crs_cc.workbench.control import panel
 from crs_cc.workbench.robot_table import status
 from crs_cc.workbench.run import Halt
+from crs_cc.workbench.world_data import world_data
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
@@ -35,6 +37,7 @@ class DebuggedRun:
         self.halt = Halt("start", "ready to run")
         self.timestep_s = debugger.session.environment.world.timestep_s
         self._shell = Shell(debugger)
+        self._known = set(debugger.names)
         self._watcher = watcher
 
     @property
@@ -67,6 +70,19 @@ class DebuggedRun:
     def shell(self) -> Shell:
         """Return the command line of the debugger."""
         return self._shell
+
+    def panel(self) -> dict[str, Any] | None:
+        """Return what has been changed, what is degraded, and which links are shut."""
+        return panel(self.debugger)
+
+    def new_world(self) -> dict[str, Any] | None:
+        """Return the world for pages if robots have been added since the last call."""
+        world = self.debugger.session.environment.world
+        names = [robot.id for robot in world.robots]
+        if self._known.issuperset(names):
+            return None
+        self._known.update(names)
+        return world_data(world, names)
 
     def settle(self) -> None:
         """Notice what a command of the debugger has done."""

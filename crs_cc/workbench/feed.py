@@ -16,6 +16,7 @@ import numpy as np
 
 from crs_cc.core.arrays import FloatArray
 from crs_cc.workbench.frame_store import FrameStore
+from crs_cc.workbench.message_log import MessageLog
 from crs_cc.workbench.messages import VERSION, message
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ class Feed:
     Attributes:
         description: what does not change: title, world, what can be done.
         frames: where everything was.
+        messages: what became of messages.
         server: passes on what is new; None to keep it only.
         end_s: the latest time that is known [s].
     """
@@ -53,6 +55,7 @@ class Feed:
         """
         self.description = description
         self.frames = FrameStore()
+        self.messages = MessageLog()
         self.server: Server | None = None
         self.end_s = 0.0
         self._lock = threading.Lock()
@@ -159,6 +162,7 @@ class Feed:
         with self._lock:
             self.end_s = time_s
             self.frames.forget(time_s)
+            self.messages.forget(time_s)
             self._events = [each for each in self._events if each[0] <= after_s]
             self._output = [each for each in self._output if each[0] <= after_s]
             self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)

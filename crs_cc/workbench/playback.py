@@ -8,8 +8,11 @@ import numpy as np
 
 from crs_cc.core.units import inch_to_m
 from crs_cc.debug.errors import DebugError
+from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
+from crs_cc.sim.comms.message_log import Fate
 from crs_cc.workbench.feed import rounded
+from crs_cc.workbench.message_log import recorded_rows
 from crs_cc.workbench.recorded_content import events_in, frame_blocks, output_in
 from crs_cc.workbench.robot_table import MAX_ROBOTS
 from crs_cc.workbench.run import Halt
@@ -59,6 +62,10 @@ class Playback:
             feed.frames.add_packed(begin_s, end_s, content)
         for roster in recording.rosters:
             feed.roster(roster.time_ns / NS, roster.robots, roster.objects)
+        fates = {fate.name.lower(): int(fate) for fate in Fate}
+        for _, data in recording.data(topics.MESSAGE.topic):
+            with recording.errors():
+                feed.messages.add(recorded_rows(data, fates))
         feed.fill(events_in(recording)[0], output_in(recording)[0])
 
     def advance(self, timesteps: int) -> bool:
@@ -93,6 +100,14 @@ class Playback:
     def shell(self) -> Shell:
         """Raise DebugError: there is no engine."""
         raise DebugError("a recording is debugged by crs debug")
+
+    def panel(self) -> dict[str, Any] | None:
+        """Return None: it cannot be changed."""
+        return None
+
+    def new_world(self) -> dict[str, Any] | None:
+        """Return None: its robots are known."""
+        return None
 
     def settle(self) -> None:
         """Do nothing: nothing changes."""

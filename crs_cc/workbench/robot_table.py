@@ -13,6 +13,8 @@ from crs_cc.ir.names import in_library, plain_name
 from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
+from crs_cc.sim.model.degradation import described
+from crs_cc.sim.state.degradation import ACTS, FADES, degradation_of
 from crs_cc.workbench.feed import rounded
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 
     from crs_cc.debug.timeline.recorded_run import RecordedRun
     from crs_cc.session.session import Session
+    from crs_cc.sim.engine.environment import Environment
 
 MAX_ROBOTS: Final = 200
 """Rows that are sent; of more robots those around the selected one. Chosen by us."""
@@ -54,12 +57,26 @@ def status(
     }
 
 
+def row(session: Session, run: RecordedRun, robot: int) -> dict[str, Any]:
+    """Return the row of a robot, with the line at which its program stands."""
+    return _row(session, robot) | _place(run, robot)
+
+
+def speeds(environment: Environment, robot: int) -> tuple[float, float]:
+    """Return the speed [m/s] and the turn rate [rad/s] at which a robot's motors drive it."""
+    model = environment.world.robots[robot].model
+    axes = environment.state.drive.axes.speed[robot]
+    right, left = float(axes[0]), float(axes[1])
+    if model.drive.steering is not None:
+        return right, left
+    return (right + left) / 2, (right - left) / (model.drive.wheel_base_m or 1.0)
+
+
 def _row(session: Session, robot: int) -> dict[str, Any]:
     environment = session.environment
     state, model = environment.state, environment.world.robots[robot].model
-    speeds = state.drive.axes.speed[robot]
-    right, left = float(speeds[0]), float(speeds[1])
-    is_synchro = model.drive.steering is not None
+    speed_mps, turn_radps = speeds(environment, robot)
+    x_m, y_m, heading_rad = (round(each, 4) for each in session.state.robot_result(robot).pose)
     charge = [
         value
         for name, value in zip(
@@ -68,19 +85,31 @@ def _row(session: Session, robot: int) -> dict[str, Any]:
         if model.device(name) is not None
     ]
     result = session.state.robot_result(robot)
-    base_m = model.drive.wheel_base_m or 1.0
     return {
         "id": result.id,
         "kind": model.name,
         "program": PurePath(result.program).name,
         "does": activity(session, robot),
         "outcome": result.outcome,
-        "speed": round(right if is_synchro else (right + left) / 2, 4),
-        "turn": round(left if is_synchro else (right - left) / base_m, 4),
+        "pose": [x_m, y_m, heading_rad],
+        "speed": round(speed_mps, 4),
+        "turn": round(turn_radps, 4),
         "battery": round(min(charge), 4) if charge else None,
         "present": bool(state.presence.present[robot]),
         "collisions": int(state.collisions[robot]),
+        "bumper": int(bumper_state(state).pressed[robot]),
+        "fails": _fails(environment, robot),
     }
+
+
+def _fails(environment: Environment, robot: int) -> list[str]:
+    """Return the degradations that act on a robot, in words."""
+    table = environment.last_state.degradation.table
+    if not len(table):
+        return []
+    acting = (table["robot"] == robot) & np.isin(table["phase"], (ACTS, FADES))
+    model = environment.world.robots[robot].model
+    return [described(degradation_of(each, ""), model) for each in table[acting]]
 
 
 def _place(run: RecordedRun, robot: int) -> dict[str, Any]:

@@ -67,5 +67,11 @@ class Run(Protocol):
     def shell(self) -> Shell:
         """Return the command line of the debugger; raise DebugError if there is none."""
 
+    def panel(self) -> dict[str, Any] | None:
+        """Return what the control panel shows; None for runs that it cannot change."""
+
+    def new_world(self) -> dict[str, Any] | None:
+        """Return the world for pages if robots have been added since the last call."""
+
     def settle(self) -> None:
         """Notice what a command of the debugger has done."""

@@ -57,6 +57,7 @@ class Screen:
         self._waiting = 0
         self._newest: dict[str, int] = {}
         self._told_s = self._table_s = 0.0
+        self._panel = ""
         feed.description["can"] = sorted(run.can)
         self.server = Server(self, port)
         feed.server = self.server
@@ -86,6 +87,7 @@ class Screen:
             self.server.broadcast_latest("state", self._state())
         if now_s >= self._table_s and self.server.count:
             self.server.broadcast_latest("status", self._status())
+            self._tell_panel()
             cost_s = time.monotonic() - now_s
             self._table_s = now_s + max(_STATUS_S, cost_s / _SHARE)
 
@@ -100,6 +102,7 @@ class Screen:
             self.feed.settle()
         self.server.broadcast_latest("state", self._state())
         self.server.broadcast_latest("status", self._status())
+        self._tell_panel()
         where = None if self.player.is_playing else self.run.where()
         if where is not None:
             self.server.broadcast_latest("where", message("where", **where))
@@ -122,6 +125,21 @@ class Screen:
     def _status(self) -> str:
         return message("status", **self.run.status(is_playing=self.player.is_playing))
 
+    def _meet(self) -> None:
+        """Tell pages of robots that have been added."""
+        world = self.run.new_world()
+        if world is not None:
+            self.feed.description["world"] = world
+            self.server.broadcast(message("world", world=world))
+
+    def _tell_panel(self) -> None:
+        """Tell what the control panel shows, if that has changed."""
+        found = self.run.panel()
+        text = "" if found is None else message("panel", **found)
+        if text and text != self._panel:
+            self._panel = text
+            self.server.broadcast_latest("panel", text)
+
     @contextmanager
     def working(self) -> Iterator[None]:
         """Tell that the run works at a command that may take long, and then what it has done."""
@@ -133,12 +151,14 @@ class Screen:
             self.is_busy = False
             self.run.settle()
             self.stopped()
+            self._meet()
 
     # -- what pages ask for; in the server's thread ----------------------------------------------
 
     def greet(self, client: Client) -> None:
         """Send a page that has connected all that it must know."""
         self.feed.greet(client)
+        self._panel = ""  # the new page has not been told
         self.player.put(self.publish)
 
     def receive(self, client: Client, command: dict[str, Any]) -> None:
@@ -177,7 +197,8 @@ class Screen:
                 return
             for part in self._result(row, command):
                 self.server.send(client, part)
-            self.publish()
+            if not row.asks:
+                self.publish()
 
         return do
 

@@ -48,6 +48,7 @@ class Watcher:
         self._timesteps = session.timesteps
         for each in world_events(step, session.environment.world, _KINDS):
             self._feed.event(each.time_s, each.kind, each.robot, each.text, each.place)
+        self._feed.messages.step(step)
         self.ends()
         self.show(is_last=False)
 

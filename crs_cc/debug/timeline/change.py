@@ -14,10 +14,13 @@ True
 from __future__ import annotations
 
 from base64 import b64decode, b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Self
 
+import numpy as np
+
+from crs_cc.core.arrays import ByteArray
 from crs_cc.debug.timeline.position import Position
 
 Data = Mapping[str, Any]
@@ -86,6 +89,24 @@ class Change:
         )
         place = Position(timestep, round_, halted, statements)
         return cls(place, str(data["text"]), int(data["robot"]), patches)
+
+
+def write(patches: Sequence[MemoryPatch], memory: ByteArray, shadow: ByteArray) -> None:
+    """Write patches to a program's memory and its shadow.
+
+    Raises:
+        ValueError: they are not within it; nothing is written.
+    """
+    parts = [
+        (where, each.address, np.frombuffer(content, np.uint8))
+        for each in patches
+        for where, content in ((memory, each.content), (shadow, each.states))
+        if content
+    ]
+    if any(not 0 <= at <= len(where) - len(content) for where, at, content in parts):
+        raise ValueError("a change outside of the memory")
+    for where, at, content in parts:
+        where[at : at + len(content)] = content
 
 
 def _encoded(content: bytes) -> str:

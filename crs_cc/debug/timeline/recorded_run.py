@@ -20,7 +20,7 @@ import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.timeline.change import Change, MemoryPatch
+from crs_cc.debug.timeline.change import Change, MemoryPatch, write
 from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
@@ -444,16 +444,7 @@ class RecordedRun:
         if not 0 <= robot < len(self.programs):
             raise ValueError("a change of the memory of a robot that does not exist")
         stopped = self.stopped(robot)
-        parts = [
-            (memory, each.address, np.frombuffer(content, np.uint8))
-            for each in patches
-            for memory, content in ((stopped.memory, each.content), (stopped.shadow, each.states))
-            if content
-        ]
-        if any(not 0 <= at <= len(memory) - len(content) for memory, at, content in parts):
-            raise ValueError("a change outside of the memory")
-        for memory, at, content in parts:
-            memory[at : at + len(content)] = content
+        write(patches, stopped.memory, stopped.shadow)
 
     def _look_anew(self) -> None:
         """Reset the watched values: they were not changed by the programs."""

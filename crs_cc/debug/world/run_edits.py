@@ -6,12 +6,13 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.quantity import ANGLE, LENGTH, TIME
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.edit import Words, find_robot
+from crs_cc.debug.world.edit import Edit, Words, find_robot
 from crs_cc.debug.world.edits import EDITS, edit, words_of
 from crs_cc.debug.world.rows import instant, pose_text
 from crs_cc.sim.model.world import Pose, Robot
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 MAX_ROBOTS: Final = 10_000
 """Robots of a run to which more may be added by hand; chosen by us."""
 
-_ADD: Final = "NAME like ROBOT to X Y [HEADING] [running PROGRAM]"
+_JOIN: Final = "NAME like ROBOT to X Y [HEADING] [running PROGRAM]"
 _SLEEP: Final = "ROBOT TIME"
 _NAME: Final = re.compile(r"[\w.-]{1,60}")
 
@@ -102,9 +103,9 @@ def _running(session: Session, name: str) -> int:
     return number
 
 
-def _add(session: Session, programs: Sequence[Executable], words: Words) -> str:
+def _join(session: Session, programs: Sequence[Executable], words: Words) -> str:
     if len(words) < 6 or words[1] != "like" or words[3] != "to":
-        raise ValueError(f"expected: add {_ADD}")
+        raise ValueError(f"expected: join {_JOIN}")
     name, place = words[0], list(words[4:])
     if not _NAME.fullmatch(name):
         raise ValueError(f"{name[:60]!r} is not a name for a robot")
@@ -115,7 +116,7 @@ def _add(session: Session, programs: Sequence[Executable], words: Words) -> str:
         executable = _program(programs, place[at + 1 :])
         del place[at:]
     if len(place) not in (2, 3):
-        raise ValueError(f"expected: add {_ADD}")
+        raise ValueError(f"expected: join {_JOIN}")
     if session.state.rounds or session.state.halted is not None:
         raise ValueError("robots join between two timesteps: 'tick' goes to the end of this one")
     if len(session.fleet) >= MAX_ROBOTS:
@@ -128,9 +129,9 @@ def _add(session: Session, programs: Sequence[Executable], words: Words) -> str:
 
 def _program(programs: Sequence[Executable], words: Words) -> Executable:
     """Return the program of a name."""
-    known = {each.name: each for each in programs}
+    known = {PurePath(each.name).name: each for each in reversed(programs)}
     if len(words) != 1:
-        raise ValueError(f"expected: add {_ADD}")
+        raise ValueError(f"expected: join {_JOIN}")
     if words[0] not in known:
         raise ValueError(unknown("program", words[0], tuple(known)))
     return known[words[0]]
@@ -144,14 +145,14 @@ RUN_EDITS: Final = {
         _sleep,
     ),
     "wake": RunEdit("ROBOT", "Wake a robot's program, whatever it sleeps for.", "", _wake),
-    "add": RunEdit(
-        _ADD,
-        "Add a robot of the same kind as another: add robot2 like robot0 to 1 2.",
+    "join": RunEdit(
+        _JOIN,
+        "Add a robot of the kind of another: join two like robot0 to 1 2.",
         "It runs the same program, or another one of the run, by its name.",
-        _add,
+        _join,
     ),
 }
 """Changes by name, besides `EDITS`."""
 
-ALL_EDITS: Final = {**EDITS, **RUN_EDITS}
+ALL_EDITS: Final[dict[str, Edit | RunEdit]] = {**EDITS, **RUN_EDITS}
 """All changes by name."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, all_of
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records, all_of
 from crs_cc.requests import DATA_SIZE
 from crs_cc.sim.comms import inbox, outages, outbox
 from crs_cc.sim.comms.channel_model import ChannelModel
@@ -29,6 +29,7 @@ class Messenger:
         self._robots = tuple(robot.id for robot in world.robots)
         self._channel_numbers = _numbers(self._channels.names)
         self._robot_numbers = _numbers(self._robots)
+        self._posted: list[Records] = []  # in this cycle; for who looks on, no state
 
     # -- requests of programs ----------------------------------------------------------------------
 
@@ -46,7 +47,13 @@ class Messenger:
         used = np.arange(DATA_SIZE) < size[good, None]
         packets["data"] = np.where(used, context["content"][good], 0)
         good[good] = outbox.post(messages, self._channels, packets)
+        self._posted.append(packets)
         return np.asarray(good)
+
+    def take_posted(self) -> tuple[Records, ...]:
+        """Return the messages posted since the last call, of dtype `PACKET`."""
+        posted, self._posted = tuple(self._posted), []
+        return posted
 
     def receive(self, context: RequestContext) -> BoolArray:
         """Answer RECEIVE when a message has arrived or the timeout has expired."""

@@ -176,6 +176,7 @@ class Environment:
             served=served,
             events=data.log.take(end_s),
             traffic=traffic,
+            posted=data.devices.messenger.take_posted(),
         )
 
     @property

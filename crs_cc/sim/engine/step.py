@@ -136,6 +136,7 @@ class Step:
         events: the other events in it, in order.
         traffic: the log of messages, by time, of dtype `state.messages.TRAFFIC`;
             `comms.message_log.events` describes it.
+        posted: the messages that were posted in the cycle, of dtype `state.messages.PACKET`.
     """
 
     cycle: int
@@ -151,6 +152,7 @@ class Step:
     served: tuple[Served, ...]
     events: tuple[Event, ...]
     traffic: Records
+    posted: tuple[Records, ...] = ()
 
     @property
     def drawings(self) -> tuple[Drawing, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import fields
 from pathlib import Path
 from typing import Final
@@ -22,7 +22,7 @@ from crs_cc.sim.files.known_robots import SCOUT, known_robots
 from crs_cc.sim.files.solid_writer import hot, pose, solid_elements, surface
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.files.xml_document import document_of
-from crs_cc.sim.model.communication import ANY, PREDEFINED, Channel, Communication
+from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import HOLD, Degradation, degradables
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 from crs_cc.sim.model.robot import RobotModel
@@ -205,6 +205,23 @@ def _degradation(each: Degradation, world: WorldModel) -> Element:
     return Element("degradation", 0, attributes)
 
 
+def fault_elements(
+    world: WorldModel,
+    degradations: Iterable[Degradation],
+    outages: Iterable[tuple[float, float, str, str, str]],
+) -> list[Element]:
+    """Return degradations and outages as the elements of a world file.
+
+    Args:
+        world: has the robots.
+        degradations: faults of its devices.
+        outages: begin and end [s], channel, sender and receiver, as of `CommunicationControl`.
+    """
+    shuts = [_shut(*each) for each in outages]
+    communication = [Element("communication", 0, children=shuts)] if shuts else []
+    return [*(_degradation(each, world) for each in degradations), *communication]
+
+
 def _communication(world: WorldModel) -> Iterator[Element]:
     own: Communication = world.communication
     usual = {channel.name: channel for channel in PREDEFINED}
@@ -215,17 +232,20 @@ def _communication(world: WorldModel) -> Iterator[Element]:
     ]
     robots = [robot.id for robot in world.robots]
     channels = [channel.name for channel in own.channels]
-    for shut in own.shuts:
-        attributes = {"at": TIME.exact(shut.at_s)}
-        if math.isfinite(shut.until_s):
-            attributes["until"] = TIME.exact(shut.until_s)
-        links = ("channel", shut.channel, channels), ("from", shut.sender, robots)
-        for name, number, names in (*links, ("to", shut.receiver, robots)):
-            if number != ANY:
-                attributes[name] = names[number]
-        children.append(Element("shut", 0, attributes))
+    names, robot_names = (*channels, ""), (*robots, "")  # the last is `ANY`
+    for each in own.shuts:
+        link = names[each.channel], robot_names[each.sender], robot_names[each.receiver]
+        children.append(_shut(each.at_s, each.until_s, *link))
     if children:
         yield Element("communication", 0, children=children)
+
+
+def _shut(at_s: float, until_s: float, channel: str, sender: str, receiver: str) -> Element:
+    attributes = {"at": TIME.exact(at_s)}
+    if math.isfinite(until_s):
+        attributes["until"] = TIME.exact(until_s)
+    link = {"channel": channel, "from": sender, "to": receiver}
+    return Element("shut", 0, attributes | {name: text for name, text in link.items() if text})
 
 
 _CHANNEL_UNITS: Final = {

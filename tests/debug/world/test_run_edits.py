@@ -80,7 +80,7 @@ def test_changes_are_taken_back_with_all_that_followed(debugger: Debugger) -> No
 
 def test_a_robot_that_joins_is_gone_before_and_back_after(debugger: Debugger) -> None:
     debugger.goto_timestep(5)
-    assert debugger.edit_world("add more like robot0 to 1 1 90").startswith("more joins at 1.000")
+    assert debugger.edit_world("join more like robot0 to 1 1 90").startswith("more joins at 1.000")
     joined = state(debugger, 30)
     assert debugger.names == ("robot0", "more")
     assert debugger.session.state.alive.tolist() == [True, True]
@@ -93,8 +93,8 @@ def test_a_robot_that_joins_is_gone_before_and_back_after(debugger: Debugger) ->
     assert debugger.view.look_up("i").text == debugger.view.look_up("i", robot=1).text
     debugger.take_back(0)
     assert debugger.names == ("robot0",)
-    for wrong in ("add robot0 like robot0 to 1 1", "add x like nobody to 1 1",
-                  "add x like robot0 to 1 1 running other.c", "add x like robot0"):  # fmt: skip
+    for wrong in ("join robot0 like robot0 to 1 1", "join x like nobody to 1 1",
+                  "join x like robot0 to 1 1 running other.c", "join x like robot0"):  # fmt: skip
         with pytest.raises(DebugError):
             debugger.edit_world(wrong)
 

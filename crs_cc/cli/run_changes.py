@@ -1,0 +1,87 @@
+"""Changes of a run at simulated times, from a file: `12.5s: move robot0 to 1 2 90`.
+
+The changes are those of the debugger (`debug.world.run_edits`). Each is made at the start of the
+first timestep that begins at its time or later, so the same file gives the same run to the bit.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.cli.messages import say
+from crs_cc.cli.typed_input import TIMED_LINE
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.change import Change
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.world.run_edits import edit_run
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from crs_cc.session.session import Session
+
+_SLACK: Final = 1e-6  # timesteps
+_MOST: Final = 2**30
+
+
+class RunChanges:
+    """The changes of a file, to be made as a run comes to their times."""
+
+    def __init__(self, path: Path, timestep_s: float) -> None:
+        """Read a file.
+
+        Raises:
+            click.UsageError: a line is invalid.
+            OSError: it cannot be read.
+        """
+        self._path = path
+        self._left: deque[tuple[int, int, str]] = deque()  # timestep, line, change
+        lines = path.read_text("utf-8", "replace").splitlines()
+        for number, line in enumerate(lines, start=1):
+            if not line.strip() or line.lstrip().startswith("#"):
+                continue
+            match = TIMED_LINE.match(line)
+            if match is None or not match[2].strip():
+                raise self._wrong(
+                    number, "expected a time and a change, as in '2.5s: move robot0 to 1 2'"
+                )
+            timestep = math.ceil(float(match[1]) / timestep_s - _SLACK)
+            if self._left and timestep < self._left[-1][0]:
+                raise self._wrong(number, "the time is before that of the previous line")
+            self._left.append((timestep, number, match[2].strip()))
+
+    def make(self, session: Session, made: Callable[[Change], None]) -> None:
+        """Make the changes that are due at the start of the current timestep.
+
+        Args:
+            session: the run.
+            made: is told of each.
+
+        Raises:
+            click.UsageError: one is invalid or impossible.
+        """
+        while self._left and self._left[0][0] <= session.timesteps:
+            _, number, text = self._left.popleft()
+            try:
+                edit_run(session, text)
+            except DebugError as error:
+                raise self._wrong(number, str(error)) from None
+            made(Change(Position(session.timesteps, 0), text))
+
+    def timesteps_left(self, session: Session) -> int:
+        """Return how many timesteps there are until the next change, at least 1."""
+        return max(1, self._left[0][0] - session.timesteps) if self._left else _MOST
+
+    def report(self) -> None:
+        """Say how many changes were not made, as the run ended before."""
+        if self._left:
+            many = f"{len(self._left)} change{'s' * (len(self._left) > 1)}"
+            say(f"crs: {self._path}: the run ended before {many}")
+
+    def _wrong(self, line: int, text: str) -> click.UsageError:
+        return click.UsageError(f"{self._path}:{line}: {text}")

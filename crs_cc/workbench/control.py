@@ -1,0 +1,175 @@
+"""The control panel: changes of the run, what is in force, and how both are written out.
+
+What the panel changes, it changes at the start of the timestep in which the run stands: so
+`crs run --inputs` can make the same changes again, to the bit.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.core.quantity import RATIO, TIME
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.position import BEGINNING, Position
+from crs_cc.debug.world.edits import FAULTS
+from crs_cc.sim.files.world_writer import fault_elements
+from crs_cc.sim.files.xml_document import document_of
+from crs_cc.sim.model.degradation import HOLD, degradables, described
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from crs_cc.core.quantity import Kind
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.timeline.change import Change
+    from crs_cc.workbench.context import Context
+
+_MAX_CHANGES: Final = 500
+_MAX_FAULTS: Final = 500
+_TIMES: Final = frozenset({"delay", "onset", "duration", "recovery"})
+_RATIOS: Final = frozenset({"gain", "dropouts"})
+
+
+def edit(screen: Context, text: str) -> dict[str, str]:
+    """Change the run; return what has changed, in words."""
+    debugger = screen.run.shell().debugger
+    here = debugger.position
+    is_start = here.timestep == 0 and not screen.player.is_playing
+    with screen.working():
+        if here != Position(here.timestep, 0):
+            debugger.goto_timestep(here.timestep)
+        try:
+            done = debugger.edit_world(text)
+        except DebugError:
+            debugger.goto(here)
+            raise
+        if is_start:
+            debugger.start()
+    return {"text": f"{done}."}
+
+
+def take_back(screen: Context, number: int) -> None:
+    """Take back a change, and all that followed."""
+    debugger = screen.run.shell().debugger
+    screen.player.pause()
+    with screen.working():
+        debugger.take_back(number)
+        if debugger.position == BEGINNING:
+            debugger.start()
+
+
+def panel(debugger: Debugger) -> dict[str, Any]:
+    """Return what has been changed, what is degraded, and which links are shut."""
+    environment = debugger.session.environment
+    return {
+        "changes": [
+            {"number": number, "t": _time_s(debugger, each), **_about(debugger, each)}
+            for number, each in enumerate(debugger.run.history.changes)
+        ][-_MAX_CHANGES:],
+        "faults": list(_faults(debugger))[:_MAX_FAULTS],
+        "outages": [
+            {"at": at_s, "until": until_s, "channel": channel, "from": sender, "to": receiver}
+            for at_s, until_s, channel, sender, receiver in environment.communication.outages()
+        ][:_MAX_FAULTS],
+        "channels": [each.name for each in environment.world.communication.channels],
+    }
+
+
+def _faults(debugger: Debugger) -> Iterator[dict[str, Any]]:
+    environment = debugger.session.environment
+    models = {robot.id: robot.model for robot in environment.world.robots}
+    control = environment.degradations
+    for each in control.all():
+        yield {
+            "id": each.id,
+            "robot": each.robot,
+            "device": each.device,
+            "element": each.element,
+            "text": described(each, models[each.robot]),
+            "phase": control.phase(each.id),
+            "onset": each.onset_s,
+            "duration": each.duration_s,
+            "recovery": each.recovery_s,
+        }
+
+
+def _about(debugger: Debugger, change: Change) -> dict[str, Any]:
+    is_variable = change.robot >= 0
+    name = debugger.names[change.robot] if 0 <= change.robot < len(debugger.names) else ""
+    return {"text": f"{name}: {change.text}" if is_variable else change.text}
+
+
+def _time_s(debugger: Debugger, change: Change) -> float:
+    return change.position.timestep * debugger.session.environment.world.timestep_s
+
+
+def form(screen: Context, robot: int) -> dict[str, Any]:
+    """Return what of a robot can be degraded, and by which laws: the fields of a form."""
+    robots = screen.run.shell().debugger.session.environment.world.robots
+    if not 0 <= robot < len(robots):
+        raise DebugError(f"no robot {robot}")
+    model = robots[robot].model
+    found = []
+    for device in degradables().values():
+        names = device.elements(model)
+        if not any(names):
+            continue
+        found.append(
+            {
+                "name": device.name,
+                "title": device.title,
+                "acts": device.acts,
+                "nothing": device.nothing,
+                "elements": [
+                    [number, name, device.unit or device.kind_of(name).default]
+                    for number, name in enumerate(names)
+                    if name
+                ],
+                "example": device.kind.example,
+            }
+        )
+    return {"robot": robots[robot].id, "devices": found, "fields": list(map(_field, FAULTS))}
+
+
+def _field(name: str) -> dict[str, Any]:
+    """Return a field of the form: its kind is that of the device unless it has its own."""
+    own: Kind | None = TIME if name in _TIMES else RATIO if name in _RATIOS else None
+    return {
+        "name": name,
+        "kind": "flag" if name == "dead" else "value",
+        "unit": None if own is None else own.default,
+        "word": HOLD if name == "stuck" else "",
+        "is_time": name in {"onset", "duration", "recovery"},
+    }
+
+
+def export(screen: Context, form: str) -> dict[str, str]:
+    """Return what was changed as a script for `crs run --inputs`, or as XML for a world file."""
+    debugger = screen.run.shell().debugger
+    if form == "xml":
+        return {"name": "changes.xml", "text": _xml(debugger)}
+    if form == "inputs":
+        return {"name": "changes.txt", "text": _script(debugger)}
+    raise DebugError(f"unknown form '{form[:20]}' (known: xml, inputs)")
+
+
+def _xml(debugger: Debugger) -> str:
+    environment = debugger.session.environment
+    known = {each.id for each in environment.world.degradations}
+    more = [each for each in environment.degradations.all() if each.id not in known]
+    own = fault_elements(environment.world, more, environment.communication.outages())
+    return "".join(document_of(each).decode().partition("\n")[2] for each in own)
+
+
+def _script(debugger: Debugger) -> str:
+    """Return the changes as lines; those that cannot be repeated by it as comments that say so."""
+    lines = ["# What was changed; to be made again by: crs run --inputs THIS-FILE PROGRAM WORLD"]
+    for each in debugger.run.history.changes:
+        line = f"{TIME.exact(_time_s(debugger, each))}: {each.text}"
+        place = each.position
+        if each.robot >= 0:
+            line = f"# a variable of {debugger.names[each.robot]}, only in recordings: {line}"
+        elif place != Position(place.timestep, 0):
+            line = f"# inside a timestep, only in recordings: {line}"
+        lines.append(line)
+    return "\n".join(lines) + "\n"

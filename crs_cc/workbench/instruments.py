@@ -1,0 +1,153 @@
+"""What a robot's instruments show: `State[]`, readings, and any expression, now or over time.
+
+An expression is one of the robot's program, in C, or a quantity of the robot itself: `pose.x`,
+`pose.heading` [deg], `speed` [m/s], `battery` [%], or a reading by device and element, `sonar.3`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.state_rows import vendor_state_rows
+from crs_cc.sim.model.degradation import degradables
+from crs_cc.sim.model.registry import devices
+from crs_cc.workbench.robot_table import row, speeds
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.workbench.context import Context
+
+MAX_EXPRESSIONS: Final = 40
+MAX_SAMPLES: Final = 400
+MAX_ROWS: Final = 100
+MAX_ELEMENTS: Final = 32
+"""Of a reading that is shown; a laser has more."""
+
+_POSE: Final = {"pose.x": 0, "pose.y": 1, "pose.heading": 2}
+
+Value = float | str
+"""A number, or why there is none."""
+
+
+def rows(screen: Context, robots: str) -> dict[str, Any]:
+    """Return the rows of the table of robots, by their numbers with commas between."""
+    debugger = screen.run.shell().debugger
+    count = len(debugger.names)
+    wanted = [int(each) for each in robots.split(",") if each.isdecimal() and len(each) < 8]
+    chosen = [each for each in wanted[:MAX_ROWS] if each < count]
+    found = [row(debugger.session, debugger.run, each) | {"number": each} for each in chosen]
+    return {"t": screen.run.time_s, "robots": found}
+
+
+def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
+    """Return `State[]`, the readings and the values of expressions of a robot, as they are now."""
+    debugger = _debugger(screen, robot)
+    try:
+        state = [[each.name, each.text] for each in vendor_state_rows(debugger.view, robot)]
+    except DebugError:  # before the program has any
+        state = []
+    return {
+        "t": screen.run.time_s,
+        "robot": robot,
+        "state": state,
+        "sensors": readings(debugger, robot),
+        "values": [value(debugger, robot, each) for each in _listed(expressions)],
+    }
+
+
+def past(
+    screen: Context, *, robot: int, expressions: str, begin_s: float, end_s: float, count: int
+) -> dict[str, Any]:
+    """Return expressions of a robot at instants of the past: the run goes there and back."""
+    debugger, wanted = _debugger(screen, robot), _listed(expressions)
+    if not (0.0 <= begin_s <= end_s and 1 <= count <= MAX_SAMPLES):
+        raise DebugError(f"at most {MAX_SAMPLES} instants, from 0 on")
+    screen.player.pause()
+    here, timestep_s = debugger.position, screen.run.timestep_s
+    first, last = round(begin_s / timestep_s), round(min(end_s, screen.feed.end_s) / timestep_s)
+    timesteps = sorted({round(each) for each in np.linspace(first, max(first, last), count)})
+    found: list[list[Value]] = []
+    with screen.working():
+        for timestep in timesteps:
+            if debugger.run.interrupted:
+                break
+            debugger.goto_timestep(timestep)
+            if robot < len(debugger.names):
+                now_s = debugger.session.time_s
+                found.append([now_s, *(value(debugger, robot, each) for each in wanted)])
+        debugger.goto(here)
+    return {"rows": found}
+
+
+def value(debugger: Debugger, robot: int, expression: str) -> Value:
+    """Return the value of an expression, or why it has none."""
+    found = _own(debugger, robot, expression)
+    if found is not None:
+        return found
+    try:
+        seen = debugger.view.look_up(expression, robot=robot).number
+    except DebugError as error:
+        return str(error)
+    if seen is None:
+        return f"'{expression}' is not a number"
+    return float(seen) if math.isfinite(seen) else "not finite"
+
+
+def _own(debugger: Debugger, robot: int, expression: str) -> Value | None:
+    """Return a quantity of the robot itself; None for an expression of its program."""
+    environment = debugger.session.environment
+    if expression in _POSE:
+        pose = debugger.session.state.robot_result(robot).pose
+        number = pose[_POSE[expression]]
+        return math.degrees(number) if expression == "pose.heading" else float(number)
+    if expression in ("speed", "turn"):
+        mps, radps = speeds(environment, robot)
+        return mps if expression == "speed" else math.degrees(radps)
+    if expression == "battery":
+        return 100.0 * min(environment.charges(robot))
+    name, dot, element = expression.partition(".")
+    if not (dot and element.isdecimal() and len(element) < 5):
+        return None
+    if name not in {each.name for each in devices()}:
+        return None
+    numbers = environment.reading(name, robot)
+    if numbers is None or numbers.dtype.names or int(element) >= numbers.size:
+        return f"the robot has no {expression}"
+    number = float(numbers.ravel()[int(element)])
+    return number if math.isfinite(number) else "no echo"
+
+
+def readings(debugger: Debugger, robot: int) -> dict[str, Any]:
+    """Return the last readings of a robot's devices, with their units."""
+    environment = debugger.session.environment
+    found: dict[str, Any] = {}
+    for device in devices():
+        numbers = environment.reading(device.name, robot)
+        if numbers is None or numbers.dtype.names or not 0 < numbers.size <= MAX_ELEMENTS:
+            continue
+        degradable = degradables().get(device.name)
+        unit = "" if degradable is None else degradable.unit or degradable.kind.default
+        flat = numbers.ravel().astype(float).tolist()
+        values = [round(each, 5) if math.isfinite(each) else None for each in flat]
+        found[device.name] = {"unit": unit, "values": values}
+    return found
+
+
+def _debugger(screen: Context, robot: int) -> Debugger:
+    debugger = screen.run.shell().debugger
+    if not 0 <= robot < len(debugger.names):
+        raise DebugError(f"no robot {robot}")
+    return debugger
+
+
+def _listed(expressions: str) -> Sequence[str]:
+    wanted = [each.strip() for each in expressions.splitlines() if each.strip()]
+    if len(wanted) > MAX_EXPRESSIONS:
+        raise DebugError(f"at most {MAX_EXPRESSIONS} expressions")
+    return wanted

@@ -1,0 +1,105 @@
+"""The messages of a run as pages list them: what became of each, and what it said."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.sim.comms.message_log import MEANINGS, Fate
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from crs_cc.core.arrays import Records
+    from crs_cc.sim.engine.step import Step
+
+MAX_ROWS: Final = 20_000
+"""Fates of messages that are kept; the older half goes when there are more. Chosen by us."""
+
+MAX_SENT: Final = 2_000
+"""Rows that a page gets at once."""
+
+_MAX_CONTENTS: Final = 20_000
+_SLACK_S: Final = 1e-9
+
+Row = list[Any]
+"""Time [s], fate, channel, sender, receiver (-1 for all), group (-1 for none), type, size, number
+of the message among those of its sender, content (None where it is not known)."""
+
+
+class MessageLog:
+    """The fates of messages, in the order in which they were told; thread-safe."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._rows: list[Row] = []
+        self._gone = 0  # rows before the first one that is kept
+        self._contents: dict[tuple[int, int], str] = {}
+
+    def step(self, step: Step) -> None:
+        """Note the messages of a timestep."""
+        for packets in step.posted:
+            self._keep(packets)
+        if len(step.traffic):
+            self.add(_rows(step.traffic, self._contents))
+
+    def add(self, rows: Iterable[Row]) -> None:
+        """Note what became of messages."""
+        with self._lock:
+            self._rows += rows
+            if len(self._rows) > MAX_ROWS:
+                self._gone += MAX_ROWS // 2
+                del self._rows[: MAX_ROWS // 2]
+
+    def forget(self, time_s: float) -> None:
+        """Discard what was after a time."""
+        with self._lock:
+            while self._rows and self._rows[-1][0] > time_s + _SLACK_S:
+                self._rows.pop()
+
+    def since(self, number: int) -> dict[str, Any]:
+        """Return the rows from a number on, the number of the first, and what fates mean."""
+        with self._lock:
+            first = max(number, self._gone)
+            rows = self._rows[first - self._gone :][:MAX_SENT]
+            end = self._gone + len(self._rows)
+        fates = [[fate.name.lower(), MEANINGS[fate]] for fate in Fate]
+        return {"first": first, "rows": rows, "end": end, "fates": fates}
+
+    def _keep(self, packets: Records) -> None:
+        for packet in packets:
+            key = int(packet["sender"]), int(packet["number"])
+            self._contents[key] = shown(packet["data"][: packet["size"]].tobytes())
+        while len(self._contents) > _MAX_CONTENTS:
+            del self._contents[next(iter(self._contents))]
+
+
+def _rows(traffic: Records, contents: dict[tuple[int, int], str]) -> list[Row]:
+    rows: list[Row] = []
+    for row in traffic.tolist():
+        time_s, fate, channel, sender, receiver, group, kind, size, number = row
+        content = contents.get((sender, number))
+        rows.append(
+            [round(time_s, 6), fate, channel, sender, receiver, group, kind, size, number, content]
+        )
+    return rows
+
+
+def shown(content: bytes) -> str:
+    r"""Return a message's content as people read it: text, with escapes for other bytes.
+
+    >>> shown(b"go\x00\x01\xc3\xa4"), shown(b"hello\x00")
+    ('go\\x00\\x01ä', 'hello')
+    """
+    text = content.rstrip(b"\0").decode("utf-8", "backslashreplace")
+    return "".join(each if each.isprintable() else f"\\x{ord(each):02x}" for each in text)
+
+
+def recorded_rows(columns: dict[str, Sequence[Any]], fates: dict[str, int]) -> list[Row]:
+    """Return the rows of a message of a recording, whose contents are not known."""
+    names = ("time_s", "fate", "channel", "sender", "receiver", "group", "type", "bytes", "number")
+    table = zip(*(columns[name] for name in names), strict=True)
+    return [
+        [float(time_s), fates.get(str(fate), int(Fate.LOSS)), *map(int, rest), None]
+        for time_s, fate, *rest in table
+    ]

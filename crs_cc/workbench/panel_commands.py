@@ -1,0 +1,36 @@
+"""The rows of the control panel in the table of commands, see `commands`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.workbench import control, instruments
+from crs_cc.workbench.command import Command
+
+if TYPE_CHECKING:
+    from crs_cc.workbench.context import Context
+
+
+def _traffic(screen: Context, since: int) -> dict[str, Any]:
+    return screen.feed.messages.since(max(0, since))
+
+
+PANEL: Final = (
+    Command("edit", "Change the run, at the start of this timestep.", control.edit,
+            {"text": str}, needs="debug"),
+    Command("undo", "Take back a change, by its number, and all that followed.",
+            control.take_back, {"number": int}, needs="debug"),
+    Command("export", "Return what was changed, as a script or as XML.", control.export,
+            {"form": str}, needs="debug", controls=False, asks=True),
+    Command("faults", "Return what of a robot can be degraded, and how.", control.form,
+            {"robot": int}, needs="debug", controls=False, asks=True),
+    Command("rows", "Return rows of the table of robots.", instruments.rows, {"robots": str},
+            needs="debug", controls=False, asks=True),
+    Command("inspect", "Return what a robot's instruments show.", instruments.inspect,
+            {"robot": int, "expressions": str}, needs="debug", controls=False, asks=True),
+    Command("past", "Return expressions at instants of the past.", instruments.past,
+            {"robot": int, "expressions": str, "begin_s": float, "end_s": float, "count": int},
+            needs="debug"),
+    Command("traffic", "Return what became of messages, from a number on.", _traffic,
+            {"since": int}, controls=False, at_once=True),
+)  # fmt: skip
