@@ -14,6 +14,8 @@ from crs_cc.recording import topics
 from crs_cc.recording.digest import digest
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from crs_cc.debug.engine import Debugger
     from crs_cc.recording.recording import Recording
     from crs_cc.session.session import Session
@@ -21,10 +23,15 @@ if TYPE_CHECKING:
 
 
 class RecordedRunCheck:
-    """Gives a run its recorded input, and says once if it takes another course."""
+    """Gives a run its recorded input, and says once if it takes another course.
+
+    Attributes:
+        warned: is told when it does, besides a warning on standard error.
+    """
 
     def __init__(self, recording: Recording) -> None:
         """Read input and hashes; raise RecordingError if they are damaged."""
+        self.warned: Callable[[str], None] = lambda _text: None
         self._path = recording.path
         self._input = RecordedInput(recording)
         self._changes = recorded_changes(recording)
@@ -47,6 +54,11 @@ class RecordedRunCheck:
             self._warn(f"a change by hand cannot be made again: {error}")
         debugger.goto(BEGINNING)
 
+    @property
+    def time_s(self) -> float:
+        """The time of the run [s]."""
+        return 0.0 if self._session is None else self._session.time_s
+
     def read(self, robot: int, wanted: int) -> bytes:
         """Return a piece of a program's recorded input."""
         return self._input.read(robot, wanted)
@@ -66,5 +78,6 @@ class RecordedRunCheck:
 
     def _warn(self, text: str) -> None:
         self._has_warned = True
+        self.warned(text)
         hint = "it has been changed, or was recorded by another version: see crs replay"
         show([Diagnostic("warning", Location(str(self._path)), text, hint=hint)])

@@ -71,32 +71,6 @@ def screen_of(options: DebugOptions, port: int) -> Screen:
     return Screen(DebuggedRun(debugger, watcher), feed, Player(world.timestep_s), port)
 
 
-def view_recording(path: Path, port: int, *, opens: bool, plays: bool) -> int:
-    """Show a recorded run in a browser; return the exit status.
-
-    Raises:
-        CrsError: the recording is damaged.
-        OSError: it cannot be read, or the port is in use.
-    """
-    from crs_cc.cli.recording_plot import world_of
-    from crs_cc.recording.recording import Recording
-    from crs_cc.workbench.playback import Playback
-
-    recording = Recording(path)
-    try:
-        run, world = recording.description, world_of(recording)
-        names = ", ".join(dict.fromkeys(Path(source).name for source in run.sources))
-        title = names or "programs", Path(run.world).name or "an empty world"
-        known = recording.rosters[-1].robots
-        feed = Feed(describe("recorded", world, title, run.seed, known), run.frame_s)
-        screen = Screen(Playback(recording, world, feed), feed, Player(run.frame_s), port)
-        if plays:
-            screen.player.play()
-        return serve(screen, opens=opens)
-    finally:
-        recording.close()
-
-
 def describe(
     kind: str,
     world: WorldModel,

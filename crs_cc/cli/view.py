@@ -78,7 +78,8 @@ def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
     goes on anyway shows itself by crs run --view.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
-    from crs_cc.cli.start_view import view_programs, view_recording
+    from crs_cc.cli.start_view import view_programs
+    from crs_cc.cli.view_recording import view_recording
 
     wanted = DebugOptions(**options)
     for address in click.get_current_context().meta[_ADDRESSES]:

@@ -10,6 +10,7 @@ from crs_cc.workbench.run import Halt
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.engine import Debugger
     from crs_cc.session.session import Session
 
 
@@ -75,6 +76,14 @@ class AttachedRun:
     def new_world(self) -> dict[str, Any] | None:
         """Return None: its robots are known."""
         return None
+
+    def stand(self) -> None:
+        """Raise DebugError: there is no engine."""
+        raise DebugError("this run is not debugged: start it with crs view")
+
+    def debugger(self) -> Debugger:
+        """Raise DebugError: there is no engine."""
+        raise DebugError("this run is not debugged: start it with crs view")
 
     def settle(self) -> None:
         """Do nothing: pages change nothing."""

@@ -89,7 +89,14 @@ RUNNING: Final = (
             at_once=True),
 )  # fmt: skip
 
+
+def _stand(screen: Context) -> None:
+    with screen.working():
+        screen.run.stand()
+
+
 DEBUGGING: Final = (
+    Command("stand", "Let the programs stand at the time that is shown.", _stand, needs="debug"),
     Command("console", "Execute a command of the debugger.", console.execute, {"line": str},
             needs="debug"),
     Command("complete", "Return the completions of a line for the console.", console.completions,

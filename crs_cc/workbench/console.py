@@ -27,7 +27,7 @@ MAX_LINES: Final = 1000
 
 def execute(screen: Context, line: str) -> dict[str, Any]:
     """Execute a line of the console; return the lines of its answer."""
-    shell, line = screen.run.shell(), line.strip()
+    line = line.strip()
     if "\n" in line:
         raise DebugError("one line at a time")
     if line:
@@ -37,7 +37,7 @@ def execute(screen: Context, line: str) -> dict[str, Any]:
     screen.player.pause()
     lines: list[list[str]] = []
     with screen.working():
-        for each in shell.execute(line):
+        for each in screen.run.shell().execute(line):
             if len(lines) < MAX_LINES:
                 kind = each.kind if isinstance(each, Line) else "source"
                 lines.append([kind, each.text])

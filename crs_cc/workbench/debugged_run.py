@@ -27,13 +27,16 @@ class DebuggedRun:
         can: it plays, goes to other times, and is debugged.
         timestep_s: the length of a timestep.
         halt: why it stands, or stood last.
+        has_changed: whether a user has changed it here.
     """
 
     can = frozenset({"play", "seek", "debug"})
 
     def __init__(self, debugger: Debugger, watcher: Watcher) -> None:
         """Store the engine and what watches its session."""
-        self.debugger = debugger
+        self.has_changed = False
+        self._debugger = debugger
+        self._changes = debugger.run.history.changes
         self.halt = Halt("start", "ready to run")
         self.timestep_s = debugger.session.environment.world.timestep_s
         self._shell = Shell(debugger)
@@ -43,29 +46,32 @@ class DebuggedRun:
     @property
     def time_s(self) -> float:
         """The simulated time [s]."""
-        return self.debugger.session.time_s
+        return self._debugger.session.time_s
 
     def advance(self, timesteps: int) -> bool:
         """Advance at most so far; return whether it may go on."""
-        stop = self.debugger.tick(timesteps)
+        stop = self._debugger.tick(timesteps)
         self._arrive(stop)
         return stop.reason == "tick"
 
     def seek(self, time_s: float) -> None:
         """Go to a time."""
-        self._arrive(self.debugger.goto_time(time_s))
+        self._arrive(self._debugger.goto_time(time_s))
 
     def interrupt(self) -> None:
         """Let what it does end soon; thread-safe."""
-        self.debugger.interrupt()
+        self._debugger.interrupt()
 
     def forget_interrupt(self) -> None:
         """Forget an interrupt that has come too late."""
-        self.debugger.forget_interrupt()
+        self._debugger.forget_interrupt()
 
     def select(self, robot: int) -> None:
         """Select a robot; raise DebugError if there is no such robot."""
-        self.debugger.view.select_robot(robot)
+        self._debugger.view.select_robot(robot)
+
+    def stand(self) -> None:
+        """Do nothing: the programs always stand at the time that is shown."""
 
     def shell(self) -> Shell:
         """Return the command line of the debugger."""
@@ -73,30 +79,38 @@ class DebuggedRun:
 
     def panel(self) -> dict[str, Any] | None:
         """Return what has been changed, what is degraded, and which links are shut."""
-        return panel(self.debugger)
+        return panel(self._debugger)
 
     def new_world(self) -> dict[str, Any] | None:
         """Return the world for pages if robots have been added since the last call."""
-        world = self.debugger.session.environment.world
+        world = self._debugger.session.environment.world
         names = [robot.id for robot in world.robots]
         if self._known.issuperset(names):
             return None
         self._known.update(names)
         return world_data(world, names)
 
+    def debugger(self) -> Debugger:
+        """Return the debugger."""
+        return self._debugger
+
     def settle(self) -> None:
         """Notice what a command of the debugger has done."""
-        self._watcher.settle(self.debugger.run.event_history.timesteps)
-        self._arrive(self.debugger.stop)
+        changes = self._debugger.run.history.changes
+        if changes is not self._changes:
+            first = next((new for new in changes if new not in self._changes), None)
+            self.has_changed, self._changes = True, changes
+            self._watcher.forget(None if first is None else first.position.timestep)
+        self._arrive(self._debugger.stop)
 
     def status(self, *, is_playing: bool) -> dict[str, Any]:
         """Return the table of the robots."""
-        run = self.debugger.run
-        return status(run.session, run, self.debugger.view.robot, is_playing=is_playing)
+        run = self._debugger.run
+        return status(run.session, run, self._debugger.view.robot, is_playing=is_playing)
 
     def where(self) -> dict[str, Any] | None:
         """Return where the selected robot's program stands."""
-        return sources.where(self.debugger)
+        return sources.where(self._debugger)
 
     def _arrive(self, stop: Stop) -> None:
         reason, text = stop.reason, stop.why

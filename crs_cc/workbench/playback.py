@@ -1,4 +1,4 @@
-"""A run that was recorded: it can be played and looked at, at any instant."""
+"""What is recorded of a run: it can be played and looked at, at any instant."""
 
 from __future__ import annotations
 
@@ -18,7 +18,6 @@ from crs_cc.workbench.robot_table import MAX_ROBOTS
 from crs_cc.workbench.run import Halt
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
     from crs_cc.recording.recording import Recording
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.feed import Feed
@@ -36,12 +35,11 @@ class Playback:
     """A recorded run.
 
     Attributes:
-        can: it plays, and goes to other times.
         timestep_s: the time between two frames.
         halt: why it stands, or stood last.
+        end_s: when the recording ends [s].
+        robot: the selected robot.
     """
-
-    can = frozenset({"play", "seek"})
 
     def __init__(self, recording: Recording, world: WorldModel, feed: Feed) -> None:
         """Fill a feed with what is recorded.
@@ -53,8 +51,8 @@ class Playback:
         self.timestep_s = recording.description.frame_s
         self.time_s = 0.0
         self._recording, self._world = recording, world
-        self._end_s = feed.end_s = recording.end_ns / NS
-        self._robot = 0
+        self.end_s = feed.end_s = recording.end_ns / NS
+        self.robot = 0
         blocks, _ = frame_blocks(recording, MAX_BYTES)
         if not blocks:
             raise recording.mcap.error("no frames: there is nothing to show")
@@ -70,53 +68,28 @@ class Playback:
 
     def advance(self, timesteps: int) -> bool:
         """Advance at most so far; return whether it may go on."""
-        if self.time_s >= self._end_s:
+        if self.time_s >= self.end_s:
             self.time_s = 0.0
         self.seek(self.time_s + timesteps * self.timestep_s)
-        return self.time_s < self._end_s
+        return self.time_s < self.end_s
 
     def seek(self, time_s: float) -> None:
         """Go to a time."""
-        self.time_s = min(self._end_s, time_s)
-        is_over = self.time_s >= self._end_s
+        self.time_s = min(self.end_s, time_s)
+        is_over = self.time_s >= self.end_s
         self.halt = Halt("end", "end of the recording") if is_over else Halt()
-
-    def interrupt(self) -> None:
-        """Do nothing: nothing takes long."""
-
-    def forget_interrupt(self) -> None:
-        """Do nothing."""
 
     def select(self, robot: int) -> None:
         """Select a robot; raise DebugError if there is no such robot."""
         if not 0 <= robot < len(self._recording.rosters[-1].robots):
             raise DebugError(f"no robot {robot}")
-        self._robot = robot
-
-    def where(self) -> dict[str, Any] | None:
-        """Return None: where programs stood is not recorded."""
-        return None
-
-    def shell(self) -> Shell:
-        """Raise DebugError: there is no engine."""
-        raise DebugError("a recording is debugged by crs debug")
-
-    def panel(self) -> dict[str, Any] | None:
-        """Return None: it cannot be changed."""
-        return None
-
-    def new_world(self) -> dict[str, Any] | None:
-        """Return None: its robots are known."""
-        return None
-
-    def settle(self) -> None:
-        """Do nothing: nothing changes."""
+        self.robot = robot
 
     def status(self, *, is_playing: bool) -> dict[str, Any]:  # noqa: ARG002 - it is quick
         """Return the table of the robots."""
         now_ns = round(self.time_s * NS)
         names = self._recording.roster_at(now_ns).robots
-        first = max(0, min(self._robot - MAX_ROBOTS // 2, len(names) - MAX_ROBOTS))
+        first = max(0, min(self.robot - MAX_ROBOTS // 2, len(names) - MAX_ROBOTS))
         rows = range(first, min(first + MAX_ROBOTS, len(names)))
         speeds = self._speeds_mps(now_ns)
         states = self._states(now_ns)

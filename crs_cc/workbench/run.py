@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.engine import Debugger
 
 Ability = Literal["play", "seek", "debug"]
 
@@ -32,12 +33,14 @@ class Run(Protocol):
     Attributes:
         can: what can be done with it: `play` and pause, `seek` other times, `debug`.
         timestep_s: the length of a timestep.
-        halt: why it stands, or stood last.
     """
 
     can: frozenset[str]
     timestep_s: float
-    halt: Halt
+
+    @property
+    def halt(self) -> Halt:
+        """Why it stands, or stood last."""
 
     @property
     def time_s(self) -> float:
@@ -64,8 +67,14 @@ class Run(Protocol):
     def where(self) -> dict[str, Any] | None:
         """Return where the selected robot's program stands; None if that is not known."""
 
+    def stand(self) -> None:
+        """Let the programs stand at the time that is shown; raise DebugError if they cannot."""
+
     def shell(self) -> Shell:
-        """Return the command line of the debugger; raise DebugError if there is none."""
+        """Return the command line of the debugger there; raise DebugError if there is none."""
+
+    def debugger(self) -> Debugger:
+        """Return the debugger, wherever it stands; raise DebugError if there is none."""
 
     def panel(self) -> dict[str, Any] | None:
         """Return what the control panel shows; None for runs that it cannot change."""

@@ -105,7 +105,7 @@ class Screen:
         self._tell_panel()
         where = None if self.player.is_playing else self.run.where()
         if where is not None:
-            self.server.broadcast_latest("where", message("where", **where))
+            self.server.broadcast_latest("where", message("where", t=self.run.time_s, **where))
 
     def _state(self) -> str:
         player, halt = self.player, self.run.halt

@@ -78,7 +78,7 @@ def _breakpoints(debugger: Debugger) -> Iterator[dict[str, Any]]:
 
 def source(screen: Context, file: str) -> dict[str, Any]:
     """Return the lines of a C file of a program, and which of them have code."""
-    debugger = screen.run.shell().debugger
+    debugger = screen.run.debugger()
     lines = debugger.view.source(file)
     if not lines:
         raise DebugError(f"no source '{file}' in this run")
@@ -93,7 +93,7 @@ def source(screen: Context, file: str) -> dict[str, Any]:
 
 def toggle_breakpoint(screen: Context, file: str, line: int) -> dict[str, Any]:
     """Set a breakpoint at a line, or remove the one that is there."""
-    points = screen.run.shell().debugger.stop_points
+    points = screen.run.debugger().stop_points
     for each in points.breakpoints:
         place = each.place.location if each.place else None
         if place is not None and (place.file, place.line) == (file, line):

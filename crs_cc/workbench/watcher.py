@@ -31,19 +31,26 @@ class Watcher:
         self._names: tuple[str, ...] = ()
         self._alive: tuple[bool, ...] = ()
         self._has_turret = False
-        self._known: tuple[int, FloatArray] | None = None  # timesteps, and the frame there
 
-    def begin(self, session: Session) -> None:
-        """Watch a session from where it stands."""
+    def begin(self, session: Session, known: int = 0) -> None:
+        """Watch a session from where it stands.
+
+        Args:
+            session: the session.
+            known: up to which timestep the feed knows it.
+        """
         self._session = session
         self._alive = tuple(session.state.alive.tolist())
-        self._timesteps = session.timesteps
-        self.show()
+        self._timesteps = max(known, session.timesteps)
+        if not known:
+            self.show()
 
     def step(self, step: Step) -> None:
         """Tell what happened in a timestep that has just ended."""
         session = self._session
         if session.timesteps <= self._timesteps:
+            if session.timesteps == self._timesteps:  # as far as it is known, ends are told
+                self._alive = tuple(session.state.alive.tolist())
             return
         self._timesteps = session.timesteps
         for each in world_events(step, session.environment.world, _KINDS):
@@ -56,7 +63,7 @@ class Watcher:
         """Tell which programs have ended since the last time."""
         session = self._session
         alive = tuple(session.state.alive.tolist())
-        if alive == self._alive:
+        if alive == self._alive or session.timesteps < self._timesteps:
             return
         for robot, (was, now) in enumerate(zip(self._alive, alive, strict=False)):
             if was and not now:
@@ -71,6 +78,8 @@ class Watcher:
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Tell what a program has written."""
+        if self._session.timesteps < self._timesteps:
+            return
         clock_s = float(self._session.state.clock_s[robot])
         time_s = clock_s if np.isfinite(clock_s) else self._session.time_s
         self._feed.write(time_s, robot, stream, content)
@@ -85,26 +94,16 @@ class Watcher:
             self._has_turret = any(
                 "turret" in each.model.drive.axis_names for each in environment.world.robots
             )
-        values = self._values()
-        self._known = self._session.timesteps, values
-        self._feed.frame(environment.time_s, values, is_last=is_last)
+        self._feed.frame(environment.time_s, self._values(), is_last=is_last)
 
-    def settle(self, timesteps: int) -> None:
-        """Notice whether a user has changed the run: then its future is another one.
-
-        Args:
-            timesteps: how many timesteps of its present course have been run.
-        """
+    def forget(self, timestep: int | None) -> None:
+        """Forget what came after a timestep, or after now: the run takes another course."""
         session = self._session
         here = session.timesteps
-        known = self._known if self._known is not None and self._known[0] == here else None
-        if timesteps >= self._timesteps and (
-            known is None or np.array_equal(known[1], self._values(), equal_nan=True)
-        ):
-            return
-        self._timesteps = min(timesteps, here)
+        self._timesteps = here if timestep is None else min(timestep, here)
         self._alive = tuple(session.state.alive.tolist())
-        self._feed.forget(session.time_s - _SLACK_S)
+        time_s = self._timesteps * session.environment.timestep_s
+        self._feed.forget(min(time_s, session.time_s) - _SLACK_S)
 
     def _values(self) -> FloatArray:
         state = self._session.environment.last_state

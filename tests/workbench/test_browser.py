@@ -13,7 +13,6 @@ import pytest
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.start_view import screen_of
-from crs_cc.workbench.debugged_run import DebuggedRun
 from crs_cc.workbench.screen import Screen
 
 PROGRAM = """\
@@ -123,14 +122,9 @@ def wait(page: Any, condition: str) -> None:
 
 
 def poses(screen: Screen) -> list[list[float]]:
-    state = screen.run.debugger.session.environment.state if is_debugged(screen.run) else None
-    assert state is not None
+    state = screen.run.debugger().session.environment.state
     rows = zip(state.x_m.tolist(), state.y_m.tolist(), state.heading_rad.tolist(), strict=True)
     return [list(row) for row in rows]
-
-
-def is_debugged(run: Any) -> bool:
-    return isinstance(run, DebuggedRun)
 
 
 def line(page: Any) -> int:

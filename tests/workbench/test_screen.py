@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +15,11 @@ from websockets.sync.client import ClientConnection, connect
 
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
-from crs_cc.cli.recording_plot import world_of
-from crs_cc.cli.start_view import describe, screen_of
+from crs_cc.cli.start_view import screen_of
+from crs_cc.cli.view_recording import recording_screen
 from crs_cc.recording.recording import Recording
 from crs_cc.workbench.commands import TABLE
-from crs_cc.workbench.feed import Feed
 from crs_cc.workbench.frame_blocks import unpacked
-from crs_cc.workbench.playback import Playback
-from crs_cc.workbench.player import Player
 from crs_cc.workbench.screen import Screen
 
 PROGRAM = """\
@@ -181,16 +178,20 @@ def test_pause_interrupts_a_command_that_would_run_for_ever(live: Screen) -> Non
         assert live.run.time_s == pytest.approx(stood + 0.05, abs=0.05)
 
 
-def test_a_recording_is_played_by_the_same_channel(recorded: Path) -> None:
+@pytest.fixture
+def replayed(recorded: Path) -> Iterator[Screen]:
+    with ExitStack() as stack:
+        recording = Recording(recorded)
+        stack.callback(recording.close)
+        with shown(recording_screen(recording, 0, stack)) as screen:
+            yield screen
+
+
+def test_a_recording_is_played_by_the_same_channel(recorded: Path, replayed: Screen) -> None:
     recording = Recording(recorded)
-    world = world_of(recording)
-    feed = Feed(describe("recorded", world, ("drive.c", "room.xml"), 0), 0.05)
-    playback = Playback(recording, world, feed)
-    with shown(Screen(playback, feed, Player(0.05))) as screen, page_of(screen) as page:
+    with page_of(replayed) as page:
         hello = page.told["hello"]
         assert [event[1] for event in hello["events"]] == ["collision", "exited"]
-        assert hello["can"] == ["play", "seek"]
-        assert "'console' is not possible here" in page.error("console", line="next")
         page.ask("seek", time_s=2.0)
         page.take_until(lambda: page.told["status"]["t"] == pytest.approx(2.0))
         row, sensors = page.told["status"]["robots"][0], page.told["status"]["sensors"]
@@ -202,4 +203,34 @@ def test_a_recording_is_played_by_the_same_channel(recorded: Path) -> None:
         page.ask("play")
         page.take_until(lambda: page.told["state"]["halt"]["reason"] == "end")
         assert page.told["state"]["t"] == pytest.approx(recording.end_ns / 1e9)
+        assert "where" not in page.told  # programs run again only for who asks
     recording.close()
+
+
+def test_inside_a_recording_programs_stand_step_and_take_another_course(replayed: Screen) -> None:
+    with page_of(replayed) as page:
+        end_s = page.told["state"]["end"]
+        page.ask("seek", time_s=2.0)
+        page.ask("stand")
+        page.take_until(lambda: page.told.get("where", {}).get("t") == pytest.approx(2.0))
+        assert page.told["where"]["frames"][-1]["function"] == "main"
+        values = {each["name"]: each["value"] for each in page.told["where"]["variables"]}
+        page.ask("console", line="reverse-next 3")
+        assert page.ask("console", line="print i")["value"]["lines"] == [
+            ["text", f"$1 = {values['i']}"]
+        ]
+        assert page.told["state"]["end"] == end_s
+        assert "forget" not in page.told
+        assert len(page.told["hello"]["events"]) == 2
+        page.ask("seek", time_s=1.0)
+        page.ask("console", line="turn robot0 to 90")
+        page.take_until(lambda: "forget" in page.told)
+        assert page.told["forget"]["time_s"] == pytest.approx(1.0)
+        page.ask("speed", speed=0.0)
+        page.ask("play")
+        page.take_until(lambda: page.told["state"]["halt"]["reason"] == "end")
+    with page_of(replayed) as late:
+        events = late.told["hello"]["events"]
+        assert [event[1] for event in events] == ["collision", "bumper-pressed", "exited"]
+        assert "edge-north" in events[0][3]  # and no crate any more
+        assert late.told["hello"]["output"][0][3] == "told go\n"
