@@ -8,11 +8,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.workbench import console, sources
+from crs_cc.workbench import console, sources, stops
 from crs_cc.workbench.command import Command
 from crs_cc.workbench.messages import block_message
 from crs_cc.workbench.panel_commands import PANEL
 from crs_cc.workbench.player import FASTEST, SLOWEST
+from crs_cc.workbench.values import values
 
 if TYPE_CHECKING:
     from crs_cc.workbench.context import Context
@@ -100,11 +101,18 @@ DEBUGGING: Final = (
     Command("console", "Execute a command of the debugger.", console.execute, {"line": str},
             needs="debug"),
     Command("complete", "Return the completions of a line for the console.", console.completions,
-            {"line": str}, needs="debug"),
+            {"line": str}, needs="debug", asks=True),
     Command("break", "Set a breakpoint at a line, or remove the one that is there.",
-            sources.toggle_breakpoint, {"file": str, "line": int}, needs="debug"),
+            stops.toggle, {"file": str, "line": int}, needs="debug"),
+    Command("breakpoint", "Change the breakpoint at a line, or set one.", stops.change,
+            {"file": str, "line": int, "condition": str, "log": str, "robot": int, "ignore": int,
+             "commands": str, "enabled": bool}, needs="debug"),
+    Command("catchable", "Return the kinds of events that can be caught.", stops.events,
+            controls=False, at_once=True),
+    Command("values", "Return the variables of the selected frame, and what is watched.", values,
+            {"unfolded": str}, controls=False, needs="debug", asks=True),
     Command("source", "Return the lines of a C file.", sources.source, {"file": str},
-            controls=False, needs="debug"),
+            controls=False, needs="debug", asks=True),
 )  # fmt: skip
 
 TABLE: Final = {row.name: row for row in (*RUNNING, *DEBUGGING, *PANEL)}

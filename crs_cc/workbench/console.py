@@ -25,15 +25,20 @@ ALLOWED: Final = frozenset(each.name for each in COMMANDS) - REFUSED
 MAX_LINES: Final = 1000
 
 
+def check_allowed(line: str) -> None:
+    """Raise DebugError if a line is no command of the page."""
+    name = find(line)[0].name
+    if name not in ALLOWED:
+        raise DebugError(f"'{name}' is not available in the browser")
+
+
 def execute(screen: Context, line: str) -> dict[str, Any]:
     """Execute a line of the console; return the lines of its answer."""
     line = line.strip()
     if "\n" in line:
         raise DebugError("one line at a time")
     if line:
-        name = find(line)[0].name
-        if name not in ALLOWED:
-            raise DebugError(f"'{name}' is not available in the browser")
+        check_allowed(line)
     screen.player.pause()
     lines: list[list[str]] = []
     with screen.working():

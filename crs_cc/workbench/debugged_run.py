@@ -55,8 +55,9 @@ class DebuggedRun:
         return stop.reason == "tick"
 
     def seek(self, time_s: float) -> None:
-        """Go to a time."""
-        self._arrive(self._debugger.goto_time(time_s))
+        """Go to a time; at the start, to the first statement."""
+        stop = self._debugger.goto_time(time_s)
+        self._arrive(self._debugger.start() if stop.reason == "beginning" else stop)
 
     def interrupt(self) -> None:
         """Let what it does end soon; thread-safe."""
@@ -110,7 +111,7 @@ class DebuggedRun:
 
     def where(self) -> dict[str, Any] | None:
         """Return where the selected robot's program stands."""
-        return sources.where(self._debugger)
+        return sources.where(self._shell)
 
     def _arrive(self, stop: Stop) -> None:
         reason, text = stop.reason, stop.why

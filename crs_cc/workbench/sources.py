@@ -1,24 +1,28 @@
-"""What the source pane shows: where a program stands, its stack and variables, and breakpoints."""
+"""What the source pane shows: where a program stands, its stack, and what has gone wrong."""
 
 from __future__ import annotations
 
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.core.source import underline
+from crs_cc.debug.commands.stop_text import frame_text
 from crs_cc.debug.errors import DebugError
+from crs_cc.workbench.stops import breakpoints
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
     from crs_cc.workbench.context import Context
 
-_MAX_FRAMES: Final = 100
-_MAX_VARIABLES: Final = 200
+_MAX_FRAMES: Final = 200  # a runaway recursion has ten thousand
 
 
-def where(debugger: Debugger) -> dict[str, Any]:
+def where(shell: Shell) -> dict[str, Any]:
     """Return where the selected robot's program stands."""
+    debugger = shell.debugger
     view = debugger.view
     program = debugger.run.programs[view.robot]
     place, own = view.location(), [each for each in view.frames() if not each.is_library]
@@ -26,54 +30,53 @@ def where(debugger: Debugger) -> dict[str, Any]:
         place = own[0].location
     return {
         "robot": view.robot,
+        "statement": debugger.run.statements_begun(view.robot),
         "file": place.file if place else str(program.paths[0]),
         "line": place.line if place else 0,
         "files": list(program.executable.detail().lines),
         "innermost": not own or own[0].number == view.frame,
-        "frames": [
-            {
-                "number": each.number,
-                "function": each.function,
-                "file": PurePath(each.location.file).name,
-                "line": each.location.line,
-                "library": each.is_library,
-                "current": each.number == view.frame,
-            }
-            for each in view.frames()[:_MAX_FRAMES]
-        ],
-        "variables": list(_variables(debugger)),
-        "breakpoints": list(_breakpoints(debugger)),
+        "frames": list(_frames(debugger)),
+        "breakpoints": list(breakpoints(shell)),
+        "error": _error(debugger),
     }
 
 
-def _variables(debugger: Debugger) -> Iterator[dict[str, str]]:
-    try:
-        found = [*debugger.view.variables(), *debugger.view.globals_()]
-    except DebugError:  # the source has changed since
-        return
-    for each in found[:_MAX_VARIABLES]:
-        yield {
-            "name": each.name,
-            "value": each.value.text,
-            "type": str(each.value.type),
-            "scope": each.scope,
-        }
-
-
-def _breakpoints(debugger: Debugger) -> Iterator[dict[str, Any]]:
-    for each in debugger.stop_points.breakpoints:
-        place = each.place.location if each.place else None
+def _frames(debugger: Debugger) -> Iterator[dict[str, Any]]:
+    """Yield the stack; of library frames only those that the user's code has called."""
+    frames = debugger.view.frames()
+    for each in frames[:_MAX_FRAMES]:
+        caller = frames[each.number + 1] if each.number + 1 < len(frames) else None
+        if each.is_library and caller is not None and caller.is_library:
+            continue
+        _, _, arguments = frame_text(debugger, each).partition(" at ")[0].partition(" ")
         yield {
             "number": each.number,
-            "kind": each.kind,
-            "text": each.text,
-            "condition": each.condition,
-            "enabled": each.enabled,
-            "log": each.log,
-            "hits": each.hits,
-            "file": place.file if place else "",
-            "line": place.line if place else 0,
+            "function": each.function,
+            "arguments": "" if each.is_library else arguments,
+            "file": PurePath(each.location.file).name,
+            "line": each.location.line,
+            "library": each.is_library,
+            "current": each.number == debugger.view.frame,
         }
+
+
+def _error(debugger: Debugger) -> dict[str, Any] | None:
+    """Return what has stopped the selected robot's program, and the expression at fault."""
+    robot = debugger.view.robot
+    if not debugger.run.has_failed(robot):
+        return None
+    found = debugger.session.fleet.report(robot)
+    place, line = found.location, found.source_line
+    return {
+        "kind": found.kind,
+        "text": found.text,
+        "values": list(found.values),
+        "notes": list(found.notes),
+        "file": place.file,
+        "line": place.line,
+        "column": place.column,
+        "length": len(underline(line, place)) if line and place.column else 0,
+    }
 
 
 def source(screen: Context, file: str) -> dict[str, Any]:
@@ -89,15 +92,3 @@ def source(screen: Context, file: str) -> dict[str, Any]:
         if site.location.file == file
     }
     return {"file": file, "lines": list(lines), "code": sorted(code)}
-
-
-def toggle_breakpoint(screen: Context, file: str, line: int) -> dict[str, Any]:
-    """Set a breakpoint at a line, or remove the one that is there."""
-    points = screen.run.debugger().stop_points
-    for each in points.breakpoints:
-        place = each.place.location if each.place else None
-        if place is not None and (place.file, place.line) == (file, line):
-            points.remove(each.number)
-            return {"removed": each.number}
-    made = points.add_breakpoint(f"{file}:{line}")
-    return {"added": made.number, "note": made.place.note if made.place else ""}

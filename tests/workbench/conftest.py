@@ -1,5 +1,29 @@
-"""The recording that these tests read."""
+"""The recording that these tests read, and the browser in which they look at pages."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
 
 from tests.recorded import recorded
+from tests.workbench.in_browser import FLAGS
 
 __all__ = ["recorded"]
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    if chromium is None:
+        if os.environ.get("CI"):
+            pytest.fail("chromium not found: .ci/run installs it")
+        pytest.skip("chromium not found: the page cannot be looked at")
+    playwright = pytest.importorskip("playwright.sync_api")
+    with playwright.sync_playwright() as started:
+        made = started.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield made
+        made.close()

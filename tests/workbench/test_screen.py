@@ -214,7 +214,8 @@ def test_inside_a_recording_programs_stand_step_and_take_another_course(replayed
         page.ask("stand")
         page.take_until(lambda: page.told.get("where", {}).get("t") == pytest.approx(2.0))
         assert page.told["where"]["frames"][-1]["function"] == "main"
-        values = {each["name"]: each["value"] for each in page.told["where"]["variables"]}
+        rows = page.ask("values", unfolded="locals")["value"][1]["children"]
+        values = {each["name"]: each["value"] for each in rows}
         page.ask("console", line="reverse-next 3")
         assert page.ask("console", line="print i")["value"]["lines"] == [
             ["text", f"$1 = {values['i']}"]

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Final
 
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.memory import reference_of
 from crs_cc.debug.dap.session import EditorSession
+from crs_cc.debug.data.part_expression import child_expression
 from crs_cc.debug.data.values import Value
 from crs_cc.ir.types import ArrayType, PointerType, RecordType
-
-_POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
-"""Expressions that need no parentheses before another postfix operator (C17 6.5.2)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,27 +76,6 @@ def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
         for name, target in value.children():
             return target, child_expression(expression, name)
     return value, expression
-
-
-def child_expression(expression: str, name: str) -> str:
-    """Return the C expression for a part of a value.
-
-    >>> child_expression("row", "[2]"), child_expression("*here", "x")
-    ('row[2]', 'here->x')
-    >>> child_expression("next", "*"), child_expression("", "x")
-    ('*next', '')
-    """
-    if not expression:
-        return ""
-    whole = expression if re.fullmatch(_POSTFIX, expression) else f"({expression})"
-    if name == "*":
-        return f"*{whole}"
-    if name.startswith("["):
-        return whole + name
-    if name.startswith("<"):  # without a name: its members are those of the whole
-        return expression
-    pointer = re.fullmatch(rf"\*({_POSTFIX})", expression)
-    return f"{pointer[1]}->{name}" if pointer else f"{whole}.{name}"
 
 
 def value_message(

@@ -13,10 +13,10 @@ from crs_cc.debug.dap.session import EditorSession
 from crs_cc.debug.dap.value_messages import (
     ExpandableValue,
     FrameHandle,
-    child_expression,
     child_messages,
     value_message,
 )
+from crs_cc.debug.data.part_expression import child_expression
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.world.robot_rows import robot_rows
 from crs_cc.debug.world.rows import Row

@@ -1,14 +1,22 @@
-/** The source of the selected robot: the current line, breakpoints by click, steps either way. */
+/** The debugger: source, steps either way, variables, stack and breakpoints of the selected robot. */
 import { button, el, fill } from "crs/dom.js";
-import { highlight } from "crs/highlight.js";
+import { Source } from "crs/debug/source.js";
+import { Stops } from "crs/debug/stops.js";
+import { Values } from "crs/debug/values.js";
 
-const STEPS = [
-  ["reverse-step", "back", "A line back, into calls", "Shift+F11"],
-  ["reverse-next", "previous", "A line back, over calls", "Shift+F10"],
+const BACK = [
+  ["reverse-continue", "reverse", "Run back to the stop before", "Shift+F5"],
+  ["reverse-finish", "outback", "Back to the call of this function", "Shift+F8"],
+  ["reverse-step", "intoback", "A line back, into calls", "Shift+F11"],
+  ["reverse-next", "back", "A line back, over calls", "Shift+F10"],
+];
+const AHEAD = [
   ["next", "over", "To the next line, over calls", "F10"],
   ["step", "into", "To the next line, into calls", "F11"],
-  ["finish", "out", "Out of this function", "Shift+F12"],
+  ["finish", "out", "Out of this function", "F8"],
+  ["continue", "resume", "Run to the next breakpoint", "F5"],
 ];
+const WAIT = 250; // [ms] for which the time must stand before programs follow it
 
 /** @type {import("./index.js").Panel} */
 export const code = {
@@ -17,103 +25,104 @@ export const code = {
   side: "right",
   needs: "debug",
   make(root, model, _look, page) {
-    const files = el("select", { "aria-label": "file", onchange: () => open(files.value, 0) });
     const run = (line) => page.console(line);
-    const bar = el("div.bar", {},
-      files,
-      el("span.spacer"),
-      button({ icon: "reverse", title: "Run back to the breakpoint before", key: "Shift+F5", onclick: () => run("reverse-continue") }),
-      ...STEPS.map(([line, name, title, key]) => button({ icon: name, title, key, onclick: () => run(line) })),
-      button({ icon: "resume", title: "Run to the next breakpoint", key: "F5", onclick: () => run("continue") }));
+    const steps = (rows) => el("div.group", {}, ...rows.map(([line, name, title, key]) => button({ icon: name, title, key, onclick: () => run(line) })));
+    const source = new Source(model, page);
+    const values = new Values(model, page);
+    const stops = new Stops(model, page, async (file, line) => {
+      await source.open(file, 0);
+      source.scrollTo(line);
+      source.edit(line);
+    });
+    const robots = el("select.robots-of", { "aria-label": "robot", title: "The robot whose program is shown", onchange: () => model.select(Number(robots.value)) });
+    const files = el("select", { "aria-label": "file", title: "Source file", onchange: () => source.open(files.value, lineIn(files.value)) });
     const status = el("p.status", { role: "status" });
-    const source = el("div.source", { role: "table", "aria-label": "source", tabIndex: 0 });
-    const stack = el("div.stack");
-    const variables = el("table.variables");
-    root.append(bar, status, source, el("div.below", {}, el("h3", {}, "Stack"), stack, el("h3", {}, "Variables"), variables));
-    const known = new Map();
-    let shown = "";
+    const stand = button({ text: "Show lines", title: "Run the recorded programs up to here, to see where they stand", onclick: () => model.ask("stand") });
+    const stack = el("div.stack", { role: "list" });
+    const section = (title, ...parts) => el("details", { open: true }, el("summary", {}, title), ...parts);
+    const count = el("span.count");
+    const wide = button({ icon: "wide", title: "Make this side wide, or narrow", key: "Z", onclick: () => page.code.zoom() });
+    root.append(
+      el("div.bar", {}, steps(BACK), steps(AHEAD), el("span.spacer"), wide),
+      el("div.bar.where", {}, robots, files, status, stand),
+      source.element,
+      el("div.below", {}, section("Variables", values.element), section("Stack", stack), section(el("span", {}, "Breakpoints ", count), stops.element)));
+    let timer = 0;
+    let asked = -1;
 
-    const open = async (file, line) => {
-      if (!known.has(file)) {
-        const answer = await model.ask("source", { file });
-        if (!answer) return;
-        known.set(file, answer);
-      }
-      if (shown !== file) {
-        shown = file;
-        fill(source, ...lines(known.get(file)));
-      }
-      files.value = file;
-      mark(line);
-    };
+    const lineIn = (file) => (model.where?.file === file ? model.where.line : 0);
+    const isHere = () => model.where !== null && Math.abs(model.where.t - model.state.t) < 1e-9;
 
-    const lines = ({ file, lines: texts, code: withCode }) => {
-      const has = new Set(withCode);
-      let isComment = false;
-      return texts.map((text, index) => {
-        const number = index + 1;
-        const found = highlight(text.replaceAll("\t", "    "), isComment);
-        isComment = found.isComment;
-        const gutter = el("button.gutter", {
-          type: "button",
-          tabIndex: -1,
-          "aria-label": `breakpoint at line ${number}`,
-          title: has.has(number) ? "Click to set or remove a breakpoint" : "",
-          onclick: () => model.ask("break", { file, line: number }).then((done) => done?.note && model.say(done.note)),
-        }, String(number));
-        const content = el("code", {}, ...found.parts.map(([part, kind]) => (kind ? el(`span.${kind}`, {}, part) : part)));
-        return el(has.has(number) ? "div.line" : "div.line.idle", {}, gutter, content);
-      });
-    };
-
-    const mark = (line) => {
-      const { breakpoints = [], file, innermost } = model.where ?? {};
-      const points = new Map(breakpoints.filter((each) => each.file === shown).map((each) => [each.line, each]));
-      [...source.children].forEach((row, index) => {
-        const point = points.get(index + 1);
-        row.classList.toggle("stop", Boolean(point));
-        row.classList.toggle("off", Boolean(point && !point.enabled));
-        row.classList.toggle("current", shown === file && index + 1 === line);
-        row.classList.toggle("outer", !innermost);
-      });
-      const current = source.children[line - 1];
-      if (current && line) {
-        const box = source.getBoundingClientRect();
-        const at = current.getBoundingClientRect();
-        if (at.top < box.top + 30 || at.bottom > box.bottom - 30) {
-          source.scrollTop += at.top - box.top - box.height / 2.5;
-        }
-      }
+    /** Let the programs of a recording follow the time, when it stands. */
+    const follow = () => {
+      clearTimeout(timer);
+      const { playing, busy, t } = model.state;
+      const mayAsk = model.can("debug") && !playing && !busy && !isHere();
+      stand.hidden = !mayAsk;
+      if (!mayAsk || model.run.follows === false || asked === t) return;
+      timer = setTimeout(() => {
+        if (model.clock.held !== null || !root.offsetParent) return follow();
+        asked = t;
+        model.ask("stand");
+      }, WAIT);
     };
 
     const draw = () => {
-      const { where } = model;
+      const { where, run: about } = model;
       if (!where) return;
       if (where.files.join() !== [...files.options].map((each) => each.value).join()) {
         fill(files, ...where.files.map((file) => el("option", { value: file }, file.split("/").at(-1))));
       }
-      open(where.file, where.line);
-      fill(stack, ...where.frames.filter((each) => !each.library).map((each) =>
-        el("button.frame", { type: "button", "aria-pressed": String(each.current), onclick: () => run(`frame ${each.number}`) },
-          el("b", {}, each.function), ` ${each.file}:${each.line}`)));
-      fill(variables, ...where.variables.map(({ name, value, type, scope }) =>
-        el("tr", { title: `${type} ${name} (${scope})` }, el("th", {}, name), el("td", {}, value), el("td.type", {}, type))));
+      files.hidden = where.files.length < 2;
+      const names = about.rosters.at(-1)?.robots ?? [];
+      if (names.join() !== [...robots.options].map((each) => each.textContent).join()) {
+        fill(robots, ...names.map((id, row) => el("option", { value: String(row) }, id)));
+      }
+      robots.hidden = names.length < 2;
+      robots.value = String(where.robot);
+      files.value = where.file;
+      source.open(where.file, where.line);
+      fill(stack, ...(where.frames.length ? where.frames.map(frame) : [el("p.hint", {}, "The program does not run.")]));
+      count.textContent = where.breakpoints.length ? `(${where.breakpoints.length})` : "";
+      stops.draw();
+      values.load();
       state();
     };
+
+    const frame = ({ number, function: name, arguments: given, file, line, library, current }) =>
+      el("button.frame", { type: "button", role: "listitem", disabled: library, "aria-pressed": String(current), onclick: () => run(`frame ${number}`) },
+        el("b", {}, name), ` ${given} `, el("span.at", {}, library ? "C library" : `${file}:${line}`));
 
     const state = () => {
       const { playing, busy, halt } = model.state;
       const isOn = playing || busy;
-      root.classList.toggle("running", isOn);
+      root.classList.toggle("running", isOn || !isHere());
       const name = model.where?.frames.find((each) => each.current)?.function ?? "";
-      const text = isOn ? "running: pause to see where the program stands" : halt.text || (name ? `stopped in ${name}` : "");
+      const text = playing ? "running: pause to see where the program stands"
+        : busy ? "working"
+        : !isHere() ? "the programs do not stand at this time yet"
+        : model.where?.error?.text || halt.text || (name ? `stopped in ${name}` : "");
       status.textContent = text;
-      status.classList.toggle("bad", !isOn && halt.reason === "error");
+      status.title = text;
+      status.classList.toggle("bad", !isOn && (halt.reason === "error" || Boolean(isHere() && model.where?.error)));
+      follow();
     };
 
+    page.code = {
+      toggle: () => source.cursor && source.toggle(source.file, source.cursor),
+      edit: () => source.cursor && source.edit(source.cursor),
+      runTo: () => source.cursor && run(`until ${source.file}:${source.cursor}`),
+      nextFile: () => {
+        const all = model.where?.files ?? [];
+        const file = all[(all.indexOf(source.file) + 1) % all.length];
+        if (file) source.open((files.value = file), lineIn(file));
+      },
+      zoom: () => document.body.classList.toggle("wide"),
+    };
     model.on("hello", () => {
-      known.clear();
-      shown = "";
+      source.forget();
+      stops.offer();
+      asked = -1;
     });
     model.on("where", draw);
     model.on("state", state);

@@ -23,12 +23,14 @@ export const commandLine = {
       log.scrollTop = log.scrollHeight;
     };
 
-    page.console = async (line) => {
+    /** Execute a line; `isField`: its error is shown elsewhere. @returns {Promise<{error: string}>} */
+    page.console = async (line, isField = false) => {
       add("typed", `(crs) ${line}`);
       const answer = await model.channel.ask("console", { line }).catch((error) => ({ lines: [["error", error.message]] }));
       for (const [kind, text] of answer.lines) add(kind, text);
       const last = answer.lines.find(([kind]) => kind === "error");
-      if (last) model.say(last[1], true);
+      if (last && !isField) model.say(last[1], true);
+      return { error: last?.[1] ?? "" };
     };
 
     const complete = async () => {

@@ -1,0 +1,68 @@
+"""Runs that are shown, and pages in a real browser that look at them."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from crs_cc.cli.debug_options import DebugOptions
+from crs_cc.cli.inputs import Inputs
+from crs_cc.cli.start_view import screen_of
+from crs_cc.workbench.screen import Screen
+
+FLAGS = [
+    *("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
+    *("--no-proxy-server", "--disable-background-networking"),
+]
+
+
+@contextmanager
+def running(folder: Path, program: str, world: str) -> Iterator[Screen]:
+    """Show a run of a program in a world."""
+    (folder / "go.c").write_text(program)
+    (folder / "room.xml").write_text(world)
+    files = Inputs((folder / "go.c",), folder / "room.xml")
+    with played(screen_of(DebugOptions(inputs=files, quiet=True), 0)) as screen:
+        yield screen
+
+
+@contextmanager
+def played(screen: Screen) -> Iterator[Screen]:
+    """Let a screen play in a thread of its own, and end it."""
+    thread = threading.Thread(target=screen.play, daemon=True)
+    thread.start()
+    try:
+        yield screen
+    finally:
+        screen.player.end()
+        screen.run.interrupt()
+        thread.join(10)
+        screen.server.close()
+
+
+@contextmanager
+def page_in(browser: Any, screen: Screen, width: int = 900, height: int = 600) -> Iterator[Any]:
+    """Open a page; at its end, nothing has gone wrong in it, and it has asked only this machine."""
+    made = browser.new_page(viewport={"width": width, "height": height})
+    wrong: list[str] = []
+    made.on("pageerror", lambda error: wrong.append(str(error)))
+    made.on("console", lambda line: wrong.extend([line.text] if is_fault(line) else []))
+    made.on("request", lambda asked: wrong.extend([] if "127.0.0.1" in asked.url else [asked.url]))
+    made.set_default_timeout(20_000)
+    made.goto(screen.server.address())
+    yield made
+    made.close()
+    assert not wrong, wrong
+
+
+def is_fault(line: Any) -> bool:
+    """Return whether a line of the browser's console is a fault; a lost connection is none."""
+    return line.type == "error" and "WebSocket" not in line.text
+
+
+def wait(page: Any, condition: str) -> None:
+    """Wait until an expression of the page is true."""
+    page.wait_for_function(f"() => {condition}", polling=100)
