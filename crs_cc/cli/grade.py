@@ -5,14 +5,17 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import click
 
-from crs_cc.cli.inputs import check_readable, is_world, make_folder
+from crs_cc.cli import program_options
+from crs_cc.cli.inputs import Inputs, is_world, make_folder, parse_named_files
 from crs_cc.cli.messages import is_terminal, printable
+from crs_cc.cli.path_options import written_file, written_folder
+from crs_cc.cli.program_options import ProgramOptions
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
@@ -20,6 +23,7 @@ from crs_cc.core.suggest import unknown
 if TYPE_CHECKING:
     from crs_cc.cli.grading.grades import Case, Grade
     from crs_cc.cli.grading.grading import Settings
+    from crs_cc.cli.grading.job import Robots
     from crs_cc.cli.grading.submissions import Submission
 
 _MIB: Final = 2**20
@@ -55,24 +59,9 @@ class _Targets:
     options_metavar="[OPTIONS]",
 )
 @click.argument("files", nargs=-1, required=True, metavar="SUBMISSIONS... WORLD.xml...")
-@click.option(
-    "--csv",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Write a table, with a line for each submission and a column for each goal.",
-)
-@click.option(
-    "--html",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Write a page with the table, and a picture of each run.",
-)
-@click.option(
-    "--runs",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Write a picture and a recording of each run to DIR.",
-)
+@written_file("--csv", "Write a table, with a line for each submission and a column for each goal.")
+@written_file("--html", "Write a page with the table, and a picture of each run.")
+@written_folder("--runs", "Write a picture and a recording of each run to DIR.")
 @click.option(
     "--seed",
     "seeds",
@@ -87,6 +76,13 @@ class _Targets:
     multiple=True,
     metavar="FUNCTION",
     help="Allow a function that only the vendor's simulator has, such as place_robot.",
+)
+@program_options.READS
+@click.option(
+    "--data",
+    multiple=True,
+    metavar="PATTERN",
+    help="Let a program read the files of its own submission whose names match, such as '*.txt'.",
 )
 @click.option(
     "--jobs",
@@ -144,38 +140,45 @@ class _Targets:
     metavar="S",
     help="Real time of a run after that: the last resort.",
 )
+@program_options.robot_options
 @click.option("-q", "--quiet", is_flag=True, help="Do not write the grades to stdout.")
 def grade(
     *, files: Sequence[str], csv: Path | None, html: Path | None, runs: Path | None,
-    seeds: Sequence[int], allowed: tuple[str, ...], jobs: int, max_time_s: float | None,
-    max_fuel: int, max_output: int, max_memory: int, compile_s: float, wall_s: float,
-    quiet: bool,
+    seeds: Sequence[int], allowed: tuple[str, ...], named_files: Sequence[str],
+    data: tuple[str, ...], jobs: int, max_time_s: float | None, max_fuel: int, max_output: int,
+    max_memory: int, compile_s: float, wall_s: float, quiet: bool, **robots: Any,
 ) -> int:  # fmt: skip
     """Run many programs in worlds with goals, and add up the points of the goals they meet.
 
     SUBMISSIONS are folders: each C file and each folder in one is a submission, a folder being one
     program of several files. C files can be named, too. Each submission runs in each world with
     each seed, in a process of its own, as the program of the robots for which the world names none.
-    Links are not followed, and nothing outside of a submission can be read.
+    Links are not followed, and nothing outside of a submission can be read but what --file names.
 
     The same submissions get the same grades on every machine, unless a limit of real time, the last
     resort, ends a run; the grade then says so. The exit status is 0 whatever the grades are.
     """
     from crs_cc.cli.grading.grading import Settings
-    from crs_cc.cli.grading.job import Limits
+    from crs_cc.cli.grading.job import Limits, Robots
 
     limits = Limits(max_time_s, max_fuel, max_output, max_memory * _MIB, compile_s, wall_s)
     _check_allowed(allowed)
+    _check_once("--seed", seeds)
+    _check_once("", list(map(os.path.realpath, files)))
     worlds = [Path(name) for name in files if is_world(name)]
     if not worlds:
         raise click.UsageError("no world: name at least one file .xml with goals.")
-    cases = [case for world in worlds for case in _cases(world, seeds, several=len(worlds) > 1)]
+    inputs, wanted = parse_named_files(named_files), Robots(**robots)
+    if wanted.robot.endswith(".xml"):
+        wanted = replace(wanted, robot=os.path.realpath(wanted.robot))
+    several = len(worlds) > 1
+    cases = [case for each in worlds for case in _cases(each, seeds, wanted, several=several)]
     submissions = _submissions([Path(name) for name in files if not is_world(name)])
     for path in (csv, html):
         _check_target(path)
     if runs is not None:
         make_folder(runs)
-    settings = Settings(jobs, allowed, limits, runs)
+    settings = Settings(jobs, allowed, limits, runs, wanted, inputs, data)
     grades = _grade_all(submissions, cases, settings, quiet=quiet)
     targets = _Targets(csv, html, runs, quiet)
     _write(grades, " and ".join(world.name for world in worlds), targets)
@@ -190,17 +193,25 @@ def _check_allowed(allowed: Sequence[str]) -> None:
             raise click.UsageError(f"--allow: {unknown('function', name, REFUSED)}.")
 
 
-def _cases(path: Path, seeds: Sequence[int], *, several: bool) -> list[Case]:
+def _check_once(option: str, values: Sequence[object]) -> None:
+    """Refuse what would count twice."""
+    for number, value in enumerate(values):
+        if value in values[:number]:
+            raise click.UsageError(f"{option} {value} is given twice.".lstrip())
+
+
+def _cases(path: Path, seeds: Sequence[int], robots: Robots, *, several: bool) -> list[Case]:
     """Return a world with each seed.
 
     Raises:
         WorldError: it is invalid, or there is nothing to grade in it.
+        click.UsageError: the robot is unknown.
     """
     from crs_cc.cli.grading.grades import Case
-    from crs_cc.sim.files.world_xml import load_world
+    from crs_cc.cli.load import load_world_of
 
-    check_readable(path)
-    world = load_world(path)
+    options = ProgramOptions(Inputs((), path), **asdict(robots))
+    world = load_world_of(options)
     if not world.goals:
         raise WorldError.at(
             Location(str(path)), "the world has no goals", "add <goal>, see docs/teaching.md"

@@ -73,21 +73,13 @@ class WithProgramArguments(CompilerCommand):
             raise click.UsageError(text, ctx) from None
 
 
-_FILES: Final = "PROGRAM.c... [WORLD.xml] [-- ARGS...]"
+READS: Final = click.option(
+    "--file", "named_files", multiple=True, metavar="[NAME=]FILE",
+    help="Let the programs read FILE, under its own path or as NAME; may be repeated.",
+)  # fmt: skip
+"""The option of what programs can read."""
 
-_OPTIONS: Final = (
-    click.option(
-        "--seed", type=click.IntRange(min=0), metavar="N",
-        help="Random seed: the same seed reproduces a run. Default: the world file's, else 0.",
-            ),
-    click.option(
-        "--file", "named_files", multiple=True, metavar="[NAME=]FILE",
-        help="Let the programs read FILE, under its own path or as NAME; may be repeated.",
-    ),
-    click.option(
-        "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
-        help="Save to DIR the files that the programs write; with several robots, to DIR/ROBOT.",
-    ),
+_ROBOT_OPTIONS: Final = (
     click.option(
         "--robot", default="scout", show_default=True, metavar="NAME|FILE.xml",
         help="Robot model, such as nomad200, for robots to which the world assigns none.",
@@ -105,6 +97,21 @@ _OPTIONS: Final = (
         show_default=True,
         help="Emulate the vendor's library for the simulator (nclient) or the robot (ndirect).",
     ),
+)  # fmt: skip
+
+_FILES: Final = "PROGRAM.c... [WORLD.xml] [-- ARGS...]"
+
+_OPTIONS: Final = (
+    click.option(
+        "--seed", type=click.IntRange(min=0), metavar="N",
+        help="Random seed: the same seed reproduces a run. Default: the world file's, else 0.",
+    ),
+    READS,
+    click.option(
+        "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
+        help="Save to DIR the files that the programs write; with several robots, to DIR/ROBOT.",
+    ),
+    *_ROBOT_OPTIONS,
     click.option(
         "--unchecked", is_flag=True, help="Do not check memory accesses; programs run faster."
     ),
@@ -112,6 +119,13 @@ _OPTIONS: Final = (
         "--trap-overflow", is_flag=True, help="Stop a program on signed integer overflow."
     ),
 )  # fmt: skip
+
+
+def robot_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the options for the robots of a run to a command."""
+    for option in reversed(_ROBOT_OPTIONS):
+        command = option(command)
+    return command
 
 
 def program_options(command: Callable[..., Any], *, needs_files: bool = True) -> Callable[..., Any]:

@@ -9,6 +9,7 @@ import click
 
 from crs_cc.cli.inputs import check_plot_path, make_folder
 from crs_cc.cli.instants import parse_time
+from crs_cc.cli.path_options import written_file, written_folder
 
 _EXAMPLES: Final = """
 \b
@@ -30,50 +31,32 @@ Examples:
 )
 @click.argument("path", type=click.Path(path_type=Path), metavar="RUN.mcap")
 @click.option("--at", "at_s", callback=parse_time, metavar="TIME", help="Show the state at TIME.")
-@click.option(
+@written_file(
     "--plot",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif "
-    "or FILE.apng.",
+    "Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif or "
+    "FILE.apng.",
 )
-@click.option(
-    "--csv",
-    "tables",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.",
+@written_folder(
+    "--csv", "Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.", to="tables"
 )
-@click.option(
-    "--arrow",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Write the same tables as Arrow files; needs pyarrow.",
-)
-@click.option(
-    "--parquet",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Write the same tables as Parquet files; needs pyarrow.",
-)
-@click.option(
+@written_folder("--arrow", "Write the same tables as Arrow files; needs pyarrow.")
+@written_folder("--parquet", "Write the same tables as Parquet files; needs pyarrow.")
+@written_file(
     "--html",
-    "page",
-    type=click.Path(dir_okay=False, path_type=Path),
+    "Write a page that shows the run in any browser, without a network.",
+    to="page",
     metavar="FILE.html",
-    help="Write a page that shows the run in any browser, without a network.",
 )
 @click.option(
     "--verify",
     is_flag=True,
     help="Run the recorded run again and compare its hashes; exit with 125 if they differ.",
 )
-@click.option(
+@written_file(
     "--recover",
-    "mended",
-    type=click.Path(dir_okay=False, path_type=Path),
+    "Write what can be read of a damaged recording to FILE.mcap.",
+    to="mended",
     metavar="FILE.mcap",
-    help="Write what can be read of a damaged recording to FILE.mcap.",
 )
 def replay(path: Path, **options: Any) -> int:
     """Show what a recording holds, or export, verify or mend it.

@@ -9,6 +9,7 @@ from typing import Any, Final
 import click
 
 from crs_cc.cli.inputs import check_plot_path, check_recording_path, is_animation, make_folder
+from crs_cc.cli.path_options import written_file, written_folder
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.run_options import RunOptions
@@ -70,12 +71,10 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
     help="Change the run at simulated times, by the debugger's commands: '12.5s: degrade robot0 "
     "sonar.3 dead'. crs view writes such files.",
 )
-@click.option(
+@written_file(
     "--plot",
-    type=click.Path(dir_okay=False, path_type=Path),
-    metavar="FILE",
-    help="Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif "
-    "or FILE.apng.",
+    "Plot the world from above with each robot's path: FILE.svg, or an animation as FILE.gif or "
+    "FILE.apng.",
 )
 @click.option(
     "--plot-sensors",
@@ -106,12 +105,8 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
     default=None,
     help="Show the closing summary on stderr. Default: only on a terminal.",
 )
-@click.option(
-    "--csv",
-    "tables",
-    type=click.Path(file_okay=False, path_type=Path),
-    metavar="DIR",
-    help="Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.",
+@written_folder(
+    "--csv", "Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.", to="tables"
 )
 @click.option(
     "--speed",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,7 +23,11 @@ if TYPE_CHECKING:
 
 
 def start_recording(
-    loaded: Loaded, options: RunOptions | DebugOptions, seed: int, max_time_s: float = 0.0
+    loaded: Loaded,
+    options: RunOptions | DebugOptions,
+    seed: int,
+    max_time_s: float = 0.0,
+    roots: Mapping[Path, str] | None = None,
 ) -> Recorder:
     """Create the file of a recording, and return its recorder.
 
@@ -31,6 +36,7 @@ def start_recording(
         options: how to run and to record them.
         seed: the random seed.
         max_time_s: when the run was to end [s]; 0 for never.
+        roots: the folders of its files, with their names in the recording, see `SourceTree.of`.
 
     Raises:
         OSError: it cannot be written.
@@ -41,7 +47,7 @@ def start_recording(
         content = read_regular_file(path)
         if isinstance(content, bytes):
             files[path] = content
-    tree = SourceTree.of(files, options.compiler.include_paths)
+    tree = SourceTree.of(files, options.compiler.include_paths, roots)
     attachments = {f"{SOURCES}{name}": content for name, content in tree.contents.items()}
     attachments |= {f"{INPUTS}{name}": content for name, content in loaded.files.items()}
     description = _description(options, tree, loaded, seed, max_time_s)

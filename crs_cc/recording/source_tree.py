@@ -31,29 +31,47 @@ _LONGEST: Final = 1000
 
 @dataclass(frozen=True, slots=True)
 class SourceTree:
-    """Files below one folder.
+    """Files below one folder, or below several that become folders of it.
 
     Attributes:
-        root: the folder, on the recording machine.
+        roots: the folders on the recording machine, with their names in the tree.
         contents: their contents, by the way from there.
     """
 
-    root: Path
+    roots: Mapping[Path, str]
     contents: Mapping[str, bytes]
 
     @classmethod
-    def of(cls, files: Mapping[Path, bytes], folders: Iterable[Path] = ()) -> Self:
-        """Return the tree of files and folders for headers."""
+    def of(
+        cls,
+        files: Mapping[Path, bytes],
+        folders: Iterable[Path] = (),
+        roots: Mapping[Path, str] | None = None,
+    ) -> Self:
+        """Return the tree of files.
+
+        Args:
+            files: the files.
+            folders: folders for headers.
+            roots: the folders that hold all of these, with their names in the tree; by default
+                the deepest one.
+        """
         absolute = {Path(os.path.abspath(path)): content for path, content in files.items()}  # noqa: PTH100 - links stay
-        parents = {path.parent for path in absolute}
-        parents |= {Path(os.path.abspath(folder)) for folder in folders}  # noqa: PTH100
-        root = Path(os.path.commonpath(parents)) if parents else Path("/")
-        named = {path.relative_to(root).as_posix(): each for path, each in absolute.items()}
-        return cls(root, dict(sorted(named.items())))
+        if roots is None:
+            parents = {path.parent for path in absolute}
+            parents |= {Path(os.path.abspath(folder)) for folder in folders}  # noqa: PTH100
+            roots = {Path(os.path.commonpath(parents)) if parents else Path("/"): ""}
+        named = {_name(path, roots): each for path, each in absolute.items()}
+        return cls(roots, dict(sorted(named.items())))
 
     def name(self, path: Path) -> str:
         """Return the name of a file or folder in the tree."""
-        return Path(os.path.abspath(path)).relative_to(self.root).as_posix()  # noqa: PTH100
+        return _name(Path(os.path.abspath(path)), self.roots)  # noqa: PTH100
+
+
+def _name(path: Path, roots: Mapping[Path, str]) -> str:
+    root = next(each for each in roots if path.is_relative_to(each))
+    return (PurePosixPath(roots[root]) / path.relative_to(root).as_posix()).as_posix()
 
 
 def is_safe(name: str) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Final
 
@@ -41,6 +42,8 @@ def graded_run(job: Job, compiled: Callable[[], None]) -> GradedRun:
         quiet=True,
         threads=1,
         record=Path(job.record) if job.record else None,
+        inputs_on_disk={name: Path(path) for name, path in job.inputs.items()},
+        **asdict(job.robots),
     )
     files = [tokens_of(path) for path in sources]
     mark = fingerprint(files)
@@ -56,6 +59,14 @@ def graded_run(job: Job, compiled: Callable[[], None]) -> GradedRun:
         return GradedRun("refused", text, place.file, place.line, fingerprint=mark)
     compiled()
     return _ProgramRun(job, options, loaded, mine).run(mark)
+
+
+def _roots(job: Job) -> dict[Path, str]:
+    """Return the folders of the run's files, with their names in a recording."""
+    roots = {Path(job.folder).resolve(): "", Path(job.world).parent: "world"}
+    if job.robots.robot.endswith(".xml"):
+        roots.setdefault(Path(job.robots.robot).parent, "robot")
+    return roots
 
 
 def _compile_error(error: CompileError, mark: str) -> GradedRun:
@@ -91,7 +102,9 @@ class _ProgramRun:
         self._refused = ""
         self._plot = RunPlot()
         self._recorder = (
-            start_recording(loaded, options, self._seed, self._end_s) if job.record else None
+            start_recording(loaded, options, self._seed, self._end_s, _roots(job))
+            if job.record
+            else None
         )
         self._session = Session(
             loaded.world,
@@ -101,6 +114,8 @@ class _ProgramRun:
             output=self._write,
             read=self._read,
             waiting=self._waiting,
+            files=loaded.files,
+            client=options.client,
             observer=self,
             threads=1,
         )
@@ -122,6 +137,8 @@ class _ProgramRun:
         if result == "ended" and failed and failed[0] is not None:
             result, text, place = "run-time error", failed[0].text, failed[0].location
         programs = [Path(each[0]).name for each in self._loaded.sources]
+        for number in self._mine:
+            programs[number] = self._job.name
         finished = Run(done, self._job.world, self._seed, 0.0, interrupted=False, calls=())
         picture = self._plot.picture(session, finished, programs, sensors=False)
         return GradedRun(

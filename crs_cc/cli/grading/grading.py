@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 import tempfile
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 from crs_cc.cli.grading.grades import Case, Grade, alike
-from crs_cc.cli.grading.job import GradedRun, Job, Limits
+from crs_cc.cli.grading.job import GradedRun, Job, Limits, Robots
 from crs_cc.cli.grading.processes import run_all
-from crs_cc.cli.grading.submissions import Submission, UnusableError, copy
+from crs_cc.cli.grading.submissions import Copy, Submission, UnusableError, copy
 
 _LONGEST_NAME: Final = 40
 
@@ -26,12 +26,18 @@ class Settings:
         allowed: the functions of the vendor's simulator that may be called.
         limits: what a run may take.
         runs: the folder of pictures and recordings; None for none.
+        robots: the robots.
+        inputs: files of the assignment that programs can read, by the names that they use.
+        data: patterns of the names of files of a submission that its program can read.
     """
 
     jobs: int
     allowed: tuple[str, ...]
     limits: Limits
     runs: Path | None
+    robots: Robots = field(default_factory=Robots)
+    inputs: Mapping[str, Path] = field(default_factory=dict)
+    data: tuple[str, ...] = ()
 
 
 def grade_all(
@@ -51,6 +57,9 @@ def grade_all(
     Raises:
         OSError: a picture or a recording cannot be written.
     """
+    if settings.runs is not None:
+        for number, submission in enumerate(submissions):
+            _remove_earlier(settings.runs, file_names(number, submission, cases))
     with tempfile.TemporaryDirectory(prefix="crs-grade-") as folder:
         unusable: dict[int, GradedRun] = {}
         jobs: list[Job] = []
@@ -58,12 +67,13 @@ def grade_all(
             own = Path(folder, str(number))
             own.mkdir()
             try:
-                sources = copy(submission, own)
+                copied = copy(submission, own, settings.data)
             except UnusableError as error:
                 unusable[number] = GradedRun("invalid", str(error))
                 continue
             names = file_names(number, submission, cases)
-            jobs += [_job(own, sources, *each, settings) for each in zip(cases, names, strict=True)]
+            for case, record in zip(cases, names, strict=True):
+                jobs.append(_job(submission.name, copied, case, record, settings))
         ran = iter(list(run_all(jobs, settings.jobs, done)))
     runs = [
         [unusable[number] if number in unusable else next(ran) for _ in cases]
@@ -93,18 +103,27 @@ def _plain(name: str) -> str:
     return re.sub(r"[^A-Za-z0-9_]+", "_", name)[:_LONGEST_NAME].strip("_")
 
 
-def _job(
-    folder: Path, sources: tuple[str, ...], case: Case, record: str, settings: Settings
-) -> Job:
+def _job(name: str, copied: Copy, case: Case, record: str, settings: Settings) -> Job:
+    inputs = {each: copied.folder / each for each in copied.data} | dict(settings.inputs)
     return Job(
-        str(folder),
-        sources,
+        name,
+        str(copied.folder),
+        copied.sources,
         str(case.world.resolve()),
         case.seed,
         settings.limits,
         settings.allowed,
         str((settings.runs / record).resolve()) if settings.runs is not None else "",
+        {each: str(path.resolve()) for each, path in inputs.items()},
+        settings.robots,
     )
+
+
+def _remove_earlier(folder: Path, names: Sequence[str]) -> None:
+    """Remove what an earlier grading has written of the same runs: they may fail now."""
+    for name in names:
+        for ending in (".mcap", ".svg"):
+            (folder / name).with_suffix(ending).unlink(missing_ok=True)
 
 
 def _write_pictures(grades: Sequence[Grade], folder: Path) -> None:

@@ -1,6 +1,6 @@
 """One run of a submission, as plain data that goes to a process of its own and comes back.
 
->>> job = Job("/tmp/s", ("main.c",), "/tmp/room.xml", 3, Limits(), ())
+>>> job = Job("anna", "/tmp/s", ("main.c",), "/tmp/room.xml", 3, Limits(), ())
 >>> Job.from_data(job.as_data()) == job
 True
 >>> run = GradedRun("refused", "place_robot() is not allowed", file="main.c", line=4)
@@ -10,12 +10,18 @@ True
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Final, Literal, Self
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Final, Literal, Self
 
 from crs_cc.cli.messages import printable
 from crs_cc.core.file_names import displayed
 from crs_cc.sim.engine.goals import GoalResult, Status
+
+if TYPE_CHECKING:
+    from crs_cc.session.host import Client
+
+Link = Literal["serial", "ideal"]
 
 Result = Literal[
     "ended",
@@ -68,6 +74,23 @@ class Limits:
     wall_s: float = 300.0
 
 
+@dataclass(frozen=True, slots=True)
+class Robots:
+    """The robots of graded runs, as of `crs run`.
+
+    Attributes:
+        robot: the default robot model: a name, or the absolute path of a definition file.
+        setup: the setup of all robots; empty for the world's.
+        link: `serial` to simulate the serial link's delay, `ideal` for none.
+        client: which of the vendor's client libraries to emulate.
+    """
+
+    robot: str = "scout"
+    setup: str = ""
+    link: Link = "serial"
+    client: Client = "nclient"
+
+
 _LONGEST: Final = 300
 DEFAULT_TIME_S: Final = 120.0
 
@@ -77,6 +100,7 @@ class Job:
     """A run to be graded.
 
     Attributes:
+        name: the name of the submission for people.
         folder: the copy of the submission, in which it is compiled.
         sources: its C files, relative to the folder.
         world: the world file, an absolute path.
@@ -84,8 +108,11 @@ class Job:
         limits: what it may take.
         allowed: the functions of the vendor's simulator that may be called.
         record: the file of the recording, an absolute path; empty for none.
+        inputs: files that the program can read, absolute paths, by the names that it uses.
+        robots: the robots, see `Robots`.
     """
 
+    name: str
     folder: str
     sources: tuple[str, ...]
     world: str
@@ -93,6 +120,8 @@ class Job:
     limits: Limits
     allowed: tuple[str, ...]
     record: str = ""
+    inputs: Mapping[str, str] = field(default_factory=dict)
+    robots: Robots = field(default_factory=Robots)
 
     def as_data(self) -> dict[str, Any]:
         """Return it as plain data for JSON."""
@@ -101,7 +130,8 @@ class Job:
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> Self:
         """Return the job that `as_data` described."""
-        job = cls(**{**data, "limits": Limits(**data["limits"])})
+        parts = {"limits": Limits(**data["limits"]), "robots": Robots(**data["robots"])}
+        job = cls(**{**data, **parts})
         return replace(job, sources=tuple(job.sources), allowed=tuple(job.allowed))
 
 

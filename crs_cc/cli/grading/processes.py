@@ -102,6 +102,7 @@ class _Worker:
             env={**os.environ, "PYTHONPATH": path},
             start_new_session=True,
         )
+        threading.Thread(target=_end_with, args=(process,), daemon=True).start()
         assert process.stdout is not None
         if not process.stdout.readline():
             raise InternalError.at(Location("crs grade"), "a process to run jobs cannot be started")
@@ -128,6 +129,12 @@ class _Worker:
             self.stop()
             return None, late.is_set()
         return json.loads(line), False
+
+
+def _end_with(process: subprocess.Popen[bytes]) -> None:
+    """Wait for the end of a process, and kill its child: it would hold our pipe open."""
+    process.wait()
+    _kill(process)
 
 
 def _kill(process: subprocess.Popen[bytes]) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
 from crs_cc.frontend.preprocess.tokens import Token, tokenise
+from crs_cc.ir.names import in_library
 from crs_cc.session.library import library_options
 
 
@@ -46,4 +47,4 @@ def _tokens(source: Preprocessed) -> Iterator[tuple[int, Token]]:
 
 def _is_own(place: Location) -> bool:
     """Return whether a place is in the submission: its files have relative names."""
-    return not (place.file.startswith("<") or Path(place.file).is_absolute())
+    return not (in_library(place) or Path(place.file).is_absolute())

@@ -1,25 +1,32 @@
 """Finds what was handed in, and copies it so that nothing else is ever read.
 
 Each entry of a folder of submissions is one: a C file, or a folder with the C files and headers of
-a program. Links are not followed, whatever they point to; nor are devices, pipes and the like.
+a program. Links are not followed, whatever they point to; nor are devices, pipes and the like. An
+entry that is no program is listed as such, so that nobody is forgotten.
 """
 
 from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Final
 
 from crs_cc.cli.messages import printable
 from crs_cc.core.file_names import displayed
+from crs_cc.ir.names import LIBRARY
+from crs_cc.session.files import Disk
 
 MAX_FILES: Final = 200
 MAX_BYTES: Final = 512 * 2**10
 MAX_DEPTH: Final = 6
 _ENDINGS: Final = frozenset({".c", ".h", ".inc"})
+_TEACHERS: Final = frozenset({".csv", ".html", ".json", ".md", ".txt", ".xml"})
+"""Endings of files in a folder of submissions that are not handed in, such as a list of names."""
+_NOBODYS: Final = frozenset({"__MACOSX"})
 _O_NOFOLLOW: Final = getattr(os, "O_NOFOLLOW", 0)  # Windows has none, and hardly any links
 _O_NONBLOCK: Final = getattr(os, "O_NONBLOCK", 0)
 
@@ -41,6 +48,21 @@ class Submission:
     path: Path
 
 
+@dataclass(frozen=True, slots=True)
+class Copy:
+    """What was copied of a submission, by names relative to the folder.
+
+    Attributes:
+        folder: where to.
+        sources: its C files, sorted.
+        data: the files that its program can read.
+    """
+
+    folder: Path
+    sources: tuple[str, ...]
+    data: tuple[str, ...]
+
+
 def find(paths: Sequence[Path]) -> list[Submission]:
     """Return the submissions in folders, sorted, and the C files that are named themselves.
 
@@ -59,37 +81,51 @@ def find(paths: Sequence[Path]) -> list[Submission]:
     return found
 
 
-def copy(submission: Submission, folder: Path) -> tuple[str, ...]:
-    """Copy the files of a submission to a folder; return the names of its C files, sorted.
+def copy(submission: Submission, folder: Path, data: Sequence[str] = ()) -> Copy:
+    """Copy the files of a submission to a folder; return their names.
+
+    Args:
+        submission: the submission.
+        folder: an empty folder.
+        data: patterns of the names of files that its program can read.
 
     Raises:
-        UnusableError: there are none, too many, or a link.
+        UnusableError: there is no C file, there are too many files, or a link.
     """
     status = _status(submission.path)
     if stat.S_ISDIR(status.st_mode):
-        files = list(_files(submission.path, Path(), MAX_DEPTH))
+        files = list(_files(submission.path, Path(), MAX_DEPTH, data))
     else:
         files = [(submission.path, Path(submission.path.name))]
-    sources: list[str] = []
+    names: list[Path] = []
     room = MAX_BYTES
     for path, name in files:
         content = _read(path, room)
         room -= len(content)
+        names.append(name)
         target = folder / name
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(content)
-        if name.suffix == ".c":
-            sources.append(str(name))
+    sources = [str(name) for name in names if name.suffix.lower() == ".c"]
     if not sources:
         raise UnusableError("no C file (.c)")
-    return tuple(sorted(sources, key=os.fsencode))
+    read = [str(name) for name in names if _matches(name, data)]
+    disk = Disk({})
+    for each in read:
+        if disk.put(each, b""):
+            raise UnusableError(f"{_shown(each)}: programs cannot read files of that name")
+    return Copy(folder, tuple(sorted(sources, key=os.fsencode)), tuple(read))
+
+
+def _matches(name: Path, patterns: Iterable[str]) -> bool:
+    return any(fnmatchcase(name.name, pattern) for pattern in patterns)
 
 
 def _counts(path: Path) -> bool:
-    """Return whether an entry of a folder is a submission; what is not is for the teacher."""
-    if path.name.startswith("."):
+    """Return whether an entry of a folder is a submission."""
+    if path.name.startswith(".") or path.name in _NOBODYS:
         return False
-    return path.suffix == ".c" or path.is_symlink() or path.is_dir()
+    return path.suffix.lower() not in _TEACHERS or path.is_symlink() or path.is_dir()
 
 
 def _shown(name: str) -> str:
@@ -108,8 +144,10 @@ def _status(path: Path) -> os.stat_result:
     return status
 
 
-def _files(folder: Path, name: Path, depth: int) -> Iterator[tuple[Path, Path]]:
-    """Yield the C files and headers below a folder, each with its name there."""
+def _files(
+    folder: Path, name: Path, depth: int, data: Sequence[str]
+) -> Iterator[tuple[Path, Path]]:
+    """Yield the C files, headers and data below a folder, each with its name there."""
     try:
         entries = sorted(folder.iterdir(), key=lambda each: os.fsencode(each.name))
     except OSError as error:
@@ -121,8 +159,10 @@ def _files(folder: Path, name: Path, depth: int) -> Iterator[tuple[Path, Path]]:
         if stat.S_ISDIR(status.st_mode):
             if depth == 0:
                 raise UnusableError(f"folders are nested more than {MAX_DEPTH} deep")
-            yield from _files(path, name / path.name, depth - 1)
-        elif path.suffix in _ENDINGS:
+            if f"{path.name}/" == LIBRARY:
+                raise UnusableError(f"a folder must not be called {path.name}")
+            yield from _files(path, name / path.name, depth - 1, data)
+        elif path.suffix.lower() in _ENDINGS or _matches(path, data):
             yield path, name / path.name
 
 
@@ -138,5 +178,5 @@ def _read(path: Path, room: int) -> bytes:
         reason = getattr(error, "strerror", None)
         raise UnusableError(f"{_shown(path.name)} cannot be read: {reason}") from None
     if len(content) > room:
-        raise UnusableError(f"more than {MAX_BYTES >> 10} KiB of source")
+        raise UnusableError(f"more than {MAX_BYTES >> 10} KiB of source and data")
     return content

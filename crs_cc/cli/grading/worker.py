@@ -101,10 +101,12 @@ def _limit_memory(most: int | None) -> None:
     Compiling is limited. Running needs gigabytes of address space that are never used, and the
     memory that programs can use is limited anyway, see `runtime.layout` and `session.files`.
     """
+    try:
+        import resource
+    except ImportError:  # Unix only
+        return
     if not _STATM.exists():
         return
-    import resource  # Unix only
-
     _, hard = resource.getrlimit(resource.RLIMIT_DATA)
     wanted = hard
     if most is not None:

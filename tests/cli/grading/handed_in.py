@@ -103,6 +103,12 @@ FILES: dict[str, str | bytes] = {
     "=1+cmd.c": "int main(void) { return 0; }\n",
     "<img src=x onerror=alert(1)>.c": "int main(void) { return 0; }\n",
     "no_code/readme.txt": "none",
+    "<c>.c": good(250),  # anna's, in a file whose name looks like one of crs
+    "mine/<library>/main.c": good(236),
+    "HUGO.C": good(236),
+    "ida.cpp": good(237),
+    "names.csv": "anna,berta",
+    "__MACOSX/anna.c": "",
 }
 
 

@@ -18,8 +18,10 @@ ALLOW = ["--allow", "place_robot", "--jobs", "1"]
 LIMITS = ["--max-fuel", "20000000", "--max-output", "20000"]
 
 GRADES = {
+    "<c>.c": ("4", "ended", ""),
     "<img src=x onerror=alert(1)>.c": ("1", "ended", ""),
     "'=1+cmd.c": ("1", "ended", ""),
+    "HUGO.C": ("4", "ended", ""),
     "allocates.c": ("0", "limit", "computed more than 20,000,000 instructions"),
     "anna.c": ("4", "ended", ""),
     "backward.c": ("0", "ended", ""),
@@ -47,10 +49,12 @@ GRADES = {
     "html_error.c": ("0", "compile error", "html_error.c:1: #error <script>alert(1)</script>"),
     "huge.c": ("0", "compile error", "huge.c:1: 'a' does not fit: 1600000000 bytes of 14675968"),
     "h\ufffd?.c": ("0", "compile error", f"h\ufffd?.c:1: #error ?[31m{'long ' * 60}"[:300] + "..."),
+    "ida.cpp": ("0", "invalid", "no C file (.c)"),
     "itself.c": ("0", "compile error", "itself.c:1: #include nested more than 200 deep"),
     "link.c": ("0", "invalid", "link.c is a link; links are not followed"),
     "linked": ("0", "invalid", "secret.h is a link; links are not followed"),
     "loop.c": ("0", "limit", "computed more than 20,000,000 instructions"),
+    "mine": ("0", "invalid", "a folder must not be called <library>"),
     "nested.c": ("0", "compile error", "nested.c:1: the program is nested too deeply here"),
     "no_code": ("0", "invalid", "no C file (.c)"),
     "nothing.c": ("1", "ended", ""),
@@ -116,7 +120,8 @@ def test_the_table_has_what_has_become_of_each_goal(graded: Path) -> None:
 
 def test_equal_programs_are_hinted_and_no_others(graded: Path) -> None:
     like = {row["submission"]: row["like"] for row in rows(graded / "grades.csv") if row["like"]}
-    assert like == {"berta.c": "carl.c", "carl.c": "berta.c"}
+    same = [("anna.c", "<c>.c"), ("berta.c", "carl.c")]
+    assert like == {one: other for pair in same for one, other in (pair, pair[::-1])}
 
 
 class Page(HTMLParser):
@@ -175,11 +180,16 @@ def test_each_run_has_a_picture_and_a_recording_of_the_same_run(
     graded: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     pictures = {path.stem for path in (graded / "runs").glob("*.svg")}
-    assert {"004-anna_c-task", "005-backward_c-task"} <= pictures
-    assert b"There" in (graded / "runs" / "004-anna_c-task.svg").read_bytes()
-    recording = graded / "runs" / "004-anna_c-task.mcap"
+    assert {"006-anna_c-task", "007-backward_c-task"} <= pictures
+    assert b"There" in (graded / "runs" / "006-anna_c-task.svg").read_bytes()
+    recording = graded / "runs" / "006-anna_c-task.mcap"
     assert main(["replay", str(recording), "--verify"]) == 0
     assert "the same run" in "".join(capfd.readouterr())
+    main(["replay", str(recording)])
+    shown = capfd.readouterr().out
+    assert "anna.c" in shown
+    assert "world/task.xml" in shown
+    assert "crs-grade" not in shown
 
 
 def test_grades_are_the_same_one_by_one_and_in_another_order(
@@ -230,6 +240,10 @@ def test_an_allowed_call_counts_and_seeds_and_worlds_add_up(
         (["nowhere", "task.xml"], "nowhere: No such file or directory.", 2),
         (["in", "task.xml", "--allow", "fly"], "--allow: unknown function 'fly' (known: ", 2),
         (["in", "task.xml", "--csv", "no/g.csv"], "cannot write 'no/g.csv': no such folder.", 2),
+        (["in", "task.xml", "--seed", "1", "--seed", "1"], "--seed 1 is given twice.", 2),
+        (["in", "in/../in", "task.xml"], "in is given twice.", 2),
+        (["in", "task.xml", "--file", "no.txt"], "--file 'no.txt': no such file", 2),
+        (["in", "task.xml", "--robot", "r2d2"], "unknown robot 'r2d2' (known: ", 2),
         (["in", "plain.xml"], "plain.xml: error: the world has no goals", 122),
         (["in", "manned.xml"], "manned.xml: error: the world names a program for every robot", 122),
         (["in", "broken.xml"], "broken.xml:4: error: goal, robots: unknown robot 'r' (known:", 122),
@@ -250,3 +264,52 @@ def test_what_cannot_be_graded_is_one_error(
     err = capfd.readouterr().err
     assert text in err
     assert err.count("rror: ") == 1
+
+
+READS = """#include <stdio.h>
+#include "Nclient.h"
+int main(void)
+{
+    char line[80];
+    FILE *map = fopen("map.txt", "r"), *own = fopen("sub/own.txt", "r");
+    printf("%d\\n", fopen("secret.dat", "r") == 0);
+    connect_robot(1);
+    if (map && own && fgets(line, 80, map) && line[0] == 't')
+        place_robot(1181, 393, 0, 0);
+    gs();
+    return 0;
+}
+"""
+
+
+def test_programs_read_files_of_the_assignment_and_of_their_own(
+    class_of_two: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("reads/sub/own.txt", "reads/map.txt", "reads/secret.dat", "map"):
+        Path(name).parent.mkdir(parents=True, exist_ok=True)
+        Path(name).write_text("the teacher's" if name == "map" else "mine")
+    Path("reads/main.c").write_text(READS)
+    files = ["--file", "map.txt=map", "--data", "*.txt"]
+    Path("all").mkdir()
+    Path("reads").rename("all/reads")
+    arguments = ["all", "task.xml", *ALLOW, *files, "--runs", "runs"]
+    assert main(["grade", *arguments]) == 0
+    assert capfd.readouterr().out == "reads        4 of 4  ended\n"
+    assert main(["grade", "all", "task.xml", *ALLOW, "--runs", "runs"]) == 0
+    assert capfd.readouterr().out == "reads        1 of 4  ended\n"
+    Path("all/reads/main.c").write_text("int")
+    assert main(["grade", "all", "task.xml", "--runs", "runs", "--quiet"]) == 0
+    assert not list(Path("runs").iterdir())  # nothing is left of the earlier gradings
+
+
+def test_robot_and_setup_are_those_that_are_wanted(
+    class_of_two: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("in/model.c").write_text(
+        '#include <stdlib.h>\n#include "Nclient.h"\n'
+        "int main(void) { connect_robot(1); get_sn(); if (!get_ir()) abort(); return 0; }\n"
+    )
+    assert main(["grade", "in/model.c", "task.xml", "--robot", "nomad200"]) == 0
+    assert main(["grade", "in/model.c", "task.xml", "--setup", "noisy"]) == 0
+    shown = capfd.readouterr().out.splitlines()
+    assert [line.split("  ")[-1] for line in shown] == ["ended", "model.c:3: abort called"]

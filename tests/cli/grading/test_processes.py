@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import threading
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from crs_cc.cli.grading.job import Job, Limits
+from crs_cc.cli.grading import processes
+from crs_cc.cli.grading.job import GradedRun, Job, Limits
 from crs_cc.cli.grading.processes import run_all
 from tests.cli.grading.handed_in import WORLD
 
@@ -17,8 +21,8 @@ def job(tmp_path: Path) -> Job:
     """Return a job whose program never ends."""
     (tmp_path / "task.xml").write_text(WORLD)
     (tmp_path / "loop.c").write_text("int main(void) { for (;;) ; }\n")
-    limits = Limits(max_time_s=1e6, max_fuel=10**15)
-    return Job(str(tmp_path), ("loop.c",), str(tmp_path / "task.xml"), None, limits, ())
+    limits = Limits(max_time_s=1e6, max_fuel=10**15, wall_s=60.0)
+    return Job("loop", str(tmp_path), ("loop.c",), str(tmp_path / "task.xml"), None, limits, ())
 
 
 def test_what_goes_wrong_with_a_run_is_its_own_grade(job: Job, tmp_path: Path) -> None:
@@ -38,3 +42,65 @@ def test_what_goes_wrong_with_a_run_is_its_own_grade(job: Job, tmp_path: Path) -
     assert found[1].message == f"stopped running after 0.3 s: {last_resort}"
     assert "FileNotFoundError" in found[2].message
     assert [run.earned for run in found] == [0.0] * len(jobs)
+
+
+def children(process: int) -> list[int]:
+    return [
+        int(each) for each in Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    ]
+
+
+@pytest.fixture
+def started(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """The processes that were started to run jobs."""
+    found: list[int] = []
+    start = processes._Worker._start
+
+    def noting(worker: processes._Worker) -> object:
+        process = start(worker)
+        found.append(process.pid)
+        return process
+
+    monkeypatch.setattr(processes._Worker, "_start", noting)
+    return found
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs /proc to find the processes")
+@pytest.mark.parametrize("whose", ["run", "worker"])
+def test_a_killed_process_is_the_grade_of_its_run_only(
+    whose: str, job: Job, started: list[int]
+) -> None:
+    ended = threading.Event()
+
+    def kill() -> None:
+        while not ended.is_set():
+            for worker in started[:1]:
+                for run in children(worker):
+                    os.kill(run if whose == "run" else worker, signal.SIGKILL)
+                    return
+
+    killer = threading.Thread(target=kill)
+    killer.start()
+    small = replace(job, limits=Limits(max_fuel=1000))
+    try:
+        found = list(run_all([job, small], 1, lambda: None))
+    finally:
+        ended.set()
+        killer.join()
+    assert [run.result for run in found] == ["crashed", "limit"]
+    assert found[0].message == (
+        "the process of the run ended by signal 9; perhaps the system had no memory left"
+    )
+    assert len(started) == (1 if whose == "run" else 2)
+
+
+def test_without_fork_each_run_has_a_new_process(
+    job: Job, started: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    without_unix = Path(__file__).parents[2] / "without_unix"
+    monkeypatch.setenv("PYTHONPATH", str(without_unix))
+    small = replace(job, limits=Limits(max_fuel=1000))
+    late = replace(job, limits=replace(job.limits, wall_s=0.3))
+    found: list[GradedRun] = list(run_all([late, small], 1, lambda: None))
+    assert [run.result for run in found] == ["time out", "limit"]
+    assert len(started) == len(set(started)) == 2
