@@ -378,14 +378,20 @@ def bit_field(ctype: IntegerType | EnumType, width: int) -> IntegerType:
     return IntegerType(name, 8, ctype.signed, width, "i64", width=width)
 
 
-def _complex(base: FloatType) -> RecordType:
+def _complex(base: IntegerType | FloatType) -> RecordType:
     record = Record("struct", None, f"_Complex {base.name}", is_complex=True)
     record.complete([Member("__real__", base), Member("__imag__", base)])
     return RecordType(record)
 
 
-COMPLEX: Final = {each.name: _complex(each) for each in (FLOAT, DOUBLE, LDOUBLE)}
-"""The complex types, by the name of their parts' type."""
+COMPLEX: Final = {
+    each.name: _complex(each)
+    for each in (
+        CHAR, SCHAR, UCHAR, SHORT, USHORT, INT, UINT, LONG, ULONG, LLONG, ULLONG,
+        FLOAT, DOUBLE, LDOUBLE,
+    )
+}  # fmt: skip
+"""The complex types, by the name of their parts' type; GNU C has those of integers."""
 
 
 def is_complex(ctype: CType) -> bool:

@@ -3,6 +3,7 @@
 A complex number is a struct of its real and its imaginary part, see `ir.types.COMPLEX`. Arithmetic
 becomes arithmetic of the parts and a compound literal of the results; a real operand has no
 imaginary part, which is not the same as one of zero. Constants are folded with their parts.
+GNU C has complex integers, too, with parts of any integer type.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ from crs_cc.ir.types import (
     DOUBLE,
     FLOAT,
     INT,
+    LLONG,
+    UINT,
+    ULLONG,
     CType,
     FloatType,
     FunctionType,
@@ -40,10 +44,14 @@ _PRODUCTS: Final = {"*": "mul", "/": "div"}
 
 @dataclass(frozen=True, slots=True)
 class Arithmetic:
-    """How real numbers are computed with: `operate(op, left, right)`, `convert(value, type)`."""
+    """How real numbers are computed with.
+
+    They are `operate(op, left, right)`, `convert(value, type)` and `negate(value)`.
+    """
 
     operate: Operate
     convert: Convert
+    negate: Callable[[Expression], Expression]
 
 
 @dataclass(slots=True)
@@ -63,18 +71,23 @@ class Parts:
     imaginary: Expression | None = None
 
 
-def base_of(ctype: CType) -> FloatType:
+def base_of(ctype: CType) -> IntegerType | FloatType:
     """Return the type of the parts of a complex type."""
     assert isinstance(ctype, RecordType)
     assert ctype.record.members is not None
     base = ctype.record.members[0].type
-    assert isinstance(base, FloatType)
+    assert isinstance(base, IntegerType | FloatType)
     return base
+
+
+def zero(base: CType, location: Location) -> Expression:
+    """Return zero of an arithmetic type."""
+    return tree.Literal(base, location, 0.0 if isinstance(base, FloatType) else 0)
 
 
 def build(base: CType, real: Expression, imaginary: Expression, location: Location) -> Expression:
     """Return a complex number of two parts of its base type."""
-    assert isinstance(base, FloatType)
+    assert isinstance(base, IntegerType | FloatType)
     ctype = COMPLEX[base.name]
     values = [InitialValue(0, base, real), InitialValue(base.size, base, imaginary)]
     symbol = ObjectSymbol("", ctype, location, in_memory=True)
@@ -141,7 +154,7 @@ def converted(value: Expression, target: CType, convert: Convert) -> Expression:
     given = parts(value)
     if is_complex(target):
         base = base_of(target)
-        imaginary = given.imaginary or tree.Literal(base, value.location, 0.0)
+        imaginary = given.imaginary or zero(base, value.location)
         real, imaginary = convert(given.real, base), convert(imaginary, base)
         return after(given.effects, build(base, real, imaginary, value.location))
     if isinstance(target, IntegerType) and target.name == BOOL.name:
@@ -154,35 +167,39 @@ def truth(value: Expression) -> Expression:
     if not is_complex(value.type):
         return value
     given, location = parts(value), value.location
-    zero = tree.Literal(given.base, location, 0.0)
     assert given.imaginary is not None
-    tests: list[Expression] = [
-        tree.Binary(INT, location, "!=", each, zero) for each in (given.real, given.imaginary)
-    ]
+    numbers = [_at_least_int(each) for each in (given.real, given.imaginary)]
+    none = zero(numbers[0].type, location)
+    tests: list[Expression] = [tree.Binary(INT, location, "!=", each, none) for each in numbers]
     return after(given.effects, tree.Binary(INT, location, "|", tests[0], tests[1]))
 
 
-def _negative(value: Expression) -> Expression:
-    if isinstance(value, tree.Literal):
-        return tree.Literal(value.type, value.location, -value.value)
-    return tree.Unary(value.type, value.location, "-", value)
+def _at_least_int(value: Expression) -> Expression:
+    """Return a number as an `int`, if its type is shorter."""
+    is_short = isinstance(value.type, IntegerType) and value.type.size < INT.size
+    return tree.Convert(INT, value.location, value) if is_short else value
 
 
-def negated(op: str, value: Expression) -> Expression:
+def negated(op: str, value: Expression, arithmetic: Arithmetic) -> Expression:
     """Return `+z`, `-z`, or the conjugate `~z`."""
     if op == "+":
         return value
     given = parts(value)
     assert given.imaginary is not None
-    real = _negative(given.real) if op == "-" else given.real
-    number = build(given.base, real, _negative(given.imaginary), value.location)
+    real = arithmetic.negate(given.real) if op == "-" else given.real
+    number = _built(given.base, real, arithmetic.negate(given.imaginary), arithmetic.convert)
     return after(given.effects, number)
+
+
+def _built(base: CType, real: Expression, imaginary: Expression, convert: Convert) -> Expression:
+    """Return a complex number of two parts of any type; short integers were promoted."""
+    return build(base, convert(real, base), convert(imaginary, base), real.location)
 
 
 def binary(
     op: str,
     operands: tuple[Expression, Expression],
-    base: FloatType,
+    base: IntegerType | FloatType,
     location: Location,
     arithmetic: Arithmetic,
 ) -> Expression:
@@ -198,20 +215,29 @@ def binary(
     Raises:
         CheckError: complex numbers have no such operator.
     """
-    operate, convert = arithmetic.operate, arithmetic.convert
-    left, right = (_in_base(each, base, convert) for each in operands)
+    left, right = (_in_base(each, base, arithmetic.convert) for each in operands)
     effects = [*left.effects, *right.effects]
     if op in {"==", "!="}:
-        return after(effects, _compared(op, left, right, operate))
-    if op in {"+", "-"}:
-        real = operate(op, left.real, right.real)
-        return after(effects, build(base, real, _added(op, left, right, operate), location))
-    if op not in _PRODUCTS:
+        return after(effects, _compared(op, left, right, arithmetic.operate))
+    if op not in {"+", "-", *_PRODUCTS}:
         types = " and ".join(f"'{each.type}'" for each in operands)
         raise CheckError(location, f"invalid operands to binary expression ({types})")
+    return after(effects, _computed(op, left, right, location, arithmetic))
+
+
+def _computed(
+    op: str, left: Parts, right: Parts, location: Location, arithmetic: Arithmetic
+) -> Expression:
+    """Return a sum, difference, product or quotient of numbers with parts of one type."""
+    operate, convert = arithmetic.operate, arithmetic.convert
+    if op in {"+", "-"}:
+        real = operate(op, left.real, right.real)
+        return _built(left.base, real, _added(op, left, right, arithmetic), convert)
     if right.imaginary is None or (left.imaginary is None and op == "*"):
-        return after(effects, _scaled(op, left, right, operate, location))
-    return after(effects, _product(op, left, right, location, convert))
+        return _scaled(op, left, right, arithmetic)
+    if isinstance(left.base, IntegerType):
+        return _integer_product(op, left, right, location, arithmetic)
+    return _product(op, left, right, location, convert)
 
 
 def _in_base(value: Expression, base: CType, convert: Convert) -> Parts:
@@ -225,33 +251,66 @@ def _in_base(value: Expression, base: CType, convert: Convert) -> Parts:
 
 
 def _compared(op: str, left: Parts, right: Parts, operate: Operate) -> Expression:
-    zero = tree.Literal(left.base, left.real.location, 0.0)
+    none = zero(left.base, left.real.location)
     reals = operate(op, left.real, right.real)
-    others = operate(op, left.imaginary or zero, right.imaginary or zero)
+    others = operate(op, left.imaginary or none, right.imaginary or none)
     return operate("&" if op == "==" else "|", reals, others)
 
 
-def _added(op: str, left: Parts, right: Parts, operate: Operate) -> Expression:
+def _added(op: str, left: Parts, right: Parts, arithmetic: Arithmetic) -> Expression:
     """Return the imaginary part of a sum or difference."""
     if left.imaginary is not None and right.imaginary is not None:
-        return operate(op, left.imaginary, right.imaginary)
+        return arithmetic.operate(op, left.imaginary, right.imaginary)
     if left.imaginary is not None:
         return left.imaginary
     assert right.imaginary is not None
     if op == "+":
         return right.imaginary
-    return _negative(right.imaginary)
+    return arithmetic.negate(right.imaginary)
 
 
-def _scaled(op: str, left: Parts, right: Parts, operate: Operate, location: Location) -> Expression:
+def _scaled(op: str, left: Parts, right: Parts, arithmetic: Arithmetic) -> Expression:
     """Return the product with a real number, or the quotient by one."""
     scale, number = (left, right) if left.imaginary is None else (right, left)
     assert number.imaginary is not None
+    operate = arithmetic.operate
     if number is right:
         values = [operate(op, scale.real, each) for each in (number.real, number.imaginary)]
     else:
         values = [operate(op, each, scale.real) for each in (number.real, number.imaginary)]
-    return build(number.base, values[0], values[1], location)
+    return _built(number.base, values[0], values[1], arithmetic.convert)
+
+
+def _integer_product(
+    op: str, left: Parts, right: Parts, location: Location, arithmetic: Arithmetic
+) -> Expression:
+    """Return a product or quotient of complex integers.
+
+    gcc divides by R. L. Smith's method (CACM 1962, algorithm 116), all of whose quotients are
+    truncated; the library does the same.
+    """
+    operate, convert = arithmetic.operate, arithmetic.convert
+    none = zero(left.base, location)
+    a, b, c, d = left.real, left.imaginary or none, right.real, right.imaginary or none
+    if op == "*":
+        real = operate("-", operate("*", a, c), operate("*", b, d))
+        imaginary = operate("+", operate("*", a, d), operate("*", b, c))
+        return _built(left.base, real, imaginary, convert)
+    base = left.base
+    assert isinstance(base, IntegerType)
+    computed = LLONG if base.signed else ULLONG if base.size == ULLONG.size else UINT
+    name = f"__crs_quotient_{'signed' if base.signed else f'unsigned{8 * computed.size}'}"
+    quotient = _called(name, computed, [convert(each, computed) for each in (a, b, c, d)], location)
+    return converted(quotient, COMPLEX[base.name], convert)
+
+
+def _called(
+    name: str, base: IntegerType | FloatType, arguments: list[Expression], location: Location
+) -> Expression:
+    """Return the complex result of a function of the library with parts of one type."""
+    ctype = FunctionType(COMPLEX[base.name], (base,) * len(arguments))
+    callee = tree.FunctionName(ctype, location, FunctionSymbol(name, ctype, location, name))
+    return tree.Call(ctype.result, location, callee, arguments)
 
 
 def _product(
@@ -259,8 +318,8 @@ def _product(
 ) -> Expression:
     """Return a product or quotient of complex numbers, which the library computes."""
     base = left.base
-    zero = tree.Literal(base, location, 0.0)
-    operands = [left.real, left.imaginary or zero, right.real, right.imaginary or zero]
+    none = zero(base, location)
+    operands = [left.real, left.imaginary or none, right.real, right.imaginary or none]
     values = [each.value for each in operands if isinstance(each, tree.Literal)]
     if len(values) == len(operands) and (op == "*" or any(values[2:])):
         first, second = complex(*values[:2]), complex(*values[2:])
@@ -269,9 +328,7 @@ def _product(
         return build(base, convert(results[0], base), convert(results[1], base), location)
     computed = FLOAT if base == FLOAT else DOUBLE
     name = f"__{_PRODUCTS[op]}{'s' if computed == FLOAT else 'd'}c3"
-    ctype = FunctionType(COMPLEX[computed.name], (computed,) * 4)
-    callee = tree.FunctionName(ctype, location, FunctionSymbol(name, ctype, location, name))
-    call = tree.Call(ctype.result, location, callee, [convert(each, computed) for each in operands])
+    call = _called(name, computed, [convert(each, computed) for each in operands], location)
     assert isinstance(base, FloatType)
     return converted(call, COMPLEX[base.name], convert)
 

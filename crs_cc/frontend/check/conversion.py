@@ -174,14 +174,17 @@ def usual(left: Expression, right: Expression) -> tuple[Expression, Expression]:
     return convert(left, common), convert(right, common)
 
 
-def common_base(left: Expression, right: Expression) -> FloatType:
-    """Return the common type of the parts of two numbers, one of them complex (C17 6.3.1.8)."""
+def common_base(left: Expression, right: Expression) -> IntegerType | FloatType:
+    """Return the common type of the parts of two numbers, one of them complex (C17 6.3.1.8).
+
+    GNU C does not promote the parts of complex integers.
+    """
     types = [
         complex_numbers.base_of(each.type) if is_complex(each.type) else promote(each).type
         for each in (left, right)
     ]
     common = _common(types[0], types[1])
-    assert isinstance(common, FloatType)
+    assert isinstance(common, IntegerType | FloatType)
     return common
 
 

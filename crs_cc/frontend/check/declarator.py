@@ -32,6 +32,7 @@ from crs_cc.ir.types import (
     CType,
     FloatType,
     FunctionType,
+    IntegerType,
     PointerType,
     RecordType,
     VoidType,
@@ -129,9 +130,8 @@ def _complex(names: tuple[str, ...], location: Location) -> CType:
     rest = list(names)
     rest.remove("_Complex")
     base = basic_type(tuple(rest)) if rest else DOUBLE
-    if not isinstance(base, FloatType):
-        text = f"'{' '.join(names)}' is not supported"
-        raise CheckError(location, text, "use a complex floating type, or a struct of two integers")
+    if not isinstance(base, IntegerType | FloatType) or base.name not in COMPLEX:
+        raise CheckError(location, f"'{' '.join(names)}' is not a type")
     return COMPLEX[base.name]
 
 

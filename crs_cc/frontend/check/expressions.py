@@ -28,13 +28,11 @@ from crs_cc.frontend.preprocess.options import is_c90
 from crs_cc.ir.types import (
     BOOL,
     CHAR,
-    DOUBLE,
     NULLPTR,
     UINT,
     VOID,
     ArrayType,
     CType,
-    FloatType,
     FunctionType,
     Member,
     PointerType,
@@ -117,11 +115,10 @@ def constant(unit: Unit, node: Node) -> Expression:
 
 
 def _imaginary(text: str, location: Location) -> Expression:
-    """Return GNU C's `2.0i`."""
-    value, ctype = literal.number("".join(each for each in text if each not in _IMAGINARY))
-    base = ctype if isinstance(ctype, FloatType) else DOUBLE
-    parts = [tree.Literal(base, location, each) for each in (0.0, float(value))]
-    return complex_numbers.build(base, parts[0], parts[1], location)
+    """Return GNU C's `2.0i` or `2i`."""
+    value, base = literal.number("".join(each for each in text if each not in _IMAGINARY))
+    parts = complex_numbers.zero(base, location), tree.Literal(base, location, value)
+    return complex_numbers.build(base, *parts, location)
 
 
 @checks(c_ast.ExprList)

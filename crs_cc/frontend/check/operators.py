@@ -94,11 +94,17 @@ def _complex(
     if not is_number(left.type) or not is_number(right.type):
         raise _invalid(left, right, place)
 
-    def compute(op: str, first: Expression, second: Expression) -> Expression:
-        return operate(unit, op, first, second, place)
-
     operands, base = (left, right), common_base(left, right)
-    return complex_numbers.binary(op, operands, base, place, Arithmetic(compute, convert))
+    return complex_numbers.binary(op, operands, base, place, _arithmetic(unit, place))
+
+
+def _arithmetic(unit: Unit, place: Location) -> Arithmetic:
+    """Return how the parts of complex numbers are computed with at some location."""
+    return Arithmetic(
+        lambda op, left, right: operate(unit, op, left, right, place),
+        convert,
+        lambda value: _negated(value, place),
+    )
 
 
 def _folded(
@@ -238,18 +244,22 @@ def unary(unit: Unit, node: Node) -> Expression:
 def _sign(unit: Unit, node: Node) -> Expression:
     operand, place = rvalue(unit, node.expr), unit.at(node)
     if is_complex(operand.type):
-        return complex_numbers.negated(node.op, operand)
+        return complex_numbers.negated(node.op, operand, _arithmetic(unit, place))
     if not is_arithmetic(operand.type) or (node.op == "~" and not is_integer(operand.type)):
         text = f"invalid argument type '{operand.type}' to unary expression"
         raise CheckError(place, text)
     operand = promote(operand)
-    if node.op == "+":
-        return operand
+    return operand if node.op == "+" else _negated(operand, place, node.op)
+
+
+def _negated(operand: Expression, place: Location, op: str = "-") -> Expression:
+    """Return `-x` or `~x`, computed if it is constant."""
+    operand = promote(operand)
     if isinstance(operand, tree.Literal):
-        value = fold.unary(node.op, operand.type, operand.value)
+        value = fold.unary(op, operand.type, operand.value)
         if value is not None:
             return tree.Literal(operand.type, place, value)
-    return tree.Unary(operand.type, place, node.op, operand)
+    return tree.Unary(operand.type, place, op, operand)
 
 
 def _not(unit: Unit, node: Node) -> Expression:

@@ -21,6 +21,7 @@ from tests.fuzz.generator.types import (
 
 ATOMIC = [INT, UINT, USHORT, LLONG]
 PARTS = ["__real__", "__imag__"]
+COMPLEX_INTEGERS = ["short", "unsigned char", "int", "unsigned", "long long"]
 QUOTIENT = "(float _Complex)({} / ({}))"
 
 
@@ -124,6 +125,34 @@ def complex_numbers(source: Source, functions: list[Function], name: str) -> Non
         source.add(f"{chance.choice(PARTS)} {names[0]} = 2;", f"{names[0]}++;")
         for each in names:
             source.add(*(f"show({part} {each});" for part in PARTS))
+
+
+def complex_integers(source: Source, functions: list[Function], name: str) -> None:
+    """Arithmetic of complex integers, whose parts wrap as the types of integers do."""
+    chance = source.chance
+    words = [chance.choice(COMPLEX_INTEGERS) for _ in range(2)]
+    inner = source.name("z")
+    with source.block(f"static {words[0]} _Complex {inner}({words[0]} _Complex x, int _Complex y)"):
+        source.add(f"return {chance.choice(['x * y', 'x + ~y', 'x - y', '-x', 'x == y'])};")
+    with source.block(f"static void {name}(void)"):
+        expressions = Expressions(chance, functions=functions)
+        names = [source.name("c") for _ in range(4)]
+        for each in names:
+            source.add(f"{chance.choice(words)} _Complex {each};")
+            source.add(*(f"{part} {each} = {expressions.integer(1)[0]};" for part in PARTS))
+        for _ in range(8):
+            left, right = chance.choice(names), chance.choice(names)
+            number, op = expressions.integer(1)[0], chance.choice("+-*")
+            value = chance.choice(
+                [f"{left} {op} {right}", f"{left} {op} {number}", f"{number} {op} {right}",
+                 f"{inner}({left}, {right})",
+                 f"{left} / (1 + ({number} & 15))", f"{left} / (1 + ({number} & 7) + 3i)",
+                 f"{left} != {right} ? -{left} : ~{right}", f"({left} ? {left} : {number})"]
+            )  # fmt: skip
+            form = chance.choice(["{} = {};", "{} += {};", "{} -= {};", "{} *= {};"])
+            source.add(form.format(chance.choice(names), value), f"{chance.choice(names)}++;")
+        for each in names:
+            source.add(*(f'printf("%lld\\n", (long long){part} {each});' for part in PARTS))
 
 
 def inline_functions(source: Source, functions: list[Function], name: str) -> None:

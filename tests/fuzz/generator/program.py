@@ -38,6 +38,7 @@ TOPICS: dict[str, Topic] = {
     "nested_statements": gnu.nested_statements,
     "atomics": gnu.atomics,
     "complex_numbers": gnu.complex_numbers,
+    "complex_integers": gnu.complex_integers,
     "inline_functions": gnu.inline_functions,
     "bit_fields_by_value": gnu.bit_fields_by_value,
     "constant_tables": gnu.constant_tables,

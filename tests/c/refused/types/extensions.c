@@ -2,7 +2,7 @@
 struct flexible { int n; short v[]; };
 union number { int i; double d; };
 
-_Complex int z; // error: '_Complex int' is not supported
+_Complex _Bool z; // error: '_Complex _Bool' is not a type
 __int128 large; // error: type '__int128' is not supported
 
 int main(void)
