@@ -54,11 +54,10 @@ class RunHints:
         return self.found[0]
 
     def at_end(self) -> Iterator[Diagnostic]:
-        """Yield the hints at doubtful robot calls, each for the first call of its kind."""
+        """Yield the hints at doubtful calls and comparisons, each for the first of its kind."""
         yield from self._unconnected()
         for each in self._session.hints:
-            place = each.call.location if each.call else None
-            yield self._diagnostic(each.robot, place, each.text, each.advice, each.flag)
+            yield self._diagnostic(each.robot, each.location, each.text, each.advice, each.flag)
 
     def _unconnected(self) -> Iterator[Diagnostic]:
         """Yield a warning for each place that calls the robot without a connection."""

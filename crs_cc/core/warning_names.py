@@ -75,6 +75,7 @@ WARNINGS: Final = {
     "unused-variable": "a local variable that is never used",
     # The command line and the run
     "missing-file": "a program did not find a file that exists outside its disk",
+    "pointer-order": "a run compares pointers to different objects by their order",
     "sensor-range": "a reading is compared with a number that it cannot reach",
     "silent-run": "a run without --max-time that writes nothing for long, and may have no end",
     "speed-limit": "vm asks for more than the robot's maximum speed",

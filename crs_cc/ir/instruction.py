@@ -248,14 +248,22 @@ class Bounds(Instruction):
 
 @dataclass(slots=True, eq=False)
 class SameObject(Instruction):
-    """Stops the program if two pointers are to different objects (C17 6.5.6p9, 6.5.8p5).
+    """Checks that two pointers are to the same object (C17 6.5.6p9, 6.5.8p5).
 
-    It has no effect in unchecked builds, and costs no fuel. `size` is that of what they point to.
+    It has no effect in unchecked builds, and costs no fuel. A difference of others stops the
+    program, a comparison is noted.
+
+    Attributes:
+        left: a pointer.
+        right: another one.
+        size: the size of what they point to.
+        is_order: whether they are compared.
     """
 
     left: Operand
     right: Operand
     size: int
+    is_order: bool
 
 
 @dataclass(slots=True, eq=False)

@@ -188,7 +188,8 @@ class FunctionText:
         return f"bounds {index} < {bounds.array.length} [{place}]"
 
     def _same_object(self, pair: ir.SameObject) -> str:
-        return f"same object {self._operand(pair.left)}, {self._operand(pair.right)}"
+        what = "order" if pair.is_order else "same object"
+        return f"{what} {self._operand(pair.left)}, {self._operand(pair.right)}"
 
     def _passed(self, passed: ir.Passed) -> str:
         return f"passed {spell(passed.ctype)} [{self._operand(passed.address)}]"

@@ -32,6 +32,7 @@ from crs_cc.requests.door import (
     SYSTEM_CALL,
     TIMING,
     slot_offset,
+    timing_offset,
 )
 from crs_cc.requests.host import HOST_REQUESTS
 from crs_cc.requests.request import Field, Request
@@ -58,6 +59,7 @@ __all__ = [
     "device_request",
     "register",
     "slot_offset",
+    "timing_offset",
 ]
 
 _TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)

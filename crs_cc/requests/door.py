@@ -58,15 +58,19 @@ SLOT: Final = np.dtype(
 
 TIMING: Final = np.dtype(
     {
-        "names": ["clock_s", "due_s", "speed_hz", "fuel", "pending", "alive", "asks"],
-        "formats": ["<f8", "<f8", "<f8", "<i8", "<i8", "?", "<i4"],
-        "offsets": [0, 8, 16, 24, 32, 40, 44],
+        "names": [
+            "clock_s", "due_s", "speed_hz", "fuel", "pending", "alive", "asks",
+            "compared_site", "compared_left", "compared_right",
+        ],
+        "formats": ["<f8", "<f8", "<f8", "<i8", "<i8", "?", "<i4", "<u4", "<u4", "<u4"],
+        "offsets": [0, 8, 16, 24, 32, 40, 44, 48, 52, 56],
         "itemsize": 64,  # a cache line
     }
-)
+)  # fmt: skip
 """What is known of a program's time, see `session.session_state`. `asks` is 1 if the program has
 stopped for something that is not answered where rounds are run: its request, its end or its
-failure."""
+failure. `compared_site` is 1 + the number of the location where a checked program has first
+compared pointers to different objects, followed by the pointers; 0 if it has not."""
 
 SYSTEM_CALL: Final = 1000
 """Processor time of a request to the host [instructions]; chosen by us: 20 microseconds
@@ -76,6 +80,11 @@ on a host of 50 MHz."""
 def slot_offset(field: str) -> int:
     """Return the offset of a field in a robot's slot [bytes]."""
     return int(SLOT.fields[field][1])  # type: ignore[index]
+
+
+def timing_offset(field: str) -> int:
+    """Return the offset of a field of `TIMING` from the start of the slot before it [bytes]."""
+    return SLOT.itemsize + int(TIMING.fields[field][1])  # type: ignore[index]
 
 
 RETURNED: Final = 0

@@ -39,6 +39,7 @@ from crs_cc.runtime.workers import run_all
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.diagnosis.compared_pointers import ComparedPointers
     from crs_cc.runtime.diagnosis.failure import Failure
     from crs_cc.runtime.diagnosis.inspect import Stopped
     from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
@@ -423,6 +424,17 @@ class Fleet:
         from crs_cc.runtime.diagnosis.lost_blocks import lost_blocks  # rarely needed
 
         return lost_blocks(self.stopped(robot))
+
+    def compared_pointers(self, robot: int) -> ComparedPointers | None:
+        """Return the first comparison of pointers to different objects, if there was one."""
+        from crs_cc.runtime.diagnosis.compared_pointers import compared_pointers  # rarely needed
+
+        timing = self.timing[robot]
+        if not timing["compared_site"]:
+            return None
+        site = self.executable(robot).detail().compiled.sites[int(timing["compared_site"]) - 1]
+        pointers = int(timing["compared_left"]), int(timing["compared_right"])
+        return compared_pointers(self.stopped(robot), site.location, pointers)
 
     def report(self, robot: int) -> ErrorReport:
         """Return the error report of a robot with status FAILED."""

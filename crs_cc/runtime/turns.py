@@ -13,7 +13,16 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.requests import CODES, MESSAGE, SLOT, SUSPENDED, SYSTEM_CALL, TIMING, slot_offset
+from crs_cc.requests import (
+    CODES,
+    MESSAGE,
+    SLOT,
+    SUSPENDED,
+    SYSTEM_CALL,
+    TIMING,
+    slot_offset,
+    timing_offset,
+)
 
 if TYPE_CHECKING:
     from crs_cc.runtime.wasm import Instr
@@ -30,12 +39,10 @@ _RESULT: Final = slot_offset("message") + int(MESSAGE.fields["result"][1])  # ty
 _NEVER_S: Final = float("inf")
 
 
-def _timing(field: str) -> int:
-    """Return the offset of a field of `TIMING` from the start of the slot [bytes]."""
-    return SLOT.itemsize + int(TIMING.fields[field][1])  # type: ignore[index]
-
-
-CLOCK_S, DUE_S, SPEED_HZ, FUEL, PENDING, ALIVE, ASKS = map(_timing, TIMING.names or ())
+CLOCK_S, DUE_S, SPEED_HZ, FUEL, PENDING, ALIVE, ASKS = (
+    timing_offset(each)
+    for each in ("clock_s", "due_s", "speed_hz", "fuel", "pending", "alive", "asks")
+)
 
 
 def begin(end_s: list[Instr]) -> list[Instr]:

@@ -1,4 +1,4 @@
-"""Robot calls that are probably mistakes: moves that are cut off, and speeds beyond the robot's.
+"""What is probably a mistake: moves that are cut off, speeds beyond the robot's, and the like.
 
 Each kind is noted once for each program. What is noted is not part of the state of a run.
 """
@@ -14,7 +14,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray, Records, any_of
 from crs_cc.requests import CODES
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.core.source import Location
     from crs_cc.runtime.fleet import Fleet
     from crs_cc.sim.engine.environment import Environment
 
@@ -28,21 +28,21 @@ _ROUNDING: Final = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Hint:
-    """A doubtful call.
+    """A doubtful call of the robot, or a doubtful comparison.
 
     Attributes:
         robot: the robot's number.
         flag: the name of its warning, see `core.warning_names`.
         text: the message.
         advice: what to do about it.
-        call: the call, if it is known.
+        location: where it is, if that is known.
     """
 
     robot: int
     flag: str
     text: str
     advice: str
-    call: ActiveCall | None
+    location: Location | None
 
 
 class Hints:
@@ -80,6 +80,17 @@ class Hints:
             self._note_speeds(robots, messages)
         if code not in _SETTINGS:
             self._moves[robots] = code == _MOVE
+
+    def comparisons(self) -> list[Hint]:
+        """Return the first comparison of pointers to different objects of each program."""
+        found: dict[str, Hint] = {}
+        for robot in np.flatnonzero(self._fleet.timing["compared_site"]).tolist():
+            program = self._fleet.executable(robot).name
+            pair = self._fleet.compared_pointers(robot) if program not in found else None
+            if pair is not None:
+                advice = "C leaves their order open; to compare addresses, convert to 'uintptr_t'"
+                found[program] = Hint(robot, "pointer-order", pair.text, advice, pair.location)
+        return list(found.values())
 
     def note_exit(self, robot: int, at_s: float) -> None:
         """Note that a program ends by itself."""
@@ -127,4 +138,5 @@ class Hints:
         if (program, flag) not in self._known:
             self._known.add((program, flag))
             call = self._fleet.library_call(robot)
-            self.found.append(Hint(robot, flag, text, advice, call))
+            location = call.location if call else None
+            self.found.append(Hint(robot, flag, text, advice, location))

@@ -147,8 +147,8 @@ class Session:
 
     @property
     def hints(self) -> Sequence[Hint]:
-        """The doubtful robot calls so far."""
-        return self._hints.found
+        """What is doubtful in the programs' calls and comparisons so far."""
+        return [*self._hints.found, *self._hints.comparisons()]
 
     def add_robot(self, robot: Robot, executable: Executable, arguments: Sequence[str] = ()) -> int:
         """Add a robot, see `SessionState.add_robot`."""

@@ -2,8 +2,8 @@
 
 In each file of `planted/`, `PLANT(wrong, right)` is the error or its remedy. A comment
 `// error: kind` stands at the line where a run must stop, `// warning: text` at a line that the
-compiler must warn of, and `// leak: N` says how many blocks nothing points to at the end;
-`// origin` stands where a value that was never set comes from. The programs of `first/` and
+compiler or the run must warn of, and `// leak: N` says how many blocks nothing points to at the
+end; `// origin` stands where a value that was never set comes from. The programs of `first/` and
 `third/` were written before the checks that they test, those of `second/` after.
 """
 
@@ -33,7 +33,7 @@ class Planted:
 
     Attributes:
         path: its file.
-        severity: "error" at run time, "warning" of the compiler, or "leak".
+        severity: "error" at run time, "warning", or "leak".
         text: the kind of the error, a part of the warning, the number of lost blocks.
         line: the line of the error.
         origin: the line of the declaration or allocation that the report must name; 0 if none.
@@ -96,10 +96,13 @@ def look(path: Path, definition: str, *, trap_overflow: bool = False) -> Found:
 def _run(program: Executable) -> Found:
     run = Run(program)
     outcome = run.to_end()
+    assert run.fleet is not None
+    compared = run.fleet.compared_pointers(0)
+    if compared is not None:
+        return Found("warning", compared.text, compared.location.line)
     if outcome.failure is not None:
         made = report(outcome.failure)
         return Found("error", made.text, made.location.line, made.notes)
-    assert run.fleet is not None
     lost = run.fleet.lost_blocks(0)
     if lost:
         number = sum(len(each.sizes) for each in lost)

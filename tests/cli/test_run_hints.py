@@ -108,3 +108,40 @@ def test_a_silent_run_without_a_limit_says_where_it_stands(
     assert shown.count("[-Wsilent-run]") == 1
     assert main(["run", "silent.c", "--max-time", "99"]) == 0
     assert "warning" not in capfd.readouterr().err
+
+
+ORDER = """#include <stdio.h>
+#include <stdlib.h>
+static int pool[8], other[8];
+static int is_of_pool(int *p) { return p >= pool && p < pool + 8; }
+int main(void)
+{
+    int own[2];
+    printf("%d", is_of_pool(pool + 8));
+    printf("%d", is_of_pool(other + 2));
+    printf("%d", is_of_pool(own));
+    printf("%d\\n", is_of_pool(NULL));
+    ENDING
+}
+"""
+COMPARED = "order.c:4:40: warning: pointers to different objects are compared: one points to"
+
+
+@pytest.mark.parametrize(("ending", "status"), [("return 0;", 0), ("abort();", 123)])
+def test_the_first_comparison_of_unrelated_pointers_is_hinted_at(
+    ending: str, status: int, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("order.c").write_text(ORDER.replace("ENDING", ending))
+    assert main(["run", "order.c"]) == status
+    shown = capfd.readouterr()
+    assert shown.out == "0000\n"
+    assert shown.err.count("warning:") == 1
+    assert f"{COMPARED} 'other', the other to 'pool' [-Wpointer-order]" in shown.err
+
+
+def test_variables_of_functions_that_were_compared_are_not_named(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("order.c").write_text(ORDER.replace("other + 2", "pool").replace("ENDING", ""))
+    assert main(["run", "order.c"]) == 0
+    assert "pointers to different objects are compared [-Wpointer-order]" in capfd.readouterr().err

@@ -127,7 +127,8 @@ def _relate(
         return
     if isinstance(left, Register) and isinstance(right, Register) and not in_library(location):
         size = 1 if is_variably_modified(ctype.target) else ctype.target.size
-        low.emit(SameObject(location, left, right, max(1, size)))
+        is_order = isinstance(expression, tree.Binary)
+        low.emit(SameObject(location, left, right, max(1, size), is_order))
 
 
 def _truncated(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:

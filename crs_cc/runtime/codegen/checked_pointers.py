@@ -25,7 +25,7 @@ from crs_cc.ir.instruction import (
 from crs_cc.ir.names import in_library
 from crs_cc.ir.pointer_bases import NEAR
 from crs_cc.ir.value_type import MEMORY_SIZE
-from crs_cc.requests import slot_offset
+from crs_cc.requests import slot_offset, timing_offset
 from crs_cc.runtime.codegen import same_object
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
@@ -91,18 +91,36 @@ class CheckedPointers(KnownMemory):
         writer.code.append(("end",))
 
     def same_object(self, it: SameObject) -> None:
-        """Write the check that two pointers are to one object, unless they are known to be."""
+        """Write the check that two pointers are to one object, unless they are known to be.
+
+        A comparison of others does not stop the program; the first one is noted.
+        """
         (left, _), (right, _) = self.places.value(it.left), self.places.value(it.right)
         if left == right:
             return
         writer, push = self.writer, (self.writer.value(it.left), self.writer.value(it.right))
         writer.code += [*same_object.is_new(*push), UNLIKELY]
         writer.code += [*push, ("i32.const", it.size), ("call", UNRELATED), UNLIKELY]
-        if writer.side_exit is None:
-            writer.code += [("global.get", SLOT_GLOBAL), push[1]]
-            writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
-        writer.fail(Site("unrelated pointers", it.location), [push[0]])
+        site = Site("unrelated pointers", it.location)
+        if it.is_order:
+            self._note_order(site, push)
+        else:
+            if writer.side_exit is None:
+                writer.code += [("global.get", SLOT_GLOBAL), push[1]]
+                writer.code.append(("i32.store", MAILBOX, slot_offset("error_base")))
+            writer.fail(site, [push[0]])
         writer.code += [("end",), ("end",)]
+
+    def _note_order(self, site: Site, pointers: tuple[Instr, Instr]) -> None:
+        """Note a comparison, if it is the first one."""
+        slot: Instr = ("global.get", SLOT_GLOBAL)
+        noted = timing_offset("compared_site")
+        code = [slot, ("i32.load", MAILBOX, noted), ("i32.eqz",), ("if",)]
+        code += [slot, ("i32.const", self.writer.names.number(site) + 1)]
+        code += [("i32.store", MAILBOX, noted)]
+        for name, pointer in zip(("compared_left", "compared_right"), pointers, strict=True):
+            code += [slot, pointer, ("i32.store", MAILBOX, timing_offset(name))]
+        self.writer.code += [*code, ("end",)]
 
     def passed(self, it: Passed) -> None:
         """Write the check that a variable argument was passed as some type.

@@ -6,7 +6,7 @@ found is kept: the range in which two pointers are last known to be in one objec
 outside the stack. Nothing makes bytes inaccessible there but the allocator, and nothing on the
 stack but ends of scopes and of functions.
 
-Only pointers that are to two different objects stop a program. One to no object at all, such as one
+Only pointers that are to two different objects are reported. One to no object at all, such as one
 before the start of an array, where loops that count down end, is left alone.
 """
 
@@ -28,37 +28,42 @@ STEP, WIDE_STEP, NARROW_PART = 16, 32, 128
 `layout.red_zone` and the headers of the heap's blocks."""
 
 _AHEAD: Final = 256
-"""How much more of the object is looked at, so that the next pointer is known, too [bytes]."""
+"""How much more of an object is looked at first, so that the next pointer is known [bytes]."""
 
 LAST, LAST_SPAN, FIRST_KEPT, FIRST_SPAN, SECOND_KEPT, SECOND_SPAN = range(
     large_functions.END, large_functions.END + 6
 )
 """The globals: where each range starts, and its size."""
 
+_RANGES: Final = ((LAST, LAST_SPAN), (FIRST_KEPT, FIRST_SPAN), (SECOND_KEPT, SECOND_SPAN))
+
 GLOBALS: Final[list[tuple[ValueType, int]]] = [("i32", 0)] * 6
 
 
 def forget_last() -> list[Instr]:
-    """Discard the range that may be on the stack."""
-    return [("i32.const", 0), ("global.set", LAST_SPAN)]
+    """Discard the range that may be on the stack, in favour of one that is not."""
+    return [
+        ("global.get", FIRST_KEPT), ("global.set", LAST),
+        ("global.get", FIRST_SPAN), ("global.set", LAST_SPAN),
+    ]  # fmt: skip
 
 
 def forget_all() -> list[Instr]:
     """Discard all ranges."""
     code: list[Instr] = []
-    for span in (LAST_SPAN, FIRST_SPAN, SECOND_SPAN):
+    for _, span in _RANGES:
         code += [("i32.const", 0), ("global.set", span)]
     return code
 
 
 def forget_at(address: Instr) -> list[Instr]:
     """Discard the ranges with the byte at an address, from which on bytes become inaccessible."""
-    code = forget_last()
-    for start, span in ((FIRST_KEPT, FIRST_SPAN), (SECOND_KEPT, SECOND_SPAN)):
+    code: list[Instr] = []
+    for start, span in _RANGES[1:]:
         code += [("i32.const", 0), ("global.get", span)]
         code += [address, ("global.get", start), ("i32.sub",), ("global.get", span), ("i32.le_u",)]
         code += [("select",), ("global.set", span)]
-    return code
+    return [*code, *forget_last()]
 
 
 def is_new(left: Instr, right: Instr) -> list[Instr]:
@@ -90,7 +95,7 @@ def gap() -> Code:
 
 
 _TYPE: Final[FuncType] = (("i32", "i32", "i32"), ("i32",))
-_LEFT, _RIGHT, _SIZE, _LOW, _HIGH, _END, _FOUND = range(7)
+_LEFT, _RIGHT, _SIZE, _LOW, _HIGH, _END, _FOUND, _START = range(8)
 
 
 def unrelated() -> Code:
@@ -117,7 +122,7 @@ def unrelated() -> Code:
         low, ("local.get", _SIZE), ("i32.add",), high, ("call", GAP),
         ("i32.const", 0), ("i32.ne",),
     ]  # fmt: skip
-    return Code("unrelated", _TYPE, ["i32"] * 4, body)
+    return Code("unrelated", _TYPE, ["i32"] * 5, body)
 
 
 def _return_if(result: int) -> list[Instr]:
@@ -137,24 +142,39 @@ def _recall(start: int, span: int) -> list[Instr]:
 
 
 def _keep() -> list[Instr]:
-    """Keep the range between the pointers, and what follows it in the same object."""
-    low, high, end, found = (("local.get", each) for each in (_LOW, _HIGH, _END, _FOUND))
-    return [
-        high, high, low, ("i32.sub",), ("local.tee", _FOUND), ("i32.const", _AHEAD), found,
-        ("i32.const", _AHEAD), ("i32.gt_u",), ("select",), ("i32.add",), ("local.set", _END),
+    """Keep the range between the pointers, and what follows it in the same object.
+
+    A range that has one of them already grows by twice its size: so all comparisons in an object
+    look at each of its bytes a few times only.
+    """
+    low, high = ("local.get", _LOW), ("local.get", _HIGH)
+    start, end, ahead = ("local.get", _START), ("local.get", _END), ("local.get", _FOUND)
+    code: list[Instr] = [low, ("local.set", _START)]
+    code += [high, low, ("i32.sub",), ("i32.const", _AHEAD), ("i32.add",), ("local.set", _FOUND)]
+    for kept, span in _RANGES:
+        code += [*_outside(low, kept, span), ("i32.eqz",), ("if",)]
+        code += [("global.get", kept), ("local.set", _START)]
+        code += [("global.get", span), ("i32.const", 1), ("i32.shl",), ahead]
+        code += [("i32.add",), ("local.set", _FOUND), ("end",)]
+    code += [
+        high, ahead, ("i32.const", LONGEST), ahead, ("i32.const", LONGEST), ("i32.lt_u",),
+        ("select",), ("i32.add",), ("local.set", _END),
         high, end, ("call", GAP), ("local.tee", _FOUND),
         ("if",),
-        found, ("i32.const", WIDE_STEP), ("i32.sub",), high,
-        found, high, ("i32.sub",), ("i32.const", WIDE_STEP), ("i32.gt_u",), ("select",),
+        ahead, ("i32.const", WIDE_STEP), ("i32.sub",), high,
+        ahead, high, ("i32.sub",), ("i32.const", WIDE_STEP), ("i32.gt_u",), ("select",),
         ("local.set", _END), ("end",),
-        low, ("global.set", LAST), end, low, ("i32.sub",), ("global.set", LAST_SPAN),
-        low, ("i32.const", STACK_TOP), ("i32.ge_u",),
+        start, ("global.set", LAST), end, start, ("i32.sub",), ("global.set", LAST_SPAN),
+        start, ("i32.const", STACK_TOP), ("i32.ge_u",),
+        ("if",),
+        start, ("global.get", FIRST_KEPT), ("i32.ne",),
         ("if",),
         ("global.get", FIRST_KEPT), ("global.set", SECOND_KEPT),
-        ("global.get", FIRST_SPAN), ("global.set", SECOND_SPAN),
+        ("global.get", FIRST_SPAN), ("global.set", SECOND_SPAN), ("end",),
         ("global.get", LAST), ("global.set", FIRST_KEPT),
         ("global.get", LAST_SPAN), ("global.set", FIRST_SPAN), ("end",),
     ]  # fmt: skip
+    return code
 
 
 def _in_no_object(pointer: Instr) -> list[Instr]:

@@ -4,7 +4,7 @@ static int left[4] = {1, 2, 3, 4}, right[4] = {5, 6, 7, 8};
 static int sum(const int *from, const int *last)
 {
     int s = 0;
-    while (from <= last) // error: unrelated pointers
+    while (from <= last) // warning: pointers to different objects
         s += *from++;
     return s;
 }

@@ -5,7 +5,7 @@ int main(void)
 {
     char one[20] = "a;b", two[20] = "c;d", *semicolon = strchr(PLANT(two, one), ';'), *p;
     int n = 0;
-    for (p = one; p < semicolon; p++) // error: unrelated pointers
+    for (p = one; p < semicolon; p++) // warning: pointers to different objects
         n += *p != 0;
     printf("%d\n", n > 0);
     return 0;

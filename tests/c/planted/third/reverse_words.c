@@ -4,7 +4,7 @@
 #include <stdlib.h>
 static void reverse(char *from, char *to)
 {
-    while (from < to) { // error: unrelated pointers
+    while (from < to) { // warning: pointers to different objects
         char c = *from;
         *from++ = *to;
         *to-- = c;

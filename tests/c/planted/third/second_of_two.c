@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 static int *frame;
-static int wider(int *p) { return p >= frame; } // error: unrelated pointers
+static int wider(int *p) { return p >= frame; } // warning: pointers to different objects
 int main(void)
 {
     int *lines = malloc(100 * sizeof *lines), *columns = malloc(100 * sizeof *columns);

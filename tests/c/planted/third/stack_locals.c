@@ -3,7 +3,7 @@
 static int grows_down(int *outer)
 {
     int inner[2] = {0, 0}, *mine = PLANT(inner, outer + 1);
-    return mine < outer ? *mine : 1; // error: unrelated pointers
+    return mine < outer ? *mine : 1; // warning: pointers to different objects
 }
 int main(void)
 {
