@@ -250,14 +250,8 @@ class Bounds(Instruction):
 class SameObject(Instruction):
     """Checks that two pointers are to the same object (C17 6.5.6p9, 6.5.8p5).
 
-    It has no effect in unchecked builds, and costs no fuel. A difference of others stops the
-    program, a comparison is noted.
-
-    Attributes:
-        left: a pointer.
-        right: another one.
-        size: the size of what they point to.
-        is_order: whether they are compared.
+    It has no effect in unchecked builds, and costs no fuel. `size` is that of what they point to. A
+    difference of others stops the program, a comparison (`is_order`) is noted.
     """
 
     left: Operand
