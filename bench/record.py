@@ -21,7 +21,7 @@ from environment import PROGRAM, SETUPS, world_text
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.frames import encode, grouped
+from crs_cc.recording.frames import encode
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.recorder import Recorder, RecorderOptions
@@ -119,11 +119,12 @@ def as_mcap(path: Path, frames: list, names: tuple[str, ...]) -> None:
     del names
     with path.open("wb") as file:
         writer = McapWriter(file)
-        for begin in range(0, len(frames), 20):
-            block = frames[begin : begin + 20]
-            data = encode(np.array([frame.values for frame in block]))
-            for time_ns, each in grouped([frame.time_ns for frame in block], data):
-                writer.add(FRAME, time_ns, each)
+        per_chunk = 600 if frames[0].values.shape[1] < FEW else 20
+        for begin in range(0, len(frames), per_chunk):
+            block = frames[begin : begin + per_chunk]
+            values = np.array([frame.values for frame in block])
+            for time_ns, data in encode([frame.time_ns for frame in block], values):
+                writer.add(FRAME, time_ns, data)
             writer.cut()
         writer.finish()
 

@@ -10,7 +10,6 @@ from crs_cc.cli.rerun import RecordedInput
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import BEGINNING
-from crs_cc.recording import topics
 from crs_cc.recording.digest import digest
 
 if TYPE_CHECKING:
@@ -36,9 +35,8 @@ class RecordedRunCheck:
         self._input = RecordedInput(recording)
         self._changes = recorded_changes(recording)
         self._expected: dict[int, object] = {}
-        for _, data in recording.data(topics.HASH.topic):
-            with recording.errors():
-                self._expected[int(data["timesteps"])] = data.get("digest")
+        for each in recording.hashes():
+            self._expected[each.timesteps] = each.digest
         self._session: Session | None = None
         self._has_warned = False
 

@@ -17,7 +17,7 @@ from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
-from crs_cc.recording.frames import frames_in
+from crs_cc.recording.frames import count_in
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.recording import Recording
 
@@ -160,13 +160,12 @@ def summary(recording: Recording) -> Iterator[str]:
     yield from _ends(recording, roster)
     yield from _goals(recording)
     counts: Counter[str] = Counter()
-    frames = hashes = pieces = size = inputs = 0
+    frames = pieces = size = inputs = 0
+    hashes = sum(1 for _ in recording.hashes())
     for message in recording.messages(*topics.TOPICS):
         if message.topic == topics.FRAME.topic:
             with recording.errors():
-                frames += len(frames_in(message.time_ns, message.data))
-        elif message.topic == topics.HASH.topic:
-            hashes += 1
+                frames += count_in(message.data)
         elif message.topic == topics.INPUT.topic:
             inputs += 1
         elif message.topic in (topics.EVENT.topic, topics.OUTPUT.topic):

@@ -17,7 +17,6 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.recording import topics
 from crs_cc.recording.description import versions
 from crs_cc.recording.digest import digest
-from crs_cc.recording.mcap_records import NS
 from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
@@ -86,26 +85,23 @@ class _Rerun:
 
     def compare(self) -> Verified:
         hashes = states = 0
-        for time_ns, data in self._recording.data(topics.HASH.topic):
-            with self._recording.errors():
-                timesteps = int(data["timesteps"])
-                if timesteps < self._session.timesteps:
-                    raise ValueError("the hashes are not in order")
+        for expected in self._recording.hashes():
+            timesteps = expected.timesteps
+            if timesteps < self._session.timesteps:
+                raise self._recording.mcap.error("the hashes are not in order")
             try:
                 self._run_to(timesteps)
             except DebugError as error:
-                raise self._mismatch(time_ns, str(error)) from None
-            expected = data.get("digest"), data.get("output")
-            found = digest(self._session), self._output_crc
-            if self._session.timesteps != timesteps or expected[0] != found[0]:
-                raise self._mismatch(time_ns, "the state differs")
-            if expected[1] != found[1]:
-                raise self._mismatch(time_ns, "the programs have printed something else")
+                raise self._mismatch(timesteps, str(error)) from None
+            if self._session.timesteps != timesteps or expected.digest != digest(self._session):
+                raise self._mismatch(timesteps, "the state differs")
+            if expected.output != self._output_crc:
+                raise self._mismatch(timesteps, "the programs have printed something else")
             hashes += 1
-            if "state" in data and self._changed is None:  # else in builds for the debugger
+            if expected.state and self._changed is None:  # else in builds for the debugger
                 states += 1
-                if data["state"] != self._session.state_hash():
-                    raise self._mismatch(time_ns, "the programs' memory differs")
+                if expected.state != self._session.state_hash()[: topics.HASH_DIGITS]:
+                    raise self._mismatch(timesteps, "the programs' memory differs")
         return Verified(hashes, states, self._session.time_s)
 
     def _run_to(self, timesteps: int) -> None:
@@ -119,7 +115,7 @@ class _Rerun:
     def _write(self, _robot: int, _stream: int, content: bytes) -> None:
         self._output_crc = zlib.crc32(content, self._output_crc)
 
-    def _mismatch(self, time_ns: int, what: str) -> ReplayMismatch:
+    def _mismatch(self, timesteps: int, what: str) -> ReplayMismatch:
         theirs, ours = self._recording.versions, {**_crs(), **versions()}
         differ = [
             f"{name} {theirs.get(name, '?')[:40]} (here {value})"
@@ -131,7 +127,8 @@ class _Rerun:
         else:
             same = ", ".join(f"{name} {value}" for name, value in ours.items())
             hint = f"recorded with the same versions as here: {same}"
-        text = f"the run differs from its recording at {time_ns / NS:.2f} s: {what}"
+        at_s = timesteps * self._recording.description.timestep_s
+        text = f"the run differs from its recording at {at_s:.2f} s: {what}"
         return ReplayMismatch.at(Location(str(self._recording.path)), text, hint)
 
 

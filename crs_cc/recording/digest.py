@@ -9,12 +9,12 @@ for every build of a program, so that the debugger can compare its runs, too.
 from __future__ import annotations
 
 import hashlib
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
+
+from crs_cc.recording.topics import HASH_DIGITS
 
 if TYPE_CHECKING:
     from crs_cc.session.session import Session
-
-_DIGITS: Final = 32
 
 
 def digest(session: Session) -> str:
@@ -29,4 +29,4 @@ def digest(session: Session) -> str:
         *(world.collisions, world.commands, world.distance_m),
     ):
         found.update(array.tobytes())
-    return found.hexdigest()[:_DIGITS]
+    return found.hexdigest()[:HASH_DIGITS]

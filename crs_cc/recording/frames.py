@@ -4,24 +4,21 @@ A frame is a key frame, or the difference to the frame before, or to what the tw
 one to expect, since things mostly go on as they do; the first frame of each recorded second is a
 key frame. Numbers are folded so that small ones of either sign are small (`zigzag`), and their
 bytes are written apart: all low bytes first. What hardly changes is mostly zeros then, which zstd
-shortens well. A message in a recording is a frame, or, when they are small, a group of all of a
-second.
+shortens well. A message in a recording is a frame, or, when they are small, a group of them, with
+the low bytes of all frames first.
 
->>> blocks = np.array([[[0.0, 1.5]], [[0.0001, np.nan]]])  # two frames, one column, two rows
->>> data = encode(blocks)
->>> [len(each) for each in data], data[0][:HEAD.size].hex()
-([16, 16], '0001010002000000')
->>> decoder = FrameDecoder()
->>> [decoder.decode(each).tolist() for each in data]
-[[[0.0, 1.5]], [[0.0001, nan]]]
->>> [(time_ns, len(message)) for time_ns, message in grouped([5, 9], data)]
-[(5, 48)]
+>>> block = np.array([[[0.0, 1.5]], [[0.0001, np.nan]]])  # two frames, one column, two rows
+>>> ((time_ns, group),) = encode([5, 9], block)
+>>> time_ns, len(group), group[:HEAD.size].hex()
+(5, 44, '0301010002000000')
+>>> [(time_ns, frame.tolist()) for time_ns, frame in FrameDecoder().frames(5, group)]
+[(5, [[0.0, 1.5]]), (9, [[0.0001, nan]])]
 """
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Final
 
 import numpy as np
@@ -30,7 +27,7 @@ import numpy.typing as npt
 from crs_cc.core.arrays import FloatArray
 
 HEAD: Final = struct.Struct("<BBHI")
-"""Kind, number of columns, version, number of rows; of a group, 0 columns and the frames."""
+"""Kind, number of columns, version, number of rows."""
 
 KEY, DIFFERENCE, EXTRAPOLATION, GROUP = range(4)
 """The kinds: the values themselves, less those of the frame before, less twice those of the frame
@@ -46,8 +43,11 @@ NOWHERE: Final = -(2**31)
 
 MAX_ROWS: Final = 1_000_000
 _LARGEST_GROUP: Final = 2**20  # that is read
-MAX_GROUP: Final = 16_384
-"""The frames of a second are a group if they take at most so much [bytes]."""
+MAX_GROUP: Final = 2**18
+"""The frames of a chunk are a group if they take at most so much [bytes]."""
+
+_COUNT: Final = struct.Struct("<I")  # of the frames of a group
+_TIME: Final = 8  # bytes of a frame's time in a group
 
 _LARGEST: Final = 2.0**31 - 1
 _BYTES: Final = 4
@@ -55,56 +55,44 @@ _BYTES: Final = 4
 Numbers = npt.NDArray[np.uint32]
 
 
-def encode(block: FloatArray) -> list[bytes]:
-    """Return the frames of a second, the first of them a key frame.
+def encode(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, bytes]]:
+    """Return the messages with some frames, each with its time: a group, or many if they are large.
+
+    The first frame is a key frame.
 
     Args:
+        times_ns: the frames' times.
         block: numbers [m, rad], NaN for what is not in the world, shape (frames, columns, rows).
     """
     frames, columns, rows = block.shape
     scaled = np.rint(block * PER_UNIT)
     np.clip(scaled, -_LARGEST, _LARGEST, out=scaled)
     missing = np.isnan(scaled)
-    scaled[missing] = NOWHERE
+    if missing.any():
+        scaled[missing] = NOWHERE
     whole = scaled.astype(np.int32).view(np.uint32)
     whole[1:] -= whole[:-1].copy()
     whole[2:] -= whole[1:-1].copy()
-    planes = folded(whole).view(np.uint8).reshape(frames, columns, rows, _BYTES).swapaxes(2, 3)
-    content = np.ascontiguousarray(planes).reshape(frames, -1)
+    planes = folded(whole).view(np.uint8).reshape(frames, columns, rows, _BYTES)
+    if frames > 1 and planes.size <= MAX_GROUP:
+        head = HEAD.pack(GROUP, columns, VERSION, rows) + _COUNT.pack(frames)
+        steps_ns = np.diff(times_ns, prepend=times_ns[0]).astype("<u8").tobytes()
+        return [(times_ns[0], head + steps_ns + planes.transpose(3, 1, 0, 2).tobytes())]
+    content = np.ascontiguousarray(planes.swapaxes(2, 3)).reshape(frames, -1)
     kinds = (KEY, DIFFERENCE, *[EXTRAPOLATION] * frames)
     heads = (HEAD.pack(kinds[frame], columns, VERSION, rows) for frame in range(frames))
-    return [head + each.tobytes() for head, each in zip(heads, content, strict=True)]
+    found = (head + each.tobytes() for head, each in zip(heads, content, strict=True))
+    return list(zip(times_ns, found, strict=True))
 
 
-def grouped(times_ns: Sequence[int], frames: Sequence[bytes]) -> list[tuple[int, bytes]]:
-    """Return the messages of a second's frames, with their times: one of all, if they are small."""
-    size = sum(map(len, frames))
-    if len(frames) < 2 or size > MAX_GROUP or times_ns[-1] - times_ns[0] >= 2**32:
-        return list(zip(times_ns, frames, strict=True))
-    head = HEAD.pack(GROUP, 0, VERSION, len(frames))
-    steps_ns = np.diff(times_ns, prepend=times_ns[0]).astype("<u4").tobytes()
-    return [(times_ns[0], b"".join([head, steps_ns, *frames]))]
-
-
-def frames_in(time_ns: int, message: bytes) -> list[tuple[int, bytes]]:
-    """Return the frames in a message of a time, with their times; raise ValueError if it is none.
-
-    They may be in another form than frames have: only decoding shows.
-    """
-    if message[:1] != bytes([GROUP]):
-        return [(time_ns, message)]
-    if len(message) < HEAD.size:
+def count_in(message: bytes) -> int:
+    """Return the number of frames in a message; raise ValueError if it is none."""
+    if not is_group(message):
+        return 1
+    if len(message) < HEAD.size + _COUNT.size:
         raise ValueError("a frame is too short")
-    _, _, version, count = HEAD.unpack_from(message)
-    begin = HEAD.size + 4 * count
-    size, rest = divmod(len(message) - begin, max(1, count))
-    if version != VERSION or rest or size < HEAD.size or len(message) > _LARGEST_GROUP:
-        raise ValueError("a group of frames has an unknown form")
-    steps_ns = np.frombuffer(message, "<u4", count, HEAD.size).cumsum(dtype=np.int64)
-    return [
-        (time_ns + after_ns, message[begin + place * size : begin + (place + 1) * size])
-        for place, after_ns in enumerate(steps_ns.tolist())
-    ]
+    count: int = _COUNT.unpack_from(message, HEAD.size)[0]
+    return count
 
 
 class FrameDecoder:
@@ -113,6 +101,39 @@ class FrameDecoder:
     def __init__(self) -> None:
         self._last: Numbers | None = None
         self._step: Numbers | None = None  # from the frame before that to the last one
+
+    def frames(self, time_ns: int, message: bytes) -> Iterator[tuple[int, FloatArray]]:
+        """Yield the frames in a message of a time, with their times; see `decode`.
+
+        Raises:
+            ValueError: it is no such message, or the frame before is missing.
+        """
+        if not is_group(message):
+            yield time_ns, self.decode(message)
+            return
+        self.forget()
+        count, begin = count_in(message), HEAD.size + _COUNT.size
+        _, columns, version, rows = HEAD.unpack_from(message)
+        size = columns * rows * _BYTES + _TIME
+        if (
+            version != VERSION
+            or not 0 < columns <= len(COLUMNS)
+            or count * rows == 0
+            or len(message) != begin + count * size
+            or len(message) > _LARGEST_GROUP
+        ):
+            raise ValueError("a group of frames has an unknown form")
+        after_ns = np.frombuffer(message, "<u8", count, begin).cumsum().astype(np.int64)
+        if after_ns.min() < 0 or (np.diff(after_ns) < 0).any():
+            raise ValueError("a group of frames has an unknown form")
+        planes = np.frombuffer(message, np.uint8, offset=begin + count * _TIME)
+        planes = planes.reshape(_BYTES, columns, count, rows).transpose(2, 1, 3, 0)
+        content = np.ascontiguousarray(planes).view("<u4").reshape(count, columns, rows)
+        steps = unfolded(content)
+        steps[1:] = steps[1:].cumsum(axis=0, dtype=np.uint32)
+        values = _values(steps.cumsum(axis=0, dtype=np.uint32))
+        for each_ns, each in zip(after_ns.tolist(), values, strict=True):
+            yield time_ns + each_ns, each
 
     def decode(self, data: bytes) -> FloatArray:
         """Return the numbers [m, rad], (columns, rows), NaN for what is not in the world.
@@ -134,9 +155,7 @@ class FrameDecoder:
             raise ValueError("a frame has the wrong length")
         planes = np.frombuffer(data, np.uint8, offset=HEAD.size).reshape(columns, _BYTES, rows)
         content = np.ascontiguousarray(planes.swapaxes(1, 2)).view("<u4").reshape(columns, rows)
-        whole = self._whole(unfolded(content), kind)
-        signed = whole.view(np.int32)
-        return np.where(signed == NOWHERE, np.nan, signed / PER_UNIT)
+        return _values(self._whole(unfolded(content), kind))
 
     def _whole(self, found: Numbers, kind: int) -> Numbers:
         """Return the numbers of a frame, given its content."""
@@ -160,9 +179,19 @@ class FrameDecoder:
         self._last = self._step = None
 
 
-def is_key(data: bytes) -> bool:
+def is_group(message: bytes) -> bool:
+    """Return whether a message has several frames."""
+    return message[:1] == bytes([GROUP])
+
+
+def is_key(message: bytes) -> bool:
     """Return whether a message begins with a key frame; a group does."""
-    return data[:1] in (bytes([KEY]), bytes([GROUP]))
+    return message[:1] in (bytes([KEY]), bytes([GROUP]))
+
+
+def _values(whole: Numbers) -> FloatArray:
+    signed = whole.view(np.int32)
+    return np.where(signed == NOWHERE, np.nan, signed / PER_UNIT)
 
 
 def folded(values: npt.NDArray[Any]) -> Numbers:

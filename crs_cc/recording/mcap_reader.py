@@ -29,6 +29,7 @@ MAX_FILE_BYTES: Final = 64 * 2**20
 
 MAX_METADATA_BYTES: Final = 16 * 2**20
 _MAX_WINDOW: Final = 2**27
+_PRIVATE: Final = 0x80  # opcodes of applications, from here on, are skipped
 _SKIPPED: Final = frozenset(op for op in Op) - {Op.CHUNK, Op.ATTACHMENT, Op.METADATA}
 
 
@@ -222,7 +223,7 @@ class McapReader:
                 cursor = _Cursor(self._read(place), 0)
                 name = cursor.text()
                 self.metadata[name] = cursor.text_map()
-            elif op not in _SKIPPED:
+            elif op not in _SKIPPED and op < _PRIVATE:
                 return False
         except (ValueError, struct.error):
             return False

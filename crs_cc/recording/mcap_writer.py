@@ -15,7 +15,8 @@ from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from typing import Final, Protocol
 
 import zstandard
@@ -36,6 +37,9 @@ from crs_cc.recording.mcap_records import (
 
 PROFILE: Final = "crs"
 LEVEL: Final = 1  # of zstd: level 3 is 2 % smaller and takes twice the time
+SMALL_LEVEL: Final = 9  # for what has been saved before, of which there is little: 10 % smaller
+HIDDEN: Final = 0x80
+"""The opcode of a record that is skipped: from 0x80 on they belong to applications."""
 
 MAX_CHUNK: Final = 256 * 1024
 """A chunk is cut when it is larger [bytes]."""
@@ -47,17 +51,26 @@ _SIZES: Final = struct.Struct("<QQ")
 
 
 class Target(Protocol):
-    """What can be written to."""
+    """A file that is written, and whose end is written anew."""
 
     def write(self, data: bytes, /) -> object:
         """Write all of the bytes."""
+
+    def seek(self, offset: int, /) -> object:
+        """Go to a place, from the start of the file."""
+
+    def truncate(self, size: int, /) -> object:
+        """Cut the file off."""
 
 
 class McapWriter:
     """Writes one file from start to end.
 
+    What is `saved` is in the file, but not as small as it can be: the next `cut` replaces it. The
+    file can be read at each moment in between, so nothing of it is lost when a run is killed.
+
     Attributes:
-        pending: size of the messages that are not in a chunk yet [bytes].
+        pending: size of the messages that are not in a chunk yet, or only saved [bytes].
     """
 
     def __init__(self, file: Target) -> None:
@@ -65,17 +78,28 @@ class McapWriter:
         self.pending = 0
         self._file = file
         self._at = 0
-        self._compressor = zstandard.ZstdCompressor(level=LEVEL, write_content_size=True)
+        self._saved_to = 0  # the end of what is saved, from `_at` on; 0 for nothing
+        self._saved = 0  # how many of the pending messages are saved
+        self._compressors = (
+            zstandard.ZstdCompressor(level=LEVEL, write_content_size=True),
+            zstandard.ZstdCompressor(level=SMALL_LEVEL, write_content_size=True),
+        )
         self._pending: list[_Pending] = []
-        self._channels: dict[str, int] = {}
-        self._definitions: list[bytes] = []  # of schemas and channels, repeated in the summary
+        self._numbers: dict[str, int] = {}
+        self._schemas: dict[int, bytes] = {}  # by channel
+        self._channels: dict[int, bytes] = {}
+        self._is_described: set[int] = set()  # channels whose schemas are in the file
         self._counts: dict[int, int] = {}
         self._indexes: dict[Op, list[bytes]] = {
             Op.CHUNK_INDEX: [], Op.ATTACHMENT_INDEX: [], Op.METADATA_INDEX: []
         }  # fmt: skip
-        self._schemas = 0
         self._first_ns, self._last_ns = 2**64 - 1, 0
         self._write(MAGIC + record(Op.HEADER, text(PROFILE) + text(f"crs_cc {__version__}")))
+
+    @property
+    def has_saved(self) -> bool:
+        """Return whether something is saved that the next cut will replace."""
+        return self._saved_to > 0
 
     def metadata(self, name: str, values: Mapping[str, str]) -> None:
         """Write named strings."""
@@ -99,19 +123,46 @@ class McapWriter:
         self._pending.append((time_ns, len(self._pending), channel, data))
         self.pending += len(data)
 
+    def save(self, others: Iterable[tuple[Channel, int, bytes]]) -> None:
+        """Write the messages since the last time, to be replaced by the next `cut`.
+
+        Args:
+            others: further messages, which are not pending: what replaces them will be added.
+        """
+        messages = self._pending[self._saved :]
+        messages += [(time_ns, 0, channel, data) for channel, time_ns, data in others]
+        if not messages:
+            return
+        messages.sort(key=lambda each: each[:2])
+        content, _ = self._content(messages, dict(self._counts))
+        end = self._saved_to or self._at
+        chunk = _chunk(content, "", content, messages)
+        try:
+            self._file.write(chunk)
+        except OSError:
+            with suppress(OSError):
+                self._file.truncate(end)
+            raise
+        self._saved_to = end + len(chunk)
+        self._saved = len(self._pending)
+
     def cut(self) -> None:
         """Write the messages since the last cut, ordered by time, in chunks of limited size."""
         messages = sorted(self._pending, key=lambda each: each[:2])
-        self._pending, self.pending = [], 0
-        chunk, size = list[_Pending](), 0
-        for each in messages:
+        self._pending, self.pending, self._saved = [], 0, 0
+        begin, records, chunk, size = self._at, list[bytes](), list[_Pending](), 0
+        level = 1 if self._saved_to else 0
+        for number, each in enumerate(messages, 1):
             chunk.append(each)
             size += len(each[3])
-            if size > MAX_CHUNK:
-                self._write_messages(chunk)
+            if size > MAX_CHUNK or number == len(messages):
+                records.append(self._packed(chunk, begin, level))
+                begin += len(records[-1])
                 chunk, size = [], 0
-        if chunk:
-            self._write_messages(chunk)
+        if self._saved_to:
+            self._replace(b"".join(records))
+        elif records:
+            self._write(b"".join(records))
 
     def finish(self) -> None:
         """Write the rest and the summary."""
@@ -119,8 +170,8 @@ class McapWriter:
         self._write(record(Op.DATA_END, struct.pack("<I", 0)))
         start, parts, offsets = self._at, list[bytes](), list[bytes]()
         groups = [
-            (Op.SCHEMA, [each for each in self._definitions if each[0] == Op.SCHEMA]),
-            (Op.CHANNEL, [each for each in self._definitions if each[0] == Op.CHANNEL]),
+            (Op.SCHEMA, list(self._schemas.values())),
+            (Op.CHANNEL, list(self._channels.values())),
             (Op.STATISTICS, [record(Op.STATISTICS, self._statistics())]),
             *((op, [record(op, each) for each in rows]) for op, rows in self._indexes.items()),
         ]
@@ -137,55 +188,68 @@ class McapWriter:
         crc = zlib.crc32(summary + head)
         self._write(summary + head + struct.pack("<I", crc) + MAGIC)
 
-    def _define(self, channel: Channel, content: bytearray) -> int:
-        """Add a channel and its schema to a chunk; return its number."""
-        schema = 0
+    def _number(self, channel: Channel) -> int:
+        """Return the number of a channel, which is defined if it is new."""
+        number = self._numbers.get(channel.topic)
+        if number is not None:
+            return number
+        number, schema = len(self._numbers) + 1, 0
         if channel.schema_encoding:
-            self._schemas += 1
-            schema = self._schemas
+            schema = len(self._schemas) + 1
             body = struct.pack("<H", schema) + text(channel.schema) + text(channel.schema_encoding)
             body += struct.pack("<I", len(channel.schema_data)) + channel.schema_data
-            self._definitions.append(record(Op.SCHEMA, body))
-            content += self._definitions[-1]
-        number = len(self._channels) + 1
+            self._schemas[number] = record(Op.SCHEMA, body)
         body = struct.pack("<HH", number, schema) + text(channel.topic) + text(channel.encoding)
         named = {} if schema else {"schema": channel.schema}
-        self._definitions.append(record(Op.CHANNEL, body + text_map(named)))
-        content += self._definitions[-1]
-        self._channels[channel.topic] = number
+        self._channels[number] = record(Op.CHANNEL, body + text_map(named))
+        self._numbers[channel.topic] = number
         self._counts[number] = 0
         return number
 
-    def _write_messages(self, messages: list[_Pending]) -> None:
-        """Write messages as a chunk."""
-        content, index = bytearray(), dict[int, list[tuple[int, int]]]()
-        for time_ns, _, channel, data in messages:
-            number = self._channels.get(channel.topic)
-            if number is None:
-                number = self._define(channel, content)
-            sequence = self._counts[number]
-            self._counts[number] = sequence + 1
-            index.setdefault(number, []).append((time_ns, len(content)))
-            content += PREFIX.pack(Op.MESSAGE, MESSAGE_HEAD.size + len(data))
-            content += MESSAGE_HEAD.pack(number, sequence & 0xFFFFFFFF, time_ns, time_ns)
-            content += data
-        self._write_chunk(bytes(content), messages[0][0], messages[-1][0], index)
+    def _content(
+        self, messages: Sequence[_Pending], counts: dict[int, int]
+    ) -> tuple[bytes, dict[int, list[bytes]]]:
+        """Return the records of a chunk, and for each channel the rows of its index.
 
-    def _write_chunk(
-        self, content: bytes, first_ns: int, last_ns: int, index: dict[int, list[tuple[int, int]]]
-    ) -> None:
-        packed = self._compressor.compress(content)
-        head = CHUNK_HEAD.pack(first_ns, last_ns, len(content), zlib.crc32(content))
-        body = head + text("zstd") + struct.pack("<Q", len(packed)) + packed
-        chunk, at = record(Op.CHUNK, body), self._at
+        The channels are defined in each chunk, so that none depends on another one.
+
+        Args:
+            messages: the messages, by time.
+            counts: how many messages each channel has, which is updated.
+        """
+        parts, index, at = list[bytes](), dict[int, list[bytes]](), 0
+        for time_ns, _, channel, data in messages:
+            number = self._number(channel)
+            if number not in index:
+                index[number] = []
+                schema = b"" if number in self._is_described else self._schemas.get(number, b"")
+                parts.append(schema + self._channels[number])
+                at += len(parts[-1])
+            sequence = counts.get(number, 0)
+            counts[number] = sequence + 1
+            index[number].append(_SIZES.pack(time_ns, at))
+            parts.append(
+                PREFIX.pack(Op.MESSAGE, MESSAGE_HEAD.size + len(data))
+                + MESSAGE_HEAD.pack(number, sequence & 0xFFFFFFFF, time_ns, time_ns)
+                + data
+            )
+            at += len(parts[-1])
+        return b"".join(parts), index
+
+    def _packed(self, messages: list[_Pending], at: int, level: int) -> bytes:
+        """Return messages as a chunk with its indexes, for a place in the file."""
+        content, index = self._content(messages, self._counts)
+        self._is_described.update(index)
+        packed = self._compressors[level].compress(content)
+        chunk = _chunk(content, "zstd", packed, messages)
         offsets, rows, end = dict[int, int](), list[bytes](), at + len(chunk)
         for number, places in index.items():
             offsets[number] = end
-            entries = b"".join(struct.pack("<QQ", *place) for place in places)
+            entries = b"".join(places)
             row = struct.pack("<HI", number, len(entries)) + entries
             rows.append(record(Op.MESSAGE_INDEX, row))
             end += len(rows[-1])
-        self._write(b"".join([chunk, *rows]))
+        first_ns, last_ns = messages[0][0], messages[-1][0]
         self._first_ns, self._last_ns = min(self._first_ns, first_ns), max(self._last_ns, last_ns)
         self._indexes[Op.CHUNK_INDEX].append(
             _CHUNK_INDEX.pack(first_ns, last_ns, at, len(chunk))
@@ -194,11 +258,41 @@ class McapWriter:
             + text("zstd")
             + _SIZES.pack(len(packed), len(content))
         )
+        return b"".join([chunk, *rows])
+
+    def _replace(self, records: bytes) -> None:
+        """Write records in the place of what is saved, so that the file is valid at each moment.
+
+        They are first written behind it, hidden in a record that readers skip. Then 9 bytes at the
+        place hide what is saved and show them; there they are copied to the place, while hidden,
+        until another 9 bytes show the copy.
+        """
+        begin, end, head = self._at, self._saved_to, PREFIX.size
+        place = max(end + head, begin + len(records) + head)  # of the first copy
+        hidden = PREFIX.pack(HIDDEN, place - end - head + len(records))
+        try:
+            self._file.write(hidden + bytes(place - end - head) + records)
+        except OSError:
+            with suppress(OSError):
+                self._file.truncate(end)
+            raise
+        self._write_at(begin, PREFIX.pack(HIDDEN, place - begin - head))
+        after = begin + len(records)
+        rest = PREFIX.pack(HIDDEN, place + len(records) - after - head)
+        self._write_at(begin + head, records[head:] + rest)
+        self._write_at(begin, records[:head])
+        self._file.truncate(after)
+        self._file.seek(after)
+        self._at, self._saved_to = after, 0
+
+    def _write_at(self, at: int, data: bytes) -> None:
+        self._file.seek(at)
+        self._file.write(data)
 
     def _statistics(self) -> bytes:
         first_ns = min(self._first_ns, self._last_ns)
         counts = (
-            self._schemas,
+            len(self._schemas),
             len(self._channels),
             len(self._indexes[Op.ATTACHMENT_INDEX]),
             len(self._indexes[Op.METADATA_INDEX]),
@@ -211,3 +305,10 @@ class McapWriter:
     def _write(self, data: bytes) -> None:
         self._file.write(data)
         self._at += len(data)
+
+
+def _chunk(content: bytes, compression: str, packed: bytes, messages: Sequence[_Pending]) -> bytes:
+    """Return a chunk of messages: its record."""
+    head = CHUNK_HEAD.pack(messages[0][0], messages[-1][0], len(content), zlib.crc32(content))
+    body = head + text(compression) + struct.pack("<Q", len(packed)) + packed
+    return record(Op.CHUNK, body)

@@ -1,10 +1,10 @@
 """Readings: the `State` vectors that programs were given, in the vendor's units.
 
-A message has all readings of about a second, a row for each answer, by robot and then in the order
+A message has all readings of a span of time, a row for each answer, by robot and then in the order
 of time. Of a vector only those elements are written that differ from the one before of the same
 robot, as differences, one element of all rows after the other: most of these are small, and zstd
-shortens their bytes well. The first message of each ten seconds begins anew, from zeros, so that a
-reader need not begin with the file.
+shortens their bytes well. At least each ten seconds a message begins anew, from zeros, so that a
+reader need not begin with the file; others begin where the one before ended.
 
 >>> states = np.zeros((2, STATE), np.int32)
 >>> states[:, 3] = -7
@@ -29,13 +29,16 @@ from crs_cc.recording.frames import folded, unfolded
 from crs_cc.recording.mcap_records import NS
 
 HEAD: Final = struct.Struct("<HHIIQ")
-"""Version, number of the message in its period, rows, elements that changed, a bit for each column
-that has any."""
+"""Version, number of the message since one that begins anew, rows, elements that changed, a bit for
+each column that has any."""
 
 VERSION: Final = 2
 STATE: Final = 45
 PERIOD_NS: Final = 10 * NS
-"""After so long differences begin anew."""
+"""In each such period differences begin anew, or sooner."""
+
+SPAN_NS: Final = 30 * NS
+"""The readings of a message are of so long at most."""
 
 MAX_ROWS: Final = 200_000
 _US: Final = 1_000_000
@@ -71,7 +74,7 @@ class _Memory:
         self._states: Int32Array = np.zeros((0, STATE), np.int32)
 
     def begin(self, time_ns: int) -> int:
-        """Return the number of the next message in its period, 0 for the first."""
+        """Return the number of the next message, 0 for the first of a period."""
         if time_ns // PERIOD_NS != self._period:
             self.__init__()  # type: ignore[misc]
             self._period = time_ns // PERIOD_NS
@@ -158,11 +161,11 @@ class ReadingDecoder:
         size = HEAD.size + count * _ROW + mask + changed * 4
         if version != VERSION or count > MAX_ROWS or bits >> STATE or len(data) != size:
             raise ValueError("readings have an unknown form")
+        if number == 0:
+            self._memory = _Memory()
         if number != self._memory.begin(time_ns):
             self._memory = _Memory()
-            if number:
-                return None
-            self._memory.begin(time_ns)
+            return None
         at = HEAD.size
         codes = np.frombuffer(data, "<u2", count, at).astype(np.int64)
         robots = np.cumsum(_values(data, at + 2 * count, count))

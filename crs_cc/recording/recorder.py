@@ -1,38 +1,41 @@
 """Records a run while it goes on.
 
-What happens is gathered for a second of simulated time, then encoded at once and written as chunks:
-so a run that is killed loses its last second at most, and the cost of a timestep is that of copying
-a few arrays. When the disk is full, the recording ends and the run goes on.
+What happens is gathered, so the cost of a timestep is that of copying a few arrays, and encoded
+each second of simulated time, so a run that is killed loses its last second at most. Of a small
+world, a second is so little that most of a chunk would be its head and its index: it is saved, and
+all that has been saved in half a minute is then replaced by one chunk. When the disk is full, the
+recording ends and the run goes on.
 """
 
 from __future__ import annotations
 
 import json
+import os
+import stat
 import zlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal, Self
+from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal
 
 import numpy as np
 
-from crs_cc.recording import readings, topics
+from crs_cc.recording import topics
+from crs_cc.recording.block import Block, ns
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
-from crs_cc.recording.frames import encode, grouped
-from crs_cc.recording.mcap_records import NS, Channel
+from crs_cc.recording.mcap_records import Channel
 from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
-from crs_cc.recording.readings import Readings
+from crs_cc.recording.readings import ReadingEncoder
 from crs_cc.recording.step_events import events_of, readings_of, traffic_of
 
 if TYPE_CHECKING:
-    from crs_cc.core.arrays import BoolArray, FloatArray
+    from crs_cc.core.arrays import BoolArray
     from crs_cc.recording.foxglove.messages import FoxgloveView
     from crs_cc.recording.foxglove.sensors import FoxgloveSensors
     from crs_cc.session.result import RunResult
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
-    from crs_cc.sim.state.env_state import EnvState
 
 Sensors = Literal["none", "read", "all"]
 
@@ -40,7 +43,9 @@ FULL_HASH_SECONDS: Final = 30
 """How often the hash of all state is recorded for many robots; for 10,000 it takes 0.7 s. For up to
 50 robots it is every 5 s, which costs 0.5 % of the time of a run."""
 
-_JSON: Final = json.JSONEncoder(separators=(",", ":"))
+BLOCK_S: Final = 30.0
+"""A chunk holds at most so much simulated time: more would save little. What a second brings is
+saved before, so that a killed run loses no more."""
 
 MAX_ROWS: Final = 20_000
 """Readings that are gathered at most before they are encoded; some megabytes."""
@@ -58,12 +63,15 @@ class RecorderOptions:
         sensors: `State` vectors: `none`, those that programs `read`, or `all`, with each frame.
         foxglove: whether messages by Foxglove's schemas are added.
         foxglove_robots: the robots whose laser scans and pictures are among them.
+        is_changed: whether the run has changes by hand, and so is run again in debug builds of its
+            programs, whose memory is another.
     """
 
     every_s: float = 0.05
     sensors: Sensors = "read"
     foxglove: bool = False
     foxglove_robots: tuple[str, ...] = ()
+    is_changed: bool = False
 
 
 class Recorder:
@@ -100,17 +108,15 @@ class Recorder:
         self._writer.metadata(topics.RUN, run)
         for name, content in attachments.items():
             self._writer.attachment(name, "application/octet-stream", content)
-        self._readings: list[tuple[int, Readings]] = []
-        self._encoder = readings.ReadingEncoder()
-        self._reading_rows = 0
-        self._times_ns: list[int] = []
-        self._frames: list[RawFrame] = []
-        self._odometry: list[tuple[int, FloatArray]] = []
+        self._can_save = stat.S_ISREG(os.fstat(self._file.fileno()).st_mode)
+        self._encoder = ReadingEncoder()
+        self._block = Block(0.0)
         self._output_crc = 0
         self._foxglove: FoxgloveView | None = None
         self._foxglove_sensors: FoxgloveSensors | None = None
         self._rosters = 0
         self._moved = True  # since the last frame
+        self._frames = 0
         self._stride = 1
 
     def begin(self, session: Session) -> None:
@@ -121,7 +127,8 @@ class Recorder:
         self._last = session.timesteps
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.copy()
-        self._is_debug_build = len(session.fleet) > 0 and session.fleet.executable(0).has_marks
+        is_debug_build = len(session.fleet) > 0 and session.fleet.executable(0).has_marks
+        self._hides_state = is_debug_build and not self._options.is_changed
         if self._options.foxglove:
             from crs_cc.recording.foxglove.messages import FoxgloveView
 
@@ -133,6 +140,7 @@ class Recorder:
             self._foxglove_sensors = FoxgloveSensors(robots, self._options.foxglove_robots)
         self._names: tuple[str, ...] = ()
         self._note_roster()
+        self._block = Block(session.time_s)
         self._add_frame()
         self._add_hash()
 
@@ -143,20 +151,23 @@ class Recorder:
         self._moved = True
         if self.failed is not None:
             return
-        time_ns = _ns(step.time_s)
+        time_ns = ns(step.time_s)
         for event in events_of(step):
-            self._add_json(topics.EVENT, _ns(event.pop("time_s")), event)
+            self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
         if len(step.traffic):
             self._add_json(topics.MESSAGE, time_ns, traffic_of(step.traffic))
         if self._options.sensors == "none":
             return
         for served in step.served:
             if served.states is not None:
-                codes = np.full(len(served.robots), served.code)
-                rows = Readings(codes, served.robots, served.clock_s, served.states)
-                self._note_readings(time_ns, rows)
-        for reading in readings_of(step):
-            self._add_json(topics.READING, time_ns, reading)
+                answers = served.code, served.robots, served.clock_s, served.states
+                self._block.add_answers(time_ns, answers)
+            elif served.replies is not None:
+                reading = readings_of(served)
+                if reading is not None:
+                    self._add_json(topics.READING, time_ns, reading)
+        if self._block.rows > MAX_ROWS:
+            self._shorten()
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Record a piece of a program's output."""
@@ -164,7 +175,7 @@ class Recorder:
             return
         self._output_crc = zlib.crc32(content, self._output_crc)
         data = {"robot": robot, "stream": stream, **as_fields(content)}
-        time_ns = self._now_ns(robot)
+        time_ns = self._nowns(robot)
         self._add_json(topics.OUTPUT, time_ns, data)
         if self._foxglove is not None:
             from crs_cc.recording.foxglove.messages import LOG, log_message
@@ -175,19 +186,19 @@ class Recorder:
     def read(self, robot: int, content: bytes) -> None:
         """Record a piece of a program's standard input."""
         data = {"kind": "stdin", "robot": robot, **as_fields(content)}
-        self._add_json(topics.INPUT, self._now_ns(robot), data)
+        self._add_json(topics.INPUT, self._nowns(robot), data)
 
     def waiting(self, robot: int, clock_s: float, answer: tuple[int, float]) -> None:
         """Record what a program was told of input that it could read."""
         ready, wait_s = answer
         data = {"kind": "waiting", "robot": robot, "clock_s": clock_s, "ready": ready}
-        self._add_json(topics.INPUT, _ns(clock_s), {**data, "wait_s": wait_s})
+        self._add_json(topics.INPUT, ns(clock_s), {**data, "wait_s": wait_s})
 
     def change(self, data: Mapping[str, Any]) -> None:
         """Record what the user has just changed in the run, as plain data."""
         self._moved = True
         if self.failed is None:
-            self._add_json(topics.INPUT, _ns(self._session.time_s), data)
+            self._add_json(topics.INPUT, ns(self._session.time_s), data)
 
     def seconds_left(self) -> float:
         """Return how much time may be simulated before the next call of `sample` [s]."""
@@ -213,7 +224,7 @@ class Recorder:
         if timesteps >= self._next_hash:
             self._end_second()
         elif self._writer.pending > MAX_CHUNK:
-            self._cut()
+            self._shorten()
 
     def finish(self, result: RunResult) -> None:
         """Record the end, with the results."""
@@ -221,7 +232,7 @@ class Recorder:
             if self._moved:
                 self._add_frame()
             self._add_hash(result.state_hash)
-            self._flush()
+            self._complete()
             self._try(lambda: self._writer.metadata(topics.RESULT, _result_values(result)))
             self._try(self._writer.finish)
         self._file.close()
@@ -234,83 +245,71 @@ class Recorder:
         robots = len(self._session.fleet)
         is_full = seconds % min(FULL_HASH_SECONDS, max(5, robots // 10)) == 0
         self._add_hash(self._session.state_hash() if is_full else "")
-        self._flush()
+        session, block = self._session, self._block
+        lasted_s = session.time_s - block.begin_s
+        size = block.size + self._writer.pending
+        second_s = self._per_second * session.environment.timestep_s
+        is_long = lasted_s + second_s > BLOCK_S + 1e-6
+        if is_long or not self._can_save or size * (lasted_s + second_s) > MAX_CHUNK * lasted_s:
+            self._complete()
+        else:
+            self._try(lambda: self._writer.save(block.unsaved()))
+            self._note_written()
 
-    def _flush(self) -> None:
-        """Encode and write what has been gathered."""
-        if self._frames:
-            block = _block(self._frames)
-            for time_ns, data in grouped(self._times_ns, encode(block)):
-                self._writer.add(topics.FRAME, time_ns, data)
-            if self._foxglove is not None:
-                names = self._robot_ids, self._object_names
-                for time_ns, values in zip(self._times_ns, block, strict=True):
-                    channel, data = self._foxglove.frame(time_ns, values, *names)
-                    self._writer.add(channel, time_ns, data)
-        self._add_readings()
-        if self._odometry:
-            believed = encode(np.array([each for _, each in self._odometry]))
-            for time_ns, data in grouped([each for each, _ in self._odometry], believed):
-                self._writer.add(topics.ODOMETRY, time_ns, data)
-        self._frames.clear()
-        self._times_ns.clear()
-        self._odometry.clear()
-        self._cut()
-
-    def _note_readings(self, time_ns: int, rows: Readings) -> None:
-        self._readings.append((time_ns, rows))
-        self._reading_rows += len(rows.robots)
-        if self._reading_rows > MAX_ROWS:
-            self._add_readings()
-
-    def _add_readings(self) -> None:
-        if not self._readings:
+    def _shorten(self) -> None:
+        """Write what has become much, before the second is over."""
+        if self._writer.has_saved:  # which has parts of the block
+            self._complete()
             return
-        time_ns, found = self._readings[0][0], [rows for _, rows in self._readings]
-        together = Readings(
-            np.concatenate([rows.codes for rows in found]),
-            np.concatenate([rows.robots for rows in found]),
-            np.concatenate([rows.clock_s for rows in found]),
-            np.concatenate([rows.states for rows in found]),
-        )
-        for begin in range(0, len(together.robots), readings.MAX_ROWS):
-            part = together.of(slice(begin, begin + readings.MAX_ROWS))
-            self._writer.add(topics.STATE, time_ns, self._encoder.encode(part, time_ns))
-        self._readings, self._reading_rows = [], 0
+        for message in self._block.readings(self._encoder):
+            self._writer.add(*message)
+        self._block.forget_readings()
+        if self._writer.pending > MAX_CHUNK:
+            self._cut()
+
+    def _complete(self) -> None:
+        """Encode and write what has been gathered."""
+        for message in self._block.messages(self._encoder):
+            self._writer.add(*message)
+        self._block = Block(self._session.time_s)
+        self._cut()
 
     def _cut(self) -> None:
         self._try(self._writer.cut)
+        self._note_written()
+
+    def _note_written(self) -> None:
         if self.failed is None:
             self.written_s = self._session.time_s
 
     def _add_frame(self) -> None:
-        environment = self._session.environment
-        state = environment.last_state
-        if len(self._frames) % ODOMETRY_FRAMES == 0:
-            odometry = state.odometry
-            rows = [odometry.x_m, odometry.y_m, odometry.heading_rad]
-            self._odometry.append((_ns(environment.time_s), np.array(rows)))
-        self._frames.append(RawFrame.of(state, has_turret=self._has_turret))
-        self._times_ns.append(_ns(environment.time_s))
+        environment, block = self._session.environment, self._block
+        state, time_s = environment.last_state, environment.time_s
+        time_ns = ns(time_s)
+        if self._frames % ODOMETRY_FRAMES == 0:
+            block.add_odometry(time_ns, state)
+        self._frames += 1
+        block.add_frame(time_ns, state, has_turret=self._has_turret)
         self._moved = False
+        if self._foxglove is not None:
+            names = self._robot_ids, self._object_names
+            channel, data = self._foxglove.frame(time_ns, block.last_frame(), *names)
+            self._writer.add(channel, time_ns, data)
         if self._options.sensors == "all":
             robots = np.flatnonzero(state.presence.present)
-            clock_s = np.full(len(robots), environment.time_s)
-            states = environment.last_readings(robots)
-            unasked = Readings(np.zeros(len(robots), np.int64), robots, clock_s, states)
-            self._note_readings(_ns(environment.time_s), unasked)
+            clock_s = np.full(len(robots), time_s)
+            block.add_answers(time_ns, (0, robots, clock_s, environment.last_readings(robots)))
 
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()
         session = self._session
-        data = {
+        values = {
             "timesteps": session.timesteps,
             "digest": digest(session),
             "output": self._output_crc,
+            "state": "" if self._hides_state else state_hash[: topics.HASH_DIGITS],
         }
-        if state_hash and not self._is_debug_build:  # whose memory is another
-            data["state"] = state_hash
-        self._add_json(topics.HASH, _ns(session.time_s), data)
+        self._block.add_hash(ns(session.time_s), values)
 
     def _note_ends(self) -> None:
         """Record which programs have ended since the last time."""
@@ -328,13 +327,13 @@ class Recorder:
             if result.error is not None:
                 text = f"{result.error.location}: {result.error.text}"
             data = {"kind": result.outcome, "robot": robot, "text": text}
-            self._add_json(topics.EVENT, _ns(result.time_s), data)
+            self._add_json(topics.EVENT, ns(result.time_s), data)
         self._alive = alive.copy()
 
     def _note_roster(self) -> None:
         """Record who and what is there from now on; a key frame follows."""
-        if self._frames:
-            self._flush()
+        if self._block.frames:
+            self._complete()
         environment = self._session.environment
         self._names = environment.names
         robots = environment.world.robots
@@ -343,7 +342,7 @@ class Recorder:
         self._object_names = list(environment.pushables)
         self._rosters += 1
         values = {
-            "time_ns": str(_ns(environment.time_s)),
+            "time_ns": str(ns(environment.time_s)),
             "robots": json.dumps(self._robot_ids),
             "objects": json.dumps(self._object_names),
             "columns": "x y heading turret" if self._has_turret else "x y heading",
@@ -353,14 +352,14 @@ class Recorder:
     # -- messages --------------------------------------------------------------------------------
 
     def _add_json(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
-        self._writer.add(channel, time_ns, _JSON.encode(data).encode())
+        self._writer.add(channel, time_ns, topics.as_json(data))
         if self._writer.pending > MAX_CHUNK:
-            self._cut()
+            self._shorten()
 
-    def _now_ns(self, robot: int) -> int:
+    def _nowns(self, robot: int) -> int:
         session = self._session
         clock_s = float(session.state.clock_s[robot])
-        return _ns(clock_s if np.isfinite(clock_s) else session.time_s)
+        return ns(clock_s if np.isfinite(clock_s) else session.time_s)
 
     def _try(self, write: Callable[[], None]) -> None:
         if self.failed is None:
@@ -382,51 +381,11 @@ class _Whole:
             view = view[self._file.write(view) :]
         return len(data)
 
+    def seek(self, offset: int) -> int:
+        return self._file.seek(offset)
 
-@dataclass(frozen=True, slots=True)
-class RawFrame:
-    """Copies of the arrays of a frame, quick to take.
-
-    Attributes:
-        position_m: of all bodies (rows, 2).
-        heading_rad: of the robots.
-        angle_rad: of all bodies.
-        present: which robots are in the world; never changed in place.
-        turret_rad: of the robots; None if none has a turret.
-    """
-
-    position_m: FloatArray
-    heading_rad: FloatArray
-    angle_rad: FloatArray
-    present: BoolArray
-    turret_rad: FloatArray | None
-
-    @classmethod
-    def of(cls, state: EnvState, *, has_turret: bool) -> Self:
-        """Copy them from a state."""
-        bodies = state.bodies
-        return cls(
-            bodies.position_m.copy(),
-            state.heading_rad.copy(),
-            bodies.angle_rad.copy(),
-            state.presence.present,
-            state.drive.turret_rad.copy() if has_turret else None,
-        )
-
-
-def _block(frames: Sequence[RawFrame]) -> FloatArray:
-    """Return frames as an array (frames, columns, rows)."""
-    has_turret, robots = frames[0].turret_rad is not None, len(frames[0].heading_rad)
-    block = np.zeros((len(frames), 3 + has_turret, len(frames[0].angle_rad)))
-    block[:, :2] = np.array([frame.position_m for frame in frames]).swapaxes(1, 2)
-    block[:, 2] = [frame.angle_rad for frame in frames]
-    block[:, 2, :robots] = [frame.heading_rad for frame in frames]
-    if has_turret:
-        block[:, 3, :robots] = [frame.turret_rad for frame in frames]
-    for number, frame in enumerate(frames):
-        if not frame.present.all():
-            block[number, :, :robots][:, ~frame.present] = np.nan
-    return block
+    def truncate(self, size: int) -> int:
+        return self._file.truncate(size)
 
 
 def _result_values(result: RunResult) -> dict[str, str]:
@@ -441,7 +400,3 @@ def _result_values(result: RunResult) -> dict[str, str]:
     if result.goals:
         values["goals"] = json.dumps([asdict(goal) for goal in result.goals])
     return values
-
-
-def _ns(time_s: float) -> int:
-    return max(0, round(time_s * NS))

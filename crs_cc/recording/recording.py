@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Final, Self
 
 from crs_cc.recording import readings, topics
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.frames import COLUMNS, MAX_ROWS, FrameDecoder, frames_in, is_key
+from crs_cc.recording.frames import COLUMNS, MAX_ROWS, FrameDecoder, is_key
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import NS, Message
 from crs_cc.recording.source_tree import INPUTS, SOURCES, write_tree
@@ -76,6 +76,23 @@ class Frame:
     def time_s(self) -> float:
         """Return the instant [s]."""
         return self.time_ns / NS
+
+
+@dataclass(frozen=True, slots=True)
+class Hash:
+    """What a run is compared by, after some timesteps.
+
+    Attributes:
+        timesteps: how many.
+        digest: of what moves and of all clocks.
+        output: CRC-32 of all output.
+        state: of all state; empty if it was not taken.
+    """
+
+    timesteps: int
+    digest: object
+    output: object
+    state: object
 
 
 class Recording:
@@ -187,8 +204,8 @@ class Recording:
                 continue
             is_broken = False
             try:
-                parts = frames_in(message.time_ns, message.data)
-                found = [Frame(time_ns, decoder.decode(data)) for time_ns, data in parts]
+                parts = decoder.frames(message.time_ns, message.data)
+                found = [Frame(time_ns, values) for time_ns, values in parts]
             except ValueError:
                 is_broken = True
                 decoder.forget()
@@ -215,12 +232,12 @@ class Recording:
         return last
 
     def readings(self, since_ns: int = 0, until_ns: int = _LATEST_NS) -> Iterator[Readings]:
-        """Yield the readings in a span of time, about a second at a time.
+        """Yield the readings in a span of time, and some before it, a message at a time.
 
         Raises:
             RecordingError: they cannot be decoded.
         """
-        second_ns = max(0, since_ns - 2 * NS)
+        second_ns = max(0, since_ns - readings.SPAN_NS - 2 * NS)
         begin_ns = second_ns // readings.PERIOD_NS * readings.PERIOD_NS
         decoder = readings.ReadingDecoder()
         for message in self.messages(topics.STATE.topic, since_ns=begin_ns, until_ns=until_ns):
@@ -228,6 +245,18 @@ class Recording:
                 found = decoder.decode(message.data, message.time_ns)
             if found is not None and message.time_ns >= second_ns:
                 yield found
+
+    def hashes(self) -> Iterator[Hash]:
+        """Yield the hashes.
+
+        Raises:
+            RecordingError: one is not valid.
+        """
+        for _, data in self.data(topics.HASH.topic):
+            with self.errors():
+                columns = [data[name] for name in ("timesteps", "digest", "output", "state")]
+                rows = [Hash(int(row[0]), *row[1:]) for row in zip(*columns, strict=True)]
+            yield from rows
 
     def sources(self) -> dict[str, bytes]:
         """Return the files that the run was loaded from, by name."""

@@ -21,6 +21,18 @@ _FATES = [fate.name.lower() for fate in Fate]
 
 def events_of(step: Step) -> Iterator[dict[str, Any]]:
     """Yield the events of a timestep except messages, each with its `time_s`, `kind` and `text`."""
+    if len(step.contacts.robot):
+        yield from _collisions(step)
+    for event in step.events:
+        yield {
+            "time_s": event.time_s, "kind": event.kind, "robot": event.robot, "text": event.text
+        }  # fmt: skip
+    for served in step.served:
+        if served.code == CODES["DRAW"]:
+            yield from _marks(served)
+
+
+def _collisions(step: Step) -> Iterator[dict[str, Any]]:
     contacts = step.contacts
     for robot, other, x_m, y_m in zip(
         contacts.robot.tolist(),
@@ -37,13 +49,6 @@ def events_of(step: Step) -> Iterator[dict[str, Any]]:
             "x_m": round(x_m, _DECIMALS),
             "y_m": round(y_m, _DECIMALS),
         }
-    for event in step.events:
-        yield {
-            "time_s": event.time_s, "kind": event.kind, "robot": event.robot, "text": event.text
-        }  # fmt: skip
-    for served in step.served:
-        if served.code == CODES["DRAW"]:
-            yield from _marks(served)
 
 
 def _marks(served: Served) -> Iterator[dict[str, Any]]:
@@ -77,16 +82,14 @@ def traffic_of(traffic: Records) -> dict[str, list[Any]]:
     }
 
 
-def readings_of(step: Step) -> Iterator[dict[str, Any]]:
-    """Yield what sensors told programs besides `State`, by request, a row for each robot."""
-    for served in step.served:
-        if served.replies is None or served.states is not None:
-            continue
-        rows = [row for row, result in enumerate(served.results.tolist()) if result]
-        if rows:
-            yield {
-                "request": REQUESTS[served.code].name,
-                "robot": served.robots[rows].tolist(),
-                "time_s": served.clock_s[rows].round(_DECIMALS).tolist(),
-                "values": [list(reply_values(served, row)) for row in rows],
-            }
+def readings_of(served: Served) -> dict[str, Any] | None:
+    """Return what a sensor other than `State` told programs, a row for each; None for nothing."""
+    rows = [row for row, result in enumerate(served.results.tolist()) if result]
+    if not rows:
+        return None
+    return {
+        "request": REQUESTS[served.code].name,
+        "robot": served.robots[rows].tolist(),
+        "time_s": served.clock_s[rows].round(_DECIMALS).tolist(),
+        "values": [list(reply_values(served, row)) for row in rows],
+    }

@@ -6,17 +6,26 @@ Messages in JSON have the fields that their schemas list; `docs/recordings.md` d
 from __future__ import annotations
 
 import json
-from typing import Final
+from collections.abc import Mapping
+from typing import Any, Final
 
 from crs_cc.recording.mcap_records import Channel
 
-FORMAT_VERSION: Final = 2
+FORMAT_VERSION: Final = 3
 """Increased when a reader of today could not read what is written then."""
 
 RUN: Final = "crs.run"
 ROSTER: Final = "crs.roster."
 RESULT: Final = "crs.result"
 """Names of metadata: what was run, who was there from when on, and how it ended."""
+
+
+_COMPACT: Final = json.JSONEncoder(separators=(",", ":"))
+
+
+def as_json(data: Mapping[str, Any]) -> bytes:
+    """Return the content of a message in JSON."""
+    return _COMPACT.encode(data).encode()
 
 
 def _json(topic: str, name: str, **fields: str) -> Channel:
@@ -45,9 +54,14 @@ INPUT: Final = _json(
     "/crs/input", "crs.Input", kind="string", robot="integer", text="string", base64="string",
     position="array", patches="array",
 )  # fmt: skip
-HASH: Final = _json("/crs/hash", "crs.Hash", timesteps="integer", digest="string", state="string")
+HASH: Final = _json(
+    "/crs/hash", "crs.Hash", timesteps="array", digest="array", output="array", state="array"
+)
 
 TOPICS: Final = {
     channel.topic: channel
     for channel in (FRAME, ODOMETRY, STATE, READING, EVENT, MESSAGE, OUTPUT, INPUT, HASH)
 }
+
+HASH_DIGITS: Final = 16
+"""So many hexadecimal digits of a hash are recorded: enough to see that a run is another one."""

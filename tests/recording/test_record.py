@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import errno
+import io
 import json
 import time
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +14,11 @@ import pytest
 from mcap.reader import NonSeekingReader, make_reader
 
 from crs_cc.cli.main import main
-from crs_cc.recording import recorder, topics
-from crs_cc.recording.frames import FrameDecoder, encode, frames_in, grouped
+from crs_cc.recording import frames, recorder, topics
+from crs_cc.recording.block import Encoded
+from crs_cc.recording.frames import FrameDecoder, count_in, encode
+from crs_cc.recording.mcap_reader import McapReader
+from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.readings import STATE, ReadingDecoder, ReadingEncoder, Readings
 from crs_cc.recording.recording import Recording
 
@@ -73,17 +78,24 @@ def test_the_frame_at_an_instant_is_the_last_one_before_it(recorded: Path) -> No
     recording.close()
 
 
-def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian() -> None:
+def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     random = np.random.default_rng(3)
     block = random.normal(0.0, 300.0, (7, 4, 5))
     block[2:4, :, 1] = np.nan
     block[6, 0, 0] = 1e12  # farther than a frame can tell
     decoder = FrameDecoder()
     times_ns = [5, 50_000_005, 3_000_000_005, 3_000_000_006, *(4 * 10**9 + n for n in range(3))]
-    ((time_ns, message),) = grouped(times_ns, encode(block))
-    parts = frames_in(time_ns, message)
+    ((time_ns, message),) = encode(times_ns, block)
+    parts = list(decoder.frames(time_ns, message))
+    assert count_in(message) == len(parts)
     assert [each for each, _ in parts] == times_ns
-    again = np.array([decoder.decode(data) for _, data in parts])
+    again = np.array([values for _, values in parts])
+    monkeypatch.setattr(frames, "MAX_GROUP", 0)
+    alone = encode(times_ns, block)
+    assert [each for each, _ in alone] == times_ns
+    np.testing.assert_array_equal([decoder.decode(data) for _, data in alone], again)
     assert again[6, 0, 0] == pytest.approx(214748.3647)
     block[6, 0, 0] = again[6, 0, 0]
     np.testing.assert_allclose(again, block, atol=0.5e-4)
@@ -120,16 +132,39 @@ def test_readings_are_exact_and_none_are_wrong_after_a_lost_message() -> None:
     assert unreadable == [*range(5, 14), *range(25, 29)]  # up to the end of ten seconds
 
 
-def test_a_run_that_is_killed_loses_its_last_second_at_most(recorded: Path, tmp_path: Path) -> None:
-    whole = recorded.read_bytes()
+def test_a_run_that_is_killed_loses_its_last_second_at_most(
+    recorded: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = Recording(recorded)
+    source.write_sources(tmp_path)
+    source.close()
+    path, kept = tmp_path / "run.mcap", list[bytes]()
+    save = McapWriter.save
+
+    def noted(writer: McapWriter, others: Iterable[Encoded]) -> None:
+        save(writer, others)
+        kept.append(path.read_bytes())
+
+    monkeypatch.setattr(McapWriter, "save", noted)
+    monkeypatch.setattr(recorder, "BLOCK_S", 3.0)
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
+    files = [str(tmp_path / name) for name in ("drive.c", "room.xml")]
+    main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
+    assert len(kept) == 4  # at 1 and 2, 4 and 5 seconds
+    whole = Recording(path)
+    frames = [(each.time_ns, each.values.tolist()) for each in whole.frames()]
+    read = sum(len(each.robots) for each in whole.readings())
+    whole.close()
     cut = tmp_path / "cut.mcap"
-    for share in (0.5, 0.8):
-        cut.write_bytes(whole[: int(len(whole) * share)])
+    for content, end_s in zip(kept, (1, 2, 4, 5), strict=True):
+        cut.write_bytes(content + content[-5000:-2500])  # and something that was not finished
         recording = Recording(cut)
         assert not recording.is_complete
-        ends = [chunk.last_ns for chunk in recording.mcap.chunks]
-        assert np.diff(ends).max() <= 1_000_000_000
-        assert list(recording.frames())
+        assert recording.end_ns == end_s * 10**9
+        there = [(each.time_ns, each.values.tolist()) for each in recording.frames()]
+        assert there == [each for each in frames if each[0] <= end_s * 10**9]
+        assert len(list(recording.hashes())) == end_s + 1
+        assert 0 < sum(len(each.robots) for each in recording.readings()) < read
         recording.close()
         with cut.open("rb") as file:  # the public reader agrees
             found = NonSeekingReader(file, validate_crcs=True)
@@ -138,6 +173,64 @@ def test_a_run_that_is_killed_loses_its_last_second_at_most(recorded: Path, tmp_
                 times.extend(
                     each.log_time for *_, each in found.iter_messages(log_time_order=False)
                 )
+
+
+class StoppedFile(io.BytesIO):
+    """A file that keeps what it would be if its program were killed at any moment.
+
+    Attributes:
+        after: its contents after each operation, and in the middle of each longer than 9 bytes.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.after: list[bytes] = []
+
+    def write(self, data: bytes) -> int:  # type: ignore[override]
+        whole, at, half = self.getvalue(), self.tell(), len(data) // 2
+        if len(data) > 9:
+            self.after.append(whole[:at] + data[:half] + whole[at + half :])
+        done = super().write(data)
+        self.after.append(self.getvalue())
+        return done
+
+    def truncate(self, size: int | None = None) -> int:
+        done = super().truncate(size)
+        self.after.append(self.getvalue())
+        return done
+
+
+@pytest.mark.parametrize("size", [5, 5000])
+def test_the_file_is_valid_whenever_the_writer_is_stopped(size: int, tmp_path: Path) -> None:
+    """A chunk takes the place of what was saved, be it shorter or, of random bytes, longer."""
+    path, random = tmp_path / "run.mcap", np.random.default_rng(5)
+
+    file = StoppedFile()
+    writer = McapWriter(file)
+    sizes = []
+    for number in range(9):
+        writer.add(topics.OUTPUT, number, bytes([number]) + random.bytes(size))
+        writer.save([(topics.EVENT, number, bytes([number]))])
+        sizes.append(len(file.getvalue()))
+        if number % 4 == 3:
+            for time_ns in range(number - 3, number + 1):
+                writer.add(topics.EVENT, time_ns, bytes([time_ns]))
+            writer.cut()
+            sizes.append(len(file.getvalue()))
+    known = 0
+    for content in file.after:
+        path.write_bytes(content)
+        reader = McapReader(path)
+        found = [each for chunk in reader.chunks for each in reader.messages(chunk)]
+        reader.close()
+        for topic in ("/crs/output", "/crs/event"):
+            numbers = [each.data[0] for each in found if each.topic == topic]
+            assert numbers == list(range(len(numbers)))
+        assert len(numbers) >= known
+        known = len(numbers)
+    assert known == 9
+    if size < 10:
+        assert sizes[4] < sizes[3]
 
 
 def test_a_full_disk_ends_the_recording_and_not_the_run(
