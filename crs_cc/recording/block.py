@@ -31,8 +31,11 @@ _RawFrame = tuple["FloatArray", "FloatArray", "FloatArray", "BoolArray", "FloatA
 """Positions [m] of all bodies (rows, 2), headings [rad] of the robots, angles [rad] of all bodies,
 which robots are in the world, and the turrets' angles [rad] if there are any."""
 
-_VALUE: Final = 4  # bytes of a number in a frame
-_ROW: Final = 32  # bytes of a reading when encoded, roughly
+_Frames = tuple[list[int], "FloatArray"]
+"""Times [ns], and the numbers of the frames of these times (frames, columns, rows)."""
+
+_ROW: Final = 12  # bytes of a body in a frame
+_READING: Final = 32  # bytes of a reading when encoded, roughly
 _HASH: Final = 64
 
 
@@ -41,13 +44,15 @@ class Block:
 
     Attributes:
         begin_s: when it begins [s].
+        frames: how many frames it has.
         rows: how many readings it has.
+        size: how many bytes it takes when encoded, roughly.
     """
 
     def __init__(self, begin_s: float) -> None:
         """Create an empty one."""
         self.begin_s = begin_s
-        self.rows = 0
+        self.frames = self.rows = self.size = 0
         self._frames: list[_RawFrame] = []
         self._times_ns: list[int] = []
         self._believed: list[FloatArray] = []
@@ -55,19 +60,10 @@ class Block:
         self._answers: list[Answers] = []
         self._answered_ns: list[int] = []
         self._hashes: list[tuple[int, Mapping[str, Any]]] = []
-        self._saved = (0, 0, 0, 0)
-
-    @property
-    def frames(self) -> int:
-        """Return the number of frames."""
-        return len(self._frames)
-
-    @property
-    def size(self) -> int:
-        """Return how many bytes it takes when encoded, roughly."""
-        frames = 3 * _VALUE * self.frames * (len(self._frames[0][2]) if self._frames else 0)
-        robots = 3 * _VALUE * sum(each.shape[1] for each in self._believed)
-        return frames + robots + _ROW * self.rows + _HASH * len(self._hashes)
+        self._saved_frames: list[_Frames] = []
+        self._saved_odometry: list[_Frames] = []
+        self._saved_readings: list[tuple[int, Readings]] = []
+        self._saved_hashes = 0
 
     def add_frame(self, time_ns: int, state: EnvState, *, has_turret: bool) -> None:
         """Copy a frame from a state."""
@@ -82,22 +78,27 @@ class Block:
                 state.drive.turret_rad.copy() if has_turret else None,
             )
         )
+        self.frames += 1
+        self.size += _ROW * len(bodies.angle_rad)
 
     def add_odometry(self, time_ns: int, state: EnvState) -> None:
         """Copy what the robots believe from a state."""
         odometry = state.odometry
         self._believed_ns.append(time_ns)
         self._believed.append(np.array((odometry.x_m, odometry.y_m, odometry.heading_rad)))
+        self.size += _ROW * len(odometry.x_m)
 
     def add_answers(self, time_ns: int, answers: Answers) -> None:
         """Add readings that were given in a timestep."""
         self._answered_ns.append(time_ns)
         self._answers.append(answers)
         self.rows += len(answers[1])
+        self.size += _READING * len(answers[1])
 
     def add_hash(self, time_ns: int, values: Mapping[str, Any]) -> None:
         """Add the hashes of an instant: always the same names."""
         self._hashes.append((time_ns, values))
+        self.size += _HASH
 
     def last_frame(self) -> FloatArray:
         """Return the numbers of the last frame, (columns, rows)."""
@@ -106,61 +107,85 @@ class Block:
 
     def unsaved(self) -> Iterator[Encoded]:
         """Yield messages of what is new since the last time; all of it stays in the block."""
-        frame, believed, answer, made = self._saved
-        self._saved = (
-            len(self._frames), len(self._believed), len(self._answers), len(self._hashes)
-        )  # fmt: skip
-        yield from self._frame_messages(frame)
-        yield from self._odometry(believed)
-        yield from self.readings(ReadingEncoder(), answer)
-        yield from self._hash_messages(made)
+        hashes, self._saved_hashes = self._hashes[self._saved_hashes :], len(self._hashes)
+        frames, odometry, found = self._gather()
+        yield from _frame_messages(topics.FRAME, self._saved_frames[frames:])
+        yield from _frame_messages(topics.ODOMETRY, self._saved_odometry[odometry:])
+        yield from _readings(ReadingEncoder(), self._saved_readings[found:])
+        yield from _hash_messages(hashes)
 
     def messages(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
         """Yield the messages of all that is in the block; the encoder knows the readings before."""
-        yield from self._frame_messages(0)
-        yield from self._odometry(0)
-        yield from self.readings(encoder, 0)
-        yield from self._hash_messages(0)
+        self._gather()
+        yield from _frame_messages(topics.FRAME, self._saved_frames)
+        yield from _frame_messages(topics.ODOMETRY, self._saved_odometry)
+        yield from _readings(encoder, self._saved_readings)
+        yield from _hash_messages(self._hashes)
 
-    def readings(self, encoder: ReadingEncoder, first: int = 0) -> Iterator[Encoded]:
-        """Yield the messages of the readings from one on."""
-        found = self._answers[first:]
-        if not found:
-            return
-        time_ns = self._answered_ns[first]
-        codes, robots, clock_s, states = zip(*found, strict=True)
-        counts = [len(each) for each in robots]
+    def take_readings(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
+        """Yield the messages of the readings, and remove them; none must have been saved."""
+        self._gather()
+        yield from _readings(encoder, self._saved_readings)
+        self._saved_readings, self.rows = [], 0
+
+    def _gather(self) -> tuple[int, int, int]:
+        """Put what is new into arrays; return how many of each kind have been there before."""
+        before = len(self._saved_frames), len(self._saved_odometry), len(self._saved_readings)
+        if self._frames:
+            self._saved_frames.append((self._times_ns, _values(self._frames)))
+            self._times_ns, self._frames = [], []
+        if self._believed:
+            self._saved_odometry.append((self._believed_ns, np.array(self._believed)))
+            self._believed_ns, self._believed = [], []
+        if self._answers:
+            self._saved_readings.append((self._answered_ns[0], _together(self._answers)))
+            self._answered_ns, self._answers = [], []
+        return before
+
+
+def _together(answers: Sequence[Answers]) -> Readings:
+    """Return answers as rows."""
+    codes, robots, clock_s, states = zip(*answers, strict=True)
+    return Readings(
+        np.repeat(codes, [len(each) for each in robots]),
+        np.concatenate(robots),
+        np.concatenate(clock_s),
+        np.concatenate(states),
+    )
+
+
+def _readings(encoder: ReadingEncoder, found: Sequence[tuple[int, Readings]]) -> Iterator[Encoded]:
+    """Yield the messages of readings."""
+    if not found:
+        return
+    time_ns, rows = found[0]
+    if len(found) > 1:
+        parts = [each for _, each in found]
         rows = Readings(
-            np.repeat(codes, counts),
-            np.concatenate(robots),
-            np.concatenate(clock_s),
-            np.concatenate(states),
+            np.concatenate([each.codes for each in parts]),
+            np.concatenate([each.robots for each in parts]),
+            np.concatenate([each.clock_s for each in parts]),
+            np.concatenate([each.states for each in parts]),
         )
-        for begin in range(0, sum(counts), readings.MAX_ROWS):
-            part = rows.of(slice(begin, begin + readings.MAX_ROWS))
-            yield topics.STATE, time_ns, encoder.encode(part, time_ns)
+    for begin in range(0, len(rows.robots), readings.MAX_ROWS):
+        part = rows.of(slice(begin, begin + readings.MAX_ROWS))
+        yield topics.STATE, time_ns, encoder.encode(part, time_ns)
 
-    def forget_readings(self) -> None:
-        """Remove the readings, which have been encoded."""
-        self._answers, self._answered_ns, self.rows = [], [], 0
 
-    def _frame_messages(self, first: int) -> Iterator[Encoded]:
-        found = self._frames[first:]
-        if found:
-            for time_ns, data in encode(self._times_ns[first:], _values(found)):
-                yield topics.FRAME, time_ns, data
+def _frame_messages(channel: Channel, found: Sequence[_Frames]) -> Iterator[Encoded]:
+    """Yield the messages of frames."""
+    if found:
+        times_ns = [time_ns for times_ns, _ in found for time_ns in times_ns]
+        values = found[0][1] if len(found) == 1 else np.concatenate([each for _, each in found])
+        for time_ns, data in encode(times_ns, values):
+            yield channel, time_ns, data
 
-    def _odometry(self, first: int) -> Iterator[Encoded]:
-        found = self._believed[first:]
-        if found:
-            for time_ns, data in encode(self._believed_ns[first:], np.array(found)):
-                yield topics.ODOMETRY, time_ns, data
 
-    def _hash_messages(self, first: int) -> Iterator[Encoded]:
-        found = self._hashes[first:]
-        if found:
-            columns = {name: [values[name] for _, values in found] for name in found[0][1]}
-            yield topics.HASH, found[-1][0], topics.as_json(columns)
+def _hash_messages(found: Sequence[tuple[int, Mapping[str, Any]]]) -> Iterator[Encoded]:
+    """Yield the message of hashes."""
+    if found:
+        columns = {name: [values[name] for _, values in found] for name in found[0][1]}
+        yield topics.HASH, found[-1][0], topics.as_json(columns)
 
 
 def _values(frames: Sequence[_RawFrame]) -> FloatArray:

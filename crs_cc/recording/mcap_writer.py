@@ -37,7 +37,7 @@ from crs_cc.recording.mcap_records import (
 
 PROFILE: Final = "crs"
 LEVEL: Final = 1  # of zstd: level 3 is 2 % smaller and takes twice the time
-SMALL_LEVEL: Final = 9  # for what has been saved before, of which there is little: 10 % smaller
+SMALL_LEVEL: Final = 6  # for what has been saved before, of which there is little: 10 % smaller
 HIDDEN: Final = 0x80
 """The opcode of a record that is skipped: from 0x80 on they belong to applications."""
 

@@ -83,17 +83,18 @@ class _Memory:
 
     def last(self, robots: IndexArray) -> Int32Array:
         """Return the last vectors of robots, zeros for those not known."""
+        if not len(self._robots):
+            return np.zeros((len(robots), STATE), np.int32)
         place = np.searchsorted(self._robots, robots)
         place[place == len(self._robots)] = 0
         found = np.zeros((len(robots), STATE), np.int32)
-        if len(self._robots):
-            known = self._robots[place] == robots
-            found[known] = self._states[place[known]]
+        known = self._robots[place] == robots
+        found[known] = self._states[place[known]]
         return found
 
     def keep(self, robots: IndexArray, states: Int32Array) -> None:
         """Remember vectors; each robot is there once, rising."""
-        if not np.array_equal(robots, self._robots):
+        if len(self._robots) and not np.array_equal(robots, self._robots):
             old = ~np.isin(self._robots, robots)
             robots = np.concatenate([self._robots[old], robots])
             order = np.argsort(robots, kind="stable")
@@ -116,11 +117,12 @@ class ReadingEncoder:
             time_ns: the message's time, not after any of theirs.
         """
         number = self._memory.begin(time_ns)
-        order = np.argsort(rows.robots, kind="stable")
-        robots, states = rows.robots[order], rows.states[order]
+        if (rows.robots[1:] < rows.robots[:-1]).any():
+            rows = rows.of(np.argsort(rows.robots, kind="stable"))
+        robots, states = rows.robots, rows.states
         first = _firsts(robots)
-        changes = states.copy()
-        changes[1:] -= states[:-1]
+        changes = np.empty_like(states)
+        np.subtract(states[1:], states[:-1], out=changes[1:])
         changes[first] = states[first] - self._memory.last(robots[first])
         ends = np.append(first[1:], len(robots)) - 1
         self._memory.keep(robots[ends], states[ends])
@@ -128,13 +130,13 @@ class ReadingEncoder:
         by_column = np.ascontiguousarray(changes[:, columns].T)
         differs = by_column != 0
         values = by_column[differs]
-        after_us = np.rint((rows.clock_s[order] - time_ns / NS) * _US).astype(np.int64)
-        bits = int((1 << columns.astype(object)).sum()) if len(columns) else 0
+        after_us = np.rint((rows.clock_s - time_ns / NS) * _US).astype(np.int64)
+        bits = sum(1 << column for column in columns.tolist())
         parts = (
             HEAD.pack(VERSION, number, len(states), len(values), bits),
-            rows.codes[order].astype("<u2").tobytes(),
-            _planes(np.diff(robots, prepend=0)),
-            _planes(np.diff(after_us, prepend=0)),
+            rows.codes.astype("<u2").tobytes(),
+            _planes(_steps(robots)),
+            _planes(_steps(after_us)),
             np.packbits(differs.ravel(), bitorder="little").tobytes(),
             _planes(values),
         )
@@ -204,6 +206,13 @@ def _firsts(robots: IndexArray) -> IndexArray:
     is_first = np.ones(len(robots), np.bool_)
     is_first[1:] = robots[1:] != robots[:-1]
     return np.flatnonzero(is_first)
+
+
+def _steps(values: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Return the differences of numbers to those before them, to 0 for the first."""
+    steps = values.copy()
+    steps[1:] -= values[:-1]
+    return steps
 
 
 def _planes(values: npt.NDArray[Any]) -> bytes:

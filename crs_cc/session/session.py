@@ -110,7 +110,8 @@ class Session:
             waiting: returns what can be read of their input.
             trace: is notified of every timestep.
             threads: how many threads may run programs, see `Fleet`; results do not depend on it.
-            observer: is notified of those in which something can happen.
+            observer: is notified of those in which something can happen, without `slices` if
+                there is no trace.
 
         Raises:
             ValueError: there is not one program for each robot.
@@ -390,8 +391,7 @@ class Session:
         if self._is_quiet:
             self._skip(1)
             return self._can_continue
-        is_told = self._trace is not None or self._observer is not None
-        step = self.environment.step(tells_slices=is_told)
+        step = self.environment.step(tells_slices=self._trace is not None)
         if len(step.robots):
             state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
             self.fleet.reply(step.robots, step.messages)

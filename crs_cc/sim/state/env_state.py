@@ -19,6 +19,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
+from functools import cache, lru_cache
 from typing import Any, Self, TypeVar
 
 import numpy as np
@@ -203,8 +204,9 @@ class EnvState(_InRows):
         """Return a digest of the whole state."""
         digest = hashlib.sha256()
         for name, value in _leaves(self, ""):
-            digest.update(f"{name} {np.shape(value)}\n".encode())
-            digest.update(np.ascontiguousarray(value).tobytes())
+            array = np.asarray(value)
+            digest.update(_head(name, array.shape))
+            digest.update(array.tobytes())
         return digest.hexdigest()
 
 
@@ -213,8 +215,21 @@ def _whole(count: int) -> Int64Array:
 
 
 def _leaves(value: Any, name: str) -> Iterator[tuple[str, Any]]:
-    if is_dataclass(value):
-        for field in fields(value):
-            yield from _leaves(getattr(value, field.name), f"{name}.{field.name}")
-    elif value is not None:
-        yield name, value
+    """Yield the arrays and numbers in a dataclass, with their names."""
+    for field in _fields(type(value)) or ():
+        part, own = getattr(value, field), f"{name}.{field}"
+        if _fields(type(part)) is not None:
+            yield from _leaves(part, own)
+        elif part is not None:
+            yield own, part
+
+
+@lru_cache(maxsize=1024)
+def _head(name: str, shape: tuple[int, ...]) -> bytes:
+    return f"{name} {shape}\n".encode()
+
+
+@cache
+def _fields(kind: type) -> tuple[str, ...] | None:
+    """Return the names of the fields of a dataclass; None for another type."""
+    return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None
