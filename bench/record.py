@@ -21,7 +21,7 @@ from environment import PROGRAM, SETUPS, world_text
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.recording.description import RunDescription
-from crs_cc.recording.frames import encode
+from crs_cc.recording.frames import messages
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.recorder import Recorder, RecorderOptions
@@ -123,7 +123,7 @@ def as_mcap(path: Path, frames: list, names: tuple[str, ...]) -> None:
         for begin in range(0, len(frames), per_chunk):
             block = frames[begin : begin + per_chunk]
             values = np.array([frame.values for frame in block])
-            for time_ns, data in encode([frame.time_ns for frame in block], values):
+            for time_ns, data in messages([frame.time_ns for frame in block], values):
                 writer.add(FRAME, time_ns, data)
             writer.cut()
         writer.finish()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.recording import readings, topics
-from crs_cc.recording.frames import encode
+from crs_cc.recording.frames import messages
 from crs_cc.recording.mcap_records import NS, Channel
 from crs_cc.recording.readings import ReadingEncoder, Readings
 
@@ -177,7 +177,7 @@ def _frame_messages(channel: Channel, found: Sequence[_Frames]) -> Iterator[Enco
     if found:
         times_ns = [time_ns for times_ns, _ in found for time_ns in times_ns]
         values = found[0][1] if len(found) == 1 else np.concatenate([each for _, each in found])
-        for time_ns, data in encode(times_ns, values):
+        for time_ns, data in messages(times_ns, values):
             yield channel, time_ns, data
 
 

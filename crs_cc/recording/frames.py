@@ -8,7 +8,9 @@ shortens well. A message in a recording is a frame, or, when they are small, a g
 the low bytes of all frames first.
 
 >>> block = np.array([[[0.0, 1.5]], [[0.0001, np.nan]]])  # two frames, one column, two rows
->>> ((time_ns, group),) = encode([5, 9], block)
+>>> [len(each) for each in encode(block)]
+[16, 16]
+>>> ((time_ns, group),) = messages([5, 9], block)
 >>> time_ns, len(group), group[:HEAD.size].hex()
 (5, 44, '0301010002000000')
 >>> [(time_ns, frame.tolist()) for time_ns, frame in FrameDecoder().frames(5, group)]
@@ -55,16 +57,36 @@ _BYTES: Final = 4
 Numbers = npt.NDArray[np.uint32]
 
 
-def encode(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, bytes]]:
-    """Return the messages with some frames, each with its time: a group, or many if they are large.
+def encode(block: FloatArray) -> list[bytes]:
+    """Return frames, the first of them a key frame.
 
-    The first frame is a key frame.
+    Args:
+        block: numbers [m, rad], NaN for what is not in the world, shape (frames, columns, rows).
+    """
+    content = np.ascontiguousarray(_planes(block).swapaxes(2, 3)).reshape(len(block), -1)
+    _, columns, rows = block.shape
+    kinds = (KEY, DIFFERENCE, *[EXTRAPOLATION] * len(block))
+    heads = (HEAD.pack(kinds[frame], columns, VERSION, rows) for frame in range(len(block)))
+    return [head + each.tobytes() for head, each in zip(heads, content, strict=True)]
+
+
+def messages(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, bytes]]:
+    """Return the messages with some frames, each with its time: a group, or many if they are large.
 
     Args:
         times_ns: the frames' times.
-        block: numbers [m, rad], NaN for what is not in the world, shape (frames, columns, rows).
+        block: see `encode`.
     """
     frames, columns, rows = block.shape
+    if frames == 1 or block.size * _BYTES > MAX_GROUP:
+        return list(zip(times_ns, encode(block), strict=True))
+    head = HEAD.pack(GROUP, columns, VERSION, rows) + _COUNT.pack(frames)
+    steps_ns = np.diff(times_ns, prepend=times_ns[0]).astype("<u8").tobytes()
+    return [(times_ns[0], head + steps_ns + _planes(block).transpose(3, 1, 0, 2).tobytes())]
+
+
+def _planes(block: FloatArray) -> npt.NDArray[np.uint8]:
+    """Return the bytes of what is written of a block, (frames, columns, rows, 4)."""
     scaled = np.rint(block * PER_UNIT)
     np.clip(scaled, -_LARGEST, _LARGEST, out=scaled)
     missing = np.isnan(scaled)
@@ -73,16 +95,7 @@ def encode(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, bytes]
     whole = scaled.astype(np.int32).view(np.uint32)
     whole[1:] -= whole[:-1].copy()
     whole[2:] -= whole[1:-1].copy()
-    planes = folded(whole).view(np.uint8).reshape(frames, columns, rows, _BYTES)
-    if frames > 1 and planes.size <= MAX_GROUP:
-        head = HEAD.pack(GROUP, columns, VERSION, rows) + _COUNT.pack(frames)
-        steps_ns = np.diff(times_ns, prepend=times_ns[0]).astype("<u8").tobytes()
-        return [(times_ns[0], head + steps_ns + planes.transpose(3, 1, 0, 2).tobytes())]
-    content = np.ascontiguousarray(planes.swapaxes(2, 3)).reshape(frames, -1)
-    kinds = (KEY, DIFFERENCE, *[EXTRAPOLATION] * frames)
-    heads = (HEAD.pack(kinds[frame], columns, VERSION, rows) for frame in range(frames))
-    found = (head + each.tobytes() for head, each in zip(heads, content, strict=True))
-    return list(zip(times_ns, found, strict=True))
+    return folded(whole).view(np.uint8).reshape(*block.shape, _BYTES)
 
 
 def count_in(message: bytes) -> int:

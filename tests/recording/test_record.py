@@ -16,7 +16,7 @@ from mcap.reader import NonSeekingReader, make_reader
 from crs_cc.cli.main import main
 from crs_cc.recording import frames, recorder, topics
 from crs_cc.recording.block import Encoded
-from crs_cc.recording.frames import FrameDecoder, count_in, encode
+from crs_cc.recording.frames import FrameDecoder, count_in, messages
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.readings import STATE, ReadingDecoder, ReadingEncoder, Readings
@@ -87,13 +87,13 @@ def test_frames_are_exact_to_a_tenth_of_a_millimetre_and_of_a_milliradian(
     block[6, 0, 0] = 1e12  # farther than a frame can tell
     decoder = FrameDecoder()
     times_ns = [5, 50_000_005, 3_000_000_005, 3_000_000_006, *(4 * 10**9 + n for n in range(3))]
-    ((time_ns, message),) = encode(times_ns, block)
+    ((time_ns, message),) = messages(times_ns, block)
     parts = list(decoder.frames(time_ns, message))
     assert count_in(message) == len(parts)
     assert [each for each, _ in parts] == times_ns
     again = np.array([values for _, values in parts])
     monkeypatch.setattr(frames, "MAX_GROUP", 0)
-    alone = encode(times_ns, block)
+    alone = messages(times_ns, block)
     assert [each for each, _ in alone] == times_ns
     np.testing.assert_array_equal([decoder.decode(data) for _, data in alone], again)
     assert again[6, 0, 0] == pytest.approx(214748.3647)

@@ -19,7 +19,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, Self, TypeVar
 
 import numpy as np
@@ -229,7 +229,11 @@ def _head(name: str, shape: tuple[int, ...]) -> bytes:
     return f"{name} {shape}\n".encode()
 
 
-@cache
 def _fields(kind: type) -> tuple[str, ...] | None:
     """Return the names of the fields of a dataclass; None for another type."""
-    return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None
+    if kind not in _FIELDS:
+        _FIELDS[kind] = tuple(e.name for e in fields(kind)) if is_dataclass(kind) else None
+    return _FIELDS[kind]
+
+
+_FIELDS: dict[type, tuple[str, ...] | None] = {}
