@@ -35,7 +35,7 @@ def record_debugged(
     pieces = {robot: deque(given) for robot, given in run.console.given().items()}
     changes = run.history.changes_until(run.position)
     seed = options.seed if options.seed is not None else loaded.world.seed or 0
-    recorder = start_recording(loaded, options, seed)
+    recorder = start_recording(loaded, options, seed, for_debugger=bool(changes))
 
     def read(robot: int, _wanted: int) -> bytes:
         given = pieces.get(robot)

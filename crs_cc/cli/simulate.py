@@ -192,11 +192,11 @@ class Runner:
 
     def _step_to_end(self) -> None:
         end_s = self._end_s
-        self._change()
         self._sample()
+        self._change()
         while not self._interrupt.requested and self.session.advance(self._most_timesteps()):
+            self._sample()  # hashes are of the start of a timestep, before it is changed
             self._change()
-            self._sample()
             self._output.flush()
             if self._pace.is_limited:
                 self._pace.wait(self.session.time_s, lambda: self._interrupt.requested)

@@ -28,6 +28,8 @@ def start_recording(
     seed: int,
     max_time_s: float = 0.0,
     roots: Mapping[Path, str] | None = None,
+    *,
+    for_debugger: bool = False,
 ) -> Recorder:
     """Create the file of a recording, and return its recorder.
 
@@ -37,6 +39,7 @@ def start_recording(
         seed: the random seed.
         max_time_s: when the run was to end [s]; 0 for never.
         roots: the folders of its files, with their names in the recording, see `SourceTree.of`.
+        for_debugger: see `RunDescription`.
 
     Raises:
         OSError: it cannot be written.
@@ -52,7 +55,7 @@ def start_recording(
     attachments |= {f"{INPUTS}{name}": content for name, content in loaded.files.items()}
     description = _description(options, tree, loaded, seed, max_time_s)
     frame_s = max(options.record_every_s, loaded.world.timestep_s)
-    description = replace(description, frame_s=frame_s)
+    description = replace(description, frame_s=frame_s, for_debugger=for_debugger)
     known = [robot.id for robot in loaded.world.robots]
     for name in options.foxglove_robots:
         if name not in known:
@@ -62,6 +65,7 @@ def start_recording(
         options.record_sensors,
         foxglove=options.foxglove or bool(options.foxglove_robots),
         foxglove_robots=options.foxglove_robots,
+        for_debugger=for_debugger,
     )
     return Recorder(options.record, wanted, description.metadata(), attachments)
 

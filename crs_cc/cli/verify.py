@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -14,6 +15,8 @@ from crs_cc.cli.run_options import RunOptions
 from crs_cc.core.errors import ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.recording import topics
 from crs_cc.recording.description import versions
 from crs_cc.recording.digest import digest
@@ -49,7 +52,7 @@ def verify(recording: Recording) -> Verified:
     """
     changes = recorded_changes(recording)
     with unpacked(recording, RunOptions) as options:
-        loaded = load(options, Diagnostics(), debug=bool(changes))
+        loaded = load(options, Diagnostics(), debug=recording.description.for_debugger)
         return _Rerun(recording, loaded, options, changes).compare()
 
 
@@ -61,7 +64,8 @@ class _Rerun:
         self._output_crc = 0
         given = RecordedInput(recording)
         self._changed: ChangedRun | None = None
-        if changes:  # which can be anywhere in a program, so the debugger makes them
+        self._changes = deque(changes)
+        if recording.description.for_debugger:  # its changes can be anywhere in a program
             from crs_cc.cli.make_debugger import make_debugger
 
             debugger = make_debugger(
@@ -98,7 +102,7 @@ class _Rerun:
             if expected.output != self._output_crc:
                 raise self._mismatch(timesteps, "the programs have printed something else")
             hashes += 1
-            if expected.state and self._changed is None:  # else in builds for the debugger
+            if expected.state:
                 states += 1
                 if expected.state != self._session.state_hash()[: topics.HASH_DIGITS]:
                     raise self._mismatch(timesteps, "the programs' memory differs")
@@ -109,8 +113,18 @@ class _Rerun:
         if self._changed is not None:
             self._changed.advance_to(timesteps)
             return
-        while session.timesteps < timesteps and session.advance(timesteps - session.timesteps):
-            pass
+        while session.timesteps < timesteps:
+            until = timesteps
+            while self._changes and (at := self._changes[0].position).timestep < timesteps:
+                if at.timestep > session.timesteps:
+                    until = at.timestep
+                    break
+                change = self._changes.popleft()
+                if change.patches or at != Position(at.timestep, 0):
+                    raise DebugError(f"{change.text[:80]!r} was not made between two timesteps")
+                edit_run(session, change.text)
+            if not session.advance(until - session.timesteps):
+                return
 
     def _write(self, _robot: int, _stream: int, content: bytes) -> None:
         self._output_crc = zlib.crc32(content, self._output_crc)

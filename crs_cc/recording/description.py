@@ -46,6 +46,8 @@ class RunDescription:
         max_time_s: when the run was to end [s]; 0 for never.
         timestep_s: the world's timestep [s].
         frame_s: simulated time between two frames [s].
+        for_debugger: whether the hashes of all state are those of programs that were compiled for
+            the debugger, whose memory is another.
     """
 
     sources: tuple[str, ...] = ()
@@ -67,6 +69,7 @@ class RunDescription:
     max_time_s: float = 0.0
     timestep_s: float = 0.05
     frame_s: float = 0.05
+    for_debugger: bool = False
 
     def metadata(self) -> dict[str, str]:
         """Return it as named strings, with the versions that take part."""

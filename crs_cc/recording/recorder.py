@@ -63,15 +63,14 @@ class RecorderOptions:
         sensors: `State` vectors: `none`, those that programs `read`, or `all`, with each frame.
         foxglove: whether messages by Foxglove's schemas are added.
         foxglove_robots: the robots whose laser scans and pictures are among them.
-        is_changed: whether the run has changes by hand, and so is run again in debug builds of its
-            programs, whose memory is another.
+        for_debugger: whether the run is compared in programs that were compiled for the debugger.
     """
 
     every_s: float = 0.05
     sensors: Sensors = "read"
     foxglove: bool = False
     foxglove_robots: tuple[str, ...] = ()
-    is_changed: bool = False
+    for_debugger: bool = False
 
 
 class Recorder:
@@ -128,7 +127,7 @@ class Recorder:
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.copy()
         is_debug_build = len(session.fleet) > 0 and session.fleet.executable(0).has_marks
-        self._hides_state = is_debug_build and not self._options.is_changed
+        self._hides_state = is_debug_build and not self._options.for_debugger
         if self._options.foxglove:
             from crs_cc.recording.foxglove.messages import FoxgloveView
 
