@@ -29,7 +29,7 @@ ROWS: tuple[frozenset[str], ...] = tuple(
         "toolchain",
         "sim",
         "session plot",
-        "recording",
+        "recording builder",
         "debug",
         "net workbench sweep",
         "api",

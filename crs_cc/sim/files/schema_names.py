@@ -48,19 +48,22 @@ def unknown_names(root: Node, schema: Node) -> Iterator[UnknownName]:
 
     The contents of an unknown element are not checked.
     """
-    return _Schema(schema).unknown(root)
+    return Declarations(schema).unknown(root)
 
 
-class _Schema:
+class Declarations:
+    """What a schema declares."""
+
     def __init__(self, schema: Node) -> None:
         self._named = {(each.tag, each.get("name")): each for each in schema}
 
     def unknown(self, root: Node) -> Iterator[UnknownName]:
+        """Yield the names in a document that are not declared."""
         declared = self._named.get((_ELEMENT, root.tag))
         work = [] if declared is None else [(root, declared)]
         while work:
             node, declaration = work.pop()
-            parts = self._parts(declaration)
+            parts = self.parts(declaration)
             yield from _unknown_attributes(node, _names(parts, _ATTRIBUTE))
             if _names(parts, _ANY):
                 continue
@@ -75,7 +78,23 @@ class _Schema:
                     yield _unexpected(child, known, free)
             work += reversed(inner)
 
-    def _parts(self, declaration: Node) -> list[Node]:
+    def at(self, tags: Sequence[str]) -> Node | None:
+        """Return the declaration of an element by its tag and those around it, outermost first."""
+        found = self._named.get((_ELEMENT, tags[0]))
+        for tag in tags[1:]:
+            if found is None:
+                return None
+            found = _names(self.parts(found), _ELEMENT).get(tag)
+        return found
+
+    def type_of(self, declaration: Node) -> Node | None:
+        """Return the type that a declaration names, if the schema has it."""
+        for kind in (_COMPLEX_TYPE, _SIMPLE_TYPE):
+            if (kind, declaration.get("type")) in self._named:
+                return self._named[kind, declaration.get("type")]
+        return None
+
+    def parts(self, declaration: Node) -> list[Node]:
         """Return the declarations of an element's attributes and children, however nested."""
         found: list[Node] = []
         work = [*declaration, *self._referred(declaration)]

@@ -60,7 +60,7 @@ def solid_elements(world: WorldModel) -> list[Element]:
             last = name
     found: list[Element] = []
     for name in _ordered(before):
-        found += _composite(name, groups[name]) if name in groups else [_solid(alone[name])]
+        found += _composite(name, groups[name]) if name in groups else [solid_element(alone[name])]
     return found
 
 
@@ -95,7 +95,7 @@ def _whole(solid: Solid) -> str:
 
 def _composite(name: str, parts: Sequence[Thing]) -> Iterator[Element]:
     """Yield the definition of a composite object, and the object."""
-    children = [_solid(part) for part in parts]
+    children = [solid_element(part) for part in parts]
     for child in children:
         child.attributes["id"] = child.attributes["id"].removeprefix(f"{name}.")
         child.attributes.pop("mass", None)
@@ -125,7 +125,8 @@ def _near(value: float) -> Iterator[float]:
         below, above = float(np.nextafter(below, 0.0)), float(np.nextafter(above, np.inf))
 
 
-def _solid(solid: Solid) -> Element:
+def solid_element(solid: Solid) -> Element:
+    """Return the element of a single wall or object."""
     if isinstance(solid, Wall):
         return Element("wall", 0, {"id": solid.id, **_wall(solid), **_common(solid)})
     mass = {} if solid.mass_kg == FIXED_KG else {"mass": MASS.exact(solid.mass_kg)}

@@ -22,6 +22,7 @@ from crs_cc.sim.files.known_robots import SCOUT, known_robots
 from crs_cc.sim.files.solid_writer import hot, pose, solid_elements, surface
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.files.xml_document import document_of
+from crs_cc.sim.model.beacons import Light, Sound
 from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import HOLD, Degradation, degradables
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
@@ -65,26 +66,23 @@ def world_element(world: WorldModel, folder: Path | None = None) -> Element:
         _area(world.area),
         *_ground(world.surface),
         *solid_elements(world),
-        *(_robot(robot, folder) for robot in world.robots),
-        *(
-            Element("light", 0, {
-                "id": light.id, "x": LENGTH.exact(light.x_m), "y": LENGTH.exact(light.y_m),
-                "brightness": BRIGHTNESS.exact(light.brightness),
-            })
-            for light in world.lights
-        ),
-        *(
-            Element("sound", 0, {
-                "id": sound.id, "x": LENGTH.exact(sound.x_m), "y": LENGTH.exact(sound.y_m),
-                "level": LOUDNESS.exact(sound.level), "tone": str(sound.tone),
-            })
-            for sound in world.sounds
-        ),
+        *(robot_element(robot, folder) for robot in world.robots),
+        *map(beacon_element, world.lights),
+        *map(beacon_element, world.sounds),
         *(_degradation(each, world) for each in world.degradations),
         *_communication(world),
         *map(goal_element, world.goals),
-    ]  # fmt: skip
+    ]
     return Element("world", 0, attributes, children=children)
+
+
+def beacon_element(beacon: Light | Sound) -> Element:
+    """Return the element of a light or a sound."""
+    place = {"id": beacon.id, "x": LENGTH.exact(beacon.x_m), "y": LENGTH.exact(beacon.y_m)}
+    if isinstance(beacon, Light):
+        return Element("light", 0, {**place, "brightness": BRIGHTNESS.exact(beacon.brightness)})
+    own = {"level": LOUDNESS.exact(beacon.level), "tone": str(beacon.tone)}
+    return Element("sound", 0, {**place, **own})
 
 
 def _difference(world: WorldModel, again: WorldModel) -> str:
@@ -142,7 +140,12 @@ def _heightmap(table: HeightMap) -> Element:
 # -- robots ----------------------------------------------------------------------------------------
 
 
-def _robot(robot: Robot, folder: Path | None) -> Element:
+def robot_element(robot: Robot, folder: Path | None) -> Element:
+    """Return the element of a robot, see `world_text`.
+
+    Raises:
+        ValueError: its definition or its program is not in the folder.
+    """
     attributes = {"id": robot.id, **_model(robot.model, folder), **pose(robot.start), **hot(robot)}
     attributes |= surface(robot.material)
     if robot.join_s:

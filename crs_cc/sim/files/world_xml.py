@@ -18,10 +18,10 @@ crs_cc.core.errors.WorldError: room:1: error: missing attribute 'width' in <area
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
-from typing import Final
+from typing import Final, TypeAlias
 
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
@@ -130,17 +130,12 @@ class Definitions:
     objects: tuple[str, ...]
 
 
-def load_definitions(path: Path) -> Definitions:
-    """Return the names in a file for worlds to include, and in the files that it includes.
-
-    Raises:
-        WorldError: the file cannot be read or is invalid; all errors are reported at once.
-    """
-    text, file = read_file(path), str(path)
+def _definitions(text: bytes, file: str, folder: Path | None) -> Definitions:
+    """Return the names in a file for worlds to include, and in the files that it includes."""
     diagnostics = Diagnostics(lines={file: lines_of(text)})
     root = elements(text, "world.xsd", file, diagnostics, outermost="definitions")
     reader = Reader(file, diagnostics)
-    found = Included(path.parent, reader).definitions(root)
+    found = Included(folder, reader).definitions(root)
     materials = [element for element in found if element.tag == "material"]
     objects = [element for element in found if element.tag == "define"]
     CompositeElements(objects, SolidElements(reader, Materials(materials, reader)))
@@ -149,18 +144,45 @@ def load_definitions(path: Path) -> Definitions:
     return Definitions(*names)
 
 
-def load_any(path: Path) -> WorldModel | RobotModel | Definitions:
+Model: TypeAlias = WorldModel | RobotModel | Definitions
+"""What an XML file describes."""
+
+
+def load_any(path: Path) -> Model:
     """Load a world, a robot definition, or a file with definitions.
 
     Raises:
         WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
-    match outermost(read_file(path)):
-        case "robot-definition":
-            return load_robot(path)
-        case "definitions":
-            return load_definitions(path)
-    return load_world(path)
+    model, messages = examine(read_file(path), str(path), path.stem, path.parent)
+    if model is None or messages:
+        raise WorldError(messages)
+    return model
+
+
+def examine(
+    text: bytes, file: str, name: str, folder: Path | None
+) -> tuple[Model | None, Sequence[Diagnostic]]:
+    """Return what a text describes, as far as it can be understood, and its errors.
+
+    Of a world whose errors are in values only, it is the world without what is wrong in it.
+
+    Args:
+        text: a world, a robot definition, or definitions for worlds to include.
+        file: its file name in messages.
+        name: the default name of a world.
+        folder: the folder of the files that it may use; None if it may not use any.
+    """
+    try:
+        match outermost(text):
+            case "robot-definition":
+                return _robot(text, file, ""), ()
+            case "definitions":
+                return _definitions(text, file, folder), ()
+        world, diagnostics = _World(name, file, folder, "", SCOUT).read(text)
+    except WorldError as wrong:
+        return None, wrong.diagnostics
+    return world, diagnostics.errors
 
 
 @dataclass(slots=True)
@@ -184,14 +206,23 @@ class _World:
     found: dict[tuple[str | Path, str], RobotModel | None] = field(default_factory=dict)
 
     def parse(self, text: bytes) -> WorldModel:
+        world, diagnostics = self.read(text)
+        raise_errors(diagnostics)
+        return world
+
+    def read(self, text: bytes) -> tuple[WorldModel, Diagnostics]:
+        """Return a world, in which wrong values are replaced or left out, and all messages.
+
+        Raises:
+            WorldError: its form is wrong.
+        """
         diagnostics = Diagnostics(lines={self.file: lines_of(text)})
         root = elements(text, "world.xsd", self.file, diagnostics, outermost="world")
         self.reader = Reader(self.file, diagnostics)
         included = Included(self.folder, self.reader)
         world = world_model(root, self.name, included, self.reader, self._model)
         diagnostics.messages = _by_line(diagnostics.messages, self.file, included.lines)
-        raise_errors(diagnostics)
-        return world
+        return world, diagnostics
 
     def _model(self, element: Element) -> RobotModel:
         """Return the model of a robot; report an error at its element if there is none."""

@@ -1,0 +1,72 @@
+"""What the elements of a world cover, from the world as it is loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from crs_cc.builder.addresses import address, ids
+from crs_cc.builder.arrangement import Extent, Extents
+from crs_cc.builder.document import Document
+from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model.world import Box, Cylinder, Pose, Solid, Wall, WorldModel
+
+
+def extents(document: Document, world: WorldModel) -> Extents:
+    """Return what elements cover, by their names; those that are wrong are missing.
+
+    Args:
+        document: the document.
+        world: what it describes.
+    """
+    known = ids(document.root)
+    corners: dict[str, list[tuple[float, float]]] = {}
+    for solid in world.solids()[len(world.edge_walls()) :]:
+        corners.setdefault(_element(solid.id, known), []).extend(_corners(solid))
+    for robot in world.robots:
+        corners[robot.id] = list(_disc(robot.start.x_m, robot.start.y_m, robot.model.radius_m))
+    grounds = [each for each in document.root.children if each.tag == "surface"]
+    patches = [each for ground in grounds for each in ground.children if each.tag != "heightmap"]
+    for node, patch in zip(patches, world.surface.patches, strict=False):
+        pose = Pose(patch.x_m, patch.y_m, patch.heading_rad)
+        corners[address(node)] = list(_rectangle(pose, patch.length_m, patch.width_m))
+    return {
+        name: Extent(
+            min(x for x, _ in found),
+            min(y for _, y in found),
+            max(x for x, _ in found),
+            max(y for _, y in found),
+        )
+        for name, found in corners.items()
+    }
+
+
+def _element(name: str, known: Collection[str]) -> str:
+    """Return the name of the element that a solid is or is a part of."""
+    whole = name
+    while whole not in known and "." in whole:
+        whole = whole.rpartition(".")[0]
+    return whole
+
+
+def _corners(solid: Solid) -> Iterator[tuple[float, float]]:
+    """Yield points that span what a solid covers."""
+    if isinstance(solid, Wall):
+        yield from _disc(solid.x1_m, solid.y1_m, solid.thickness_m / 2)
+        yield from _disc(solid.x2_m, solid.y2_m, solid.thickness_m / 2)
+    elif isinstance(solid, Cylinder):
+        yield from _disc(solid.pose.x_m, solid.pose.y_m, solid.radius_m)
+    elif isinstance(solid, Box):
+        yield from _rectangle(solid.pose, solid.length_m, solid.width_m)
+    else:
+        yield from ((float(x), float(y)) for x, y in corners_m(solid).tolist())
+
+
+def _disc(x_m: float, y_m: float, radius_m: float) -> Iterator[tuple[float, float]]:
+    yield x_m - radius_m, y_m - radius_m
+    yield x_m + radius_m, y_m + radius_m
+
+
+def _rectangle(pose: Pose, length_m: float, width_m: float) -> Iterator[tuple[float, float]]:
+    for x_m, y_m in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+        place = Pose(x_m * length_m / 2, y_m * width_m / 2).within(pose)
+        yield place.x_m, place.y_m

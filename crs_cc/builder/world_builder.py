@@ -1,0 +1,408 @@
+"""The builder of worlds: a file that is changed by operations, checked and saved.
+
+>>> builder = WorldBuilder.new(length=6.0, width=4.0)
+>>> builder.add("wall", x1=2.0, y1=0.0, x2=2.0, y2="250cm")
+'wall0'
+>>> builder.add("robot", x=1.0, y=1.0)
+'robot0'
+>>> builder.move(["wall0"], x="50cm")
+>>> print(builder.text)
+<?xml version="1.0" encoding="UTF-8"?>
+<world version="1">
+  <area length="6m" width="4m"/>
+  <wall id="wall0" x1="2.5m" y1="0m" x2="2.5m" y2="250cm"/>
+  <robot id="robot0" x="1m" y="1m"/>
+</world>
+<BLANKLINE>
+>>> builder.undo(), builder.undo(), [each.text for each in builder.problems()]
+('move', 'add', ['no robot in the world'])
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import Literal, Self
+
+from crs_cc.builder import clips
+from crs_cc.builder.addresses import address, find
+from crs_cc.builder.arrangement import Extents
+from crs_cc.builder.changes import Plan, path_of, schema_of
+from crs_cc.builder.document import Document
+from crs_cc.builder.extents import extents
+from crs_cc.builder.motion import measure
+from crs_cc.builder.operations import OPERATIONS, Operation, Value
+from crs_cc.builder.spans import Node
+from crs_cc.builder.world_file import replace_file
+from crs_cc.core.errors import WorldError
+from crs_cc.core.quantity import ANGLE, LENGTH, MASS, TIME
+from crs_cc.core.source import Diagnostic
+from crs_cc.core.suggest import unknown
+from crs_cc.sim.files.schema_properties import properties
+from crs_cc.sim.files.solid_writer import solid_element
+from crs_cc.sim.files.world_writer import beacon_element, robot_element
+from crs_cc.sim.files.world_xml import Model, examine
+from crs_cc.sim.files.xml_document import read_file
+from crs_cc.sim.model.beacons import Light, Sound
+from crs_cc.sim.model.world import Box, Cylinder, Polygon, Robot, Wall, WorldModel
+
+_BEHIND_UNIT = {LENGTH: "m", ANGLE: "deg"}
+_ROUNDING = 1e-9
+
+
+class WorldBuilder:
+    """A world file, a robot definition, or a file of definitions that is being edited.
+
+    Elements are named by their ids, or by where they stand: `crate`, `surface/ramp[1]`,
+    `define[table]/leg0`. Lengths and angles are numbers in metres and radians, or texts with units,
+    which are written as they are. Nothing but what is changed is written anew.
+
+    Attributes:
+        document: the file as it is now.
+        path: where it is saved; None if it was made here.
+    """
+
+    def __init__(self, path: str | os.PathLike[str] | None = None, text: str | bytes = b"") -> None:
+        """Open a file.
+
+        Args:
+            path: the file; None for a text.
+            text: instead of a file, its text.
+
+        Raises:
+            WorldError: the file cannot be read, or is not well-formed XML.
+        """
+        self.path = None if path is None else Path(path)
+        given = text.encode() if isinstance(text, str) else text
+        self._saved = given if self.path is None else read_file(self.path)
+        self._before: bytes | None = None if self.path is None else self._saved
+        self.document = Document(self._saved, "world" if self.path is None else str(self.path))
+        self._examined: tuple[bytes, Model | None, Sequence[Diagnostic]] | None = None
+
+    @classmethod
+    def new(cls, length: float | str, width: float | str, name: str = "") -> Self:
+        """Return the builder of a new world without anything in it.
+
+        Args:
+            length: the size of its area in x.
+            width: its size in y.
+            name: the name of the world; by default that of its file.
+        """
+        builder = cls(
+            text='<?xml version="1.0" encoding="UTF-8"?>\n<world version="1">\n</world>\n'
+        )
+        builder.set("world", name=name)
+        builder.add("area", length=length, width=width)
+        builder.document = Document(builder.document.text, "world")
+        return builder
+
+    # -- what there is ---------------------------------------------------------------------------
+
+    @property
+    def text(self) -> str:
+        """The text of the file as it is now."""
+        return self.document.text.decode(self.document.codec)
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether there is something to save."""
+        return self._before is None or self.document.text != self._saved
+
+    def element(self, name: str) -> Node:
+        """Return an element; it is valid until the next change.
+
+        Raises:
+            ValueError: there is none with this name.
+        """
+        return find(self.document.root, name)
+
+    def names(self, kind: str = "") -> list[str]:
+        """Return the names of all elements, or those of one kind, in the order of the file."""
+        nodes = self.document.root.children
+        return [address(node) for node in nodes if kind in ("", node.tag)]
+
+    def get(self, name: str) -> dict[str, str]:
+        """Return the attributes of an element as they stand in the file."""
+        return dict(self.element(name).attributes)
+
+    def problems(self) -> tuple[Diagnostic, ...]:
+        """Return what is wrong with the file, in the words of `crs check`; empty if nothing is."""
+        return tuple(self._examine()[1])
+
+    def world(self) -> WorldModel:
+        """Return the world that the file describes, as `load_world` would.
+
+        Raises:
+            WorldError: it is invalid, or no world; all errors are reported at once.
+        """
+        model, messages = self._examine()
+        if messages or not isinstance(model, WorldModel):
+            raise WorldError(messages)
+        return model
+
+    def visible(self) -> WorldModel | None:
+        """Return the world without what is wrong in it; None if its form is wrong."""
+        model, _ = self._examine()
+        return model if isinstance(model, WorldModel) else None
+
+    def extents(self) -> Extents:
+        """Return what elements cover, by their names, as far as they are right."""
+        world = self.visible()
+        return {} if world is None else extents(self.document, world)
+
+    def library(self) -> list[Document]:
+        """Return the files that this one includes, as far as they can be read."""
+        return list(clips.included(self.document, self._folder))
+
+    @property
+    def _folder(self) -> Path | None:
+        return None if self.path is None else self.path.parent
+
+    def _examine(self) -> tuple[Model | None, Sequence[Diagnostic]]:
+        text = self.document.text
+        if self._examined is None or self._examined[0] is not text:
+            name = "world" if self.path is None else self.path.stem
+            found = examine(text, self.document.file, name, self._folder)
+            self._examined = (text, *found)
+        return self._examined[1:]
+
+    # -- operations ------------------------------------------------------------------------------
+
+    def apply(
+        self,
+        operation: str,
+        names: Sequence[str] = (),
+        values: Mapping[str, Value] | None = None,
+        attributes: Mapping[str, Value] | None = None,
+    ) -> list[str]:
+        """Do an operation of the table; nothing changes if it fails.
+
+        Args:
+            operation: its name.
+            names: the elements on which it acts.
+            values: the values of its fields.
+            attributes: attributes of elements; None and empty ones are removed.
+
+        Returns:
+            the names of new elements.
+
+        Raises:
+            ValueError: it is unknown, or cannot be done.
+            WorldError: the file would not be well-formed.
+        """
+        row = OPERATIONS.get(operation)
+        if row is None:
+            raise ValueError(unknown("operation", operation, tuple(OPERATIONS)))
+        nodes = self._elements(row, names)
+        wanted = row.values(values or {})
+        if attributes and not row.attributes:
+            raise ValueError(f"{row.name} takes no attributes")
+        tags = [] if row.things == "none" else path_of(nodes[0])
+        if row.name == "add":
+            tags = [*path_of(self.element(wanted["into"])), wanted["kind"]]
+        given = {
+            name: self._attribute(tags, name, value) for name, value in (attributes or {}).items()
+        }
+        plan: Plan = row.make(self, nodes, wanted, given)
+        self.document.change(row.name, plan.splices)
+        return plan.names
+
+    def _elements(self, row: Operation, names: Sequence[str]) -> list[Node]:
+        if row.things == "none" and names:
+            raise ValueError(f"{row.name} acts on no elements")
+        if row.things == "one" and len(names) != 1:
+            raise ValueError(f"{row.name} acts on one element, not {len(names)}")
+        if row.things == "some" and not names:
+            raise ValueError(f"{row.name} acts on one element or more")
+        return [self.element(name) for name in names]
+
+    def _attribute(self, tags: Sequence[str], name: str, value: Value) -> str | None:
+        """Return a value as text: a number in the unit of the file."""
+        if value is None or value == "":
+            return None
+        if isinstance(value, str):
+            return value
+        kinds = {row.name: row.kind for row in properties(schema_of(self.document), tags)}
+        kind = kinds.get(name)
+        if kind in (LENGTH, ANGLE):
+            assert kind is not None
+            unit = self.document.length_unit if kind is LENGTH else _BEHIND_UNIT[kind]
+            text = measure(kind, value, unit)
+            return text if abs(kind.parse(text) - value) <= _ROUNDING else kind.exact(value)
+        if kind in (MASS, TIME):
+            assert kind is not None
+            return kind.exact(value)
+        return str(value) if isinstance(value, int) else f"{float(value)!r}"
+
+    def add(
+        self,
+        kind: str | Wall | Box | Cylinder | Polygon | Robot | Light | Sound,
+        attributes: Mapping[str, Value] | None = None,
+        *,
+        into: str = "",
+        text: str = "",
+        **more: Value,
+    ) -> str:
+        """Add an element; return its name.
+
+        Args:
+            kind: its tag, such as `box`; or a thing as it is in a `WorldModel`.
+            attributes: its attributes.
+            into: the element around it, such as `define[table]`; by default the world.
+            text: its own text.
+            more: more attributes.
+
+        Raises:
+            ValueError: there is no such element, or a value cannot be written.
+        """
+        given: dict[str, Value] = {}
+        if not isinstance(kind, str):
+            if isinstance(kind, Robot):
+                new = robot_element(kind, self._folder)
+            elif isinstance(kind, Light | Sound):
+                new = beacon_element(kind)
+            else:
+                new = solid_element(kind)
+            kind, given = new.tag, dict(new.attributes)
+            inner = [child.text for child in new.children]
+        else:
+            inner = []
+        given |= {**(attributes or {}), **more}
+        with self.together("add"):
+            (name,) = self.apply("add", (), {"kind": kind, "into": into, "text": text}, given)
+            for argument in inner:
+                self.apply("add", (), {"kind": "argument", "into": name, "text": argument})
+        return f"{into}/{name}" if into and "/" not in name else name
+
+    def set(
+        self, names: str | Sequence[str], attributes: Mapping[str, Value] | None = None,
+        **more: Value,
+    ) -> None:  # fmt: skip
+        """Set attributes of elements; None removes one. What refers to a new id follows."""
+        self.apply("set", _several(names), None, {**(attributes or {}), **more})
+
+    def set_text(self, name: str, text: str) -> None:
+        """Set the text of an element, such as the position of a sensor."""
+        self.apply("text", [name], {"text": text})
+
+    def remove(self, names: str | Sequence[str]) -> None:
+        """Remove elements."""
+        self.apply("remove", _several(names))
+
+    def move(self, names: str | Sequence[str], x: Value = 0.0, y: Value = 0.0) -> None:
+        """Move elements by a distance."""
+        self.apply("move", _several(names), {"x": x, "y": y})
+
+    def place(self, name: str, x: Value = None, y: Value = None, heading: Value = None) -> None:
+        """Put an element at a place."""
+        self.apply("place", [name], {"x": x, "y": y, "heading": heading})
+
+    def turn(
+        self, names: str | Sequence[str], angle: Value, x: Value = None, y: Value = None
+    ) -> None:
+        """Turn elements as one body, by default about their middle."""
+        self.apply("turn", _several(names), {"angle": angle, "x": x, "y": y})
+
+    def mirror(
+        self, names: str | Sequence[str], axis: Literal["x", "y"] = "x", at: Value = None
+    ) -> None:
+        """Mirror elements: `x` exchanges left and right, `y` up and down."""
+        self.apply("mirror", _several(names), {"axis": axis, "at": at})
+
+    def array(
+        self, names: str | Sequence[str], columns: int = 1, rows: int = 1,
+        x: Value = 0.0, y: Value = 0.0,
+    ) -> list[str]:  # fmt: skip
+        """Copy elements into columns and rows; return the names of the copies."""
+        values: dict[str, Value] = {"columns": columns, "rows": rows, "x": x, "y": y}
+        return self.apply("array", _several(names), values)
+
+    def ring(self, names: str | Sequence[str], count: int, x: Value, y: Value) -> list[str]:
+        """Copy elements around a point; return the names of the copies."""
+        return self.apply("ring", _several(names), {"count": count, "x": x, "y": y})
+
+    def align(self, names: Sequence[str], side: str) -> None:
+        """Bring sides into line: left, right, bottom, top, centre-x or centre-y."""
+        self.apply("align", names, {"side": side})
+
+    def distribute(self, names: Sequence[str], axis: Literal["x", "y"]) -> None:
+        """Space the centres of elements evenly; the outer two stay."""
+        self.apply("distribute", names, {"axis": axis})
+
+    def group(self, names: str | Sequence[str], name: str, own_id: str = "") -> str:
+        """Make elements an object of a new definition; return the object's id."""
+        return self.apply("group", _several(names), {"name": name, "id": own_id})[0]
+
+    def ungroup(self, name: str) -> list[str]:
+        """Put the parts of an object in its place; return their names."""
+        return self.apply("ungroup", [name])
+
+    def copy(self, names: str | Sequence[str]) -> str:
+        """Return elements as a text that `paste` puts into any world, with their definitions."""
+        nodes = [self.element(name) for name in _several(names)]
+        return clips.clip(self.document, nodes, self.library())
+
+    def cut(self, names: str | Sequence[str]) -> str:
+        """Remove elements, and return them as `copy` does."""
+        found = self.copy(names)
+        self.remove(names)
+        return found
+
+    def paste(self, clip: str, x: Value = 0.0, y: Value = 0.0) -> list[str]:
+        """Put in what `copy` or `cut` has returned, moved; return the names of the elements."""
+        return self.apply("paste", (), {"clip": clip, "x": x, "y": y})
+
+    # -- history and file ------------------------------------------------------------------------
+
+    def together(self, title: str) -> AbstractContextManager[None]:
+        """Return a context in which all changes are one to undo; none is made if it fails."""
+        return self.document.together(title)
+
+    def undo(self) -> str:
+        """Take the latest change back; return what it was, empty if there is none."""
+        return self.document.undo()
+
+    def redo(self) -> str:
+        """Make the change again that was undone last; return what it is, empty if none."""
+        return self.document.redo()
+
+    def save(self, path: str | os.PathLike[str] | None = None) -> Path:
+        """Save the file if it is valid; return its path.
+
+        The old file is replaced in one step by the new one. Under another name, it must not exist.
+
+        Raises:
+            WorldError: it is invalid, or the file has been changed by somebody else.
+            ValueError: it has no name yet.
+            OSError: it cannot be written.
+        """
+        target = self.path if path is None else Path(path)
+        if target is None:
+            raise ValueError("the world has no file yet: give a path")
+        before = self._before if target == self.path else None
+        was = self.path, self.document.file
+        self.path, self.document.file = target, str(target)
+        try:
+            self._demand_valid()
+            if before != self.document.text:
+                replace_file(target, self.document.text, before)
+        except BaseException:
+            self.path, self.document.file = was
+            raise
+        self._saved = self._before = self.document.text
+        return target
+
+    def _demand_valid(self) -> None:
+        self._examined = None  # files that it includes may have changed
+        if messages := self.problems():
+            raise WorldError(messages)
+
+    def __repr__(self) -> str:
+        count = len(self.document.root.children)
+        return f"<{type(self).__name__} {self.document.file}: {count} elements>"
+
+
+def _several(names: str | Sequence[str]) -> Sequence[str]:
+    return [names] if isinstance(names, str) else names
