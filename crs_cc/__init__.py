@@ -2,8 +2,8 @@
 
 The public names, which docs/python.md describes: `load_world` and `load_robot` return worlds and
 kinds of robots, `compile_c` a program, `Session` runs programs in a world, `Robot`, `Wall`, `Box`
-and so on make worlds in Python, `Degradation` describes a device fault, and the error classes tell
-C, world and run-time errors apart.
+and so on make worlds in Python, `WorldBuilder` edits world files, `Degradation` describes a device
+fault, and the error classes tell C, world and run-time errors apart.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         write_robot,
         write_world,
     )
+    from crs_cc.builder.world_builder import WorldBuilder
     from crs_cc.core.errors import CompileError, CrsError, InternalError, ProgramError, WorldError
     from crs_cc.debug.world.events import WorldEvent
     from crs_cc.runtime.executable import Executable
@@ -59,6 +60,7 @@ _HOMES: Final = {
         "crs_cc.api.robots": "RobotView",
         "crs_cc.api.session": "Session",
         "crs_cc.api.worlds": "load_robot load_world robot_xml world_xml write_robot write_world",
+        "crs_cc.builder.world_builder": "WorldBuilder",
         "crs_cc.core.errors": "CompileError CrsError InternalError ProgramError WorldError",
         "crs_cc.debug.world.events": "WorldEvent",
         "crs_cc.runtime.executable": "Executable",
@@ -100,6 +102,7 @@ __all__ = [
     "Session",
     "Sound",
     "Wall",
+    "WorldBuilder",
     "WorldError",
     "WorldEvent",
     "WorldModel",

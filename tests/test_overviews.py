@@ -6,10 +6,10 @@ from types import ModuleType
 
 import pytest
 
-from crs_cc import debug, sim
+from crs_cc import builder, debug, sim
 
 
-@pytest.mark.parametrize("package", [debug, sim], ids=lambda package: package.__name__)
+@pytest.mark.parametrize("package", [builder, debug, sim], ids=lambda package: package.__name__)
 def test_each_file_and_package_is_named(package: ModuleType):
     folder = Path(package.__file__ or "").parent
     files = {path.stem for path in folder.glob("*.py") if path.stem != "__init__"}

@@ -12,12 +12,12 @@ from crs_cc.builder.changes import Plan, path_of, pins, schema_of
 from crs_cc.builder.document import Document
 from crs_cc.builder.motion import Motion, moved, position
 from crs_cc.builder.spans import Node
+from crs_cc.builder.table import SIDES
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.object_ids import THINGS
 from crs_cc.sim.files.schema_properties import properties
 
 MAX_COPIES: Final = 10_000
-SIDES: Final = ("left", "right", "bottom", "top", "centre-x", "centre-y")
 
 Axis: TypeAlias = Literal["x", "y"]
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.builder import markup
-from crs_cc.builder.addresses import fresh, ids, outermost, referred
+from crs_cc.builder.addresses import address, fresh, ids, outermost, referred
 from crs_cc.builder.document import Document, Splice
 from crs_cc.builder.motion import Motion, movable, moved
 from crs_cc.builder.naming import renamed
@@ -48,6 +48,12 @@ def path_of(node: Node) -> list[str]:
         node = node.parent
         tags.append(node.tag)
     return tags[::-1]
+
+
+def path_inside(parent: Node, tag: str) -> list[str]:
+    """Return the tag of a new element after those that will be around it."""
+    in_ground = tag in IN_SURFACE and parent.tag == "world"
+    return [*path_of(parent), *(["surface"] if in_ground else []), tag]
 
 
 def pins(document: Document, tags: Collection[str], gone: Sequence[Node] = ()) -> list[Splice]:
@@ -102,7 +108,8 @@ def add(
     elif "name" in values:
         name = f"{tag}[{values['name']}]"
     new = markup.element(tag, values, text)
-    return Plan(markup.insert(document, parent, tag, [new]), [name or f"{tag}[{count}]"])
+    where = "" if parent.parent is None else f"{address(parent)}/"
+    return Plan(markup.insert(document, parent, tag, [new]), [where + (name or f"{tag}[{count}]")])
 
 
 def set_values(document: Document, nodes: Sequence[Node], values: Mapping[str, str | None]) -> Plan:

@@ -76,18 +76,19 @@ def clip(document: Document, nodes: Sequence[Node], library: Sequence[Document])
         for each in home.root.children
         if each.tag in _NAMED
     }
-    needed: dict[tuple[str, str], None] = {}
+    needed: set[tuple[str, str]] = set()
     work = list(whole)
     for node in work:
         for each in node.all():
             for key in _needs(each):
                 if key in known and key not in needed:
-                    needed[key] = None
+                    needed.add(key)
                     work.append(known[key][1])
     given = {id(node) for node in whole}
-    order = sorted(needed, key=lambda key: (_NAMED.index(key[0]), -list(needed).index(key)))
-    texts = [markup.fragment(*known[key]) for key in order if id(known[key][1]) not in given] + [
-        markup.fragment(document, node) for node in whole
+    order = [key for kind in _NAMED for key in known if key in needed and key[0] == kind]
+    texts = [
+        *(markup.fragment(*known[key]) for key in order if id(known[key][1]) not in given),
+        *(markup.fragment(document, node) for node in whole),
     ]
     return markup.element("clip", {}, "", *texts)
 

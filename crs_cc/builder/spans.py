@@ -118,7 +118,7 @@ def parse(text: bytes, file: str) -> Tree:
         reader.parser.Parse(text, True)
     except expat.ExpatError as error:
         place = Location(file, error.lineno, error.offset + 1)
-        reason = expat.ErrorString(error.code)
+        reason = expat.ErrorString(error.code).removeprefix("not well-formed").strip(" ()")
         raise WorldError.at(place, f"not well-formed XML: {reason}") from None
     assert reader.root is not None  # or else it was not well-formed
     return Tree(reader.root, reader.codec)

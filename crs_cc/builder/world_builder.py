@@ -29,12 +29,13 @@ from typing import Literal, Self
 from crs_cc.builder import clips
 from crs_cc.builder.addresses import address, find
 from crs_cc.builder.arrangement import Extents
-from crs_cc.builder.changes import Plan, path_of, schema_of
+from crs_cc.builder.changes import path_inside, path_of, schema_of
 from crs_cc.builder.document import Document
 from crs_cc.builder.extents import extents
 from crs_cc.builder.motion import measure
-from crs_cc.builder.operations import OPERATIONS, Operation, Value
+from crs_cc.builder.operations import planned
 from crs_cc.builder.spans import Node
+from crs_cc.builder.table import OPERATIONS, Operation, Value
 from crs_cc.builder.world_file import replace_file
 from crs_cc.core.errors import WorldError
 from crs_cc.core.quantity import ANGLE, LENGTH, MASS, TIME
@@ -201,11 +202,11 @@ class WorldBuilder:
             raise ValueError(f"{row.name} takes no attributes")
         tags = [] if row.things == "none" else path_of(nodes[0])
         if row.name == "add":
-            tags = [*path_of(self.element(wanted["into"])), wanted["kind"]]
+            tags = path_inside(self.element(wanted["into"]), wanted["kind"])
         given = {
             name: self._attribute(tags, name, value) for name, value in (attributes or {}).items()
         }
-        plan: Plan = row.make(self, nodes, wanted, given)
+        plan = planned(self, row.name, nodes, wanted, given)
         self.document.change(row.name, plan.splices)
         return plan.names
 
@@ -274,7 +275,7 @@ class WorldBuilder:
             (name,) = self.apply("add", (), {"kind": kind, "into": into, "text": text}, given)
             for argument in inner:
                 self.apply("add", (), {"kind": "argument", "into": name, "text": argument})
-        return f"{into}/{name}" if into and "/" not in name else name
+        return name
 
     def set(
         self, names: str | Sequence[str], attributes: Mapping[str, Value] | None = None,

@@ -27,6 +27,7 @@ from crs_cc.cli.run import run
 from crs_cc.cli.samples import samples
 from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.cli.view import view
+from crs_cc.cli.world import world
 from crs_cc.core.errors import CrsError, InternalError
 
 _EPILOG = """
@@ -41,6 +42,7 @@ Examples:
   crs check wander.c room.xml                    report errors, run nothing
   crs grade submissions/ course.xml              grade many programs by a world's goals
   crs new world room                             write a commented template
+  crs world move room.xml crate --x 1m           edit a world by commands
   crs samples copy wander.c room.xml .           copy a sample program and a world
   crs docs sensors                               read a page of the documentation
   crs compile --emit wat wander.c                show the WebAssembly
@@ -102,7 +104,7 @@ def crs() -> None:
 
 for command in (
     *(run, view, debug, replay, check, grade),
-    *(compile_, new, samples, docs, cache, completion),
+    *(compile_, new, world, samples, docs, cache, completion),
 ):
     crs.add_command(command)
 

@@ -176,7 +176,7 @@ def examine(
     try:
         match outermost(text):
             case "robot-definition":
-                return _robot(text, file, ""), ()
+                return parse_robot(text, file), ()
             case "definitions":
                 return _definitions(text, file, folder), ()
         world, diagnostics = _World(name, file, folder, "", SCOUT).read(text)

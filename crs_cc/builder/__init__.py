@@ -1,0 +1,11 @@
+"""The builder of worlds: files that are changed in place, by page, shell and Python alike.
+
+- `spans` says where each element and attribute stands in the bytes of a file, `document` replaces
+  ranges of these bytes and takes that back.
+- `addresses` names elements, `naming` lets references follow new names, `markup` writes attributes
+  and elements as the rest of the file is written.
+- `motion` moves coordinates in their own units; `changes`, `arrangement`, `composition` and `clips`
+  work out what operations change; `extents` says what elements cover.
+- `table` lists the operations, `operations` works them out, `world_builder` does them, checks the
+  result, and saves it by `world_file`.
+"""

@@ -1,0 +1,174 @@
+"""The table of operations: what page, shell and Python can do with a world, by the same names.
+
+A row says what an operation acts on and what values it takes. `operations` works out what it
+changes, `WorldBuilder.apply` does it; the command line makes a subcommand of each row, and the page
+sends the name of a row with its values.
+
+>>> OPERATIONS["move"].values({"x": "50cm"})
+{'x': 0.5, 'y': 0.0}
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final, Literal, TypeAlias
+
+from crs_cc.core.quantity import ANGLE, LENGTH, Kind
+from crs_cc.core.suggest import unknown
+
+SIDES: Final = ("left", "right", "bottom", "top", "centre-x", "centre-y")
+"""What can be brought into line."""
+
+Value: TypeAlias = str | float | None
+"""A value as it is given: a text with or without a unit, or a number in SI units."""
+
+Values: TypeAlias = dict[str, Any]
+"""The values of the fields of an operation, in SI units."""
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A value that an operation takes.
+
+    Attributes:
+        name: its name.
+        kind: a quantity, a whole number, a text, or the words that are allowed.
+        help: what it means.
+        default: its default; None if there is one that depends on the elements, or none.
+        required: whether it must be given.
+    """
+
+    name: str
+    kind: type[int | str] | Kind | tuple[str, ...]
+    help: str
+    default: float | int | str | None = None
+    required: bool = False
+
+    def value(self, given: Value) -> float | int | str | None:
+        """Return a value as it is given in SI units.
+
+        Raises:
+            ValueError: it is invalid.
+        """
+        if given is None:
+            if self.required:
+                raise ValueError(f"missing value {self.name!r}: {self.help}")
+            return self.default
+        try:
+            return self._value(given)
+        except ValueError as wrong:
+            raise ValueError(f"{self.name}: {wrong}") from None
+
+    def _value(self, given: str | float) -> float | int | str:
+        if isinstance(self.kind, Kind):
+            if isinstance(given, str):
+                return self.kind.parse(given)
+            if not math.isfinite(given) or abs(given) > self.kind.limit:
+                raise ValueError(f"{given!r} is not {self.kind.name}")
+            return float(given)
+        if self.kind is int:
+            text = str(given).strip()
+            if not text.isdecimal() or len(text) > 9:
+                raise ValueError(f"{given!r} is not a whole number")
+            return int(text)
+        if isinstance(self.kind, tuple) and given not in self.kind:
+            raise ValueError(unknown("word", str(given), self.kind))
+        return str(given)
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """An operation.
+
+    Attributes:
+        name: its name.
+        summary: what it does, in one sentence.
+        things: on how many elements it acts.
+        fields: the values that it takes.
+        attributes: whether it takes attributes of elements besides.
+    """
+
+    name: str
+    summary: str
+    things: Literal["none", "one", "some"]
+    fields: tuple[Field, ...] = ()
+    attributes: bool = False
+
+    def values(self, given: Mapping[str, Value]) -> Values:
+        """Return the values of all fields in SI units.
+
+        Raises:
+            ValueError: one is invalid, unknown or missing.
+        """
+        names = [field.name for field in self.fields]
+        for name in given:
+            if name not in names:
+                raise ValueError(unknown(f"value of {self.name}", name, names))
+        return {field.name: field.value(given.get(field.name)) for field in self.fields}
+
+
+_X_Y: Final = (
+    Field("x", LENGTH, "By how much along x.", 0.0),
+    Field("y", LENGTH, "By how much along y.", 0.0),
+)
+_ABOUT: Final = (
+    Field("x", LENGTH, "About this x. Default: the middle."),
+    Field("y", LENGTH, "About this y. Default: the middle."),
+)
+
+ROWS: Final = (
+    Operation("add", "Add an element with these attributes.", "none", (
+        Field("kind", str, "Its tag, such as box.", required=True),
+        Field("into", str, "The element around it, such as define[table]. Default: the world.", ""),
+        Field("text", str, "Its own text.", ""),
+    ), attributes=True),
+    Operation("set", "Set attributes of elements; an empty one is removed.", "some",
+              attributes=True),
+    Operation("text", "Set the text of an element, such as the number of a sensor.", "one",
+              (Field("text", str, "The text.", required=True),)),
+    Operation("remove", "Remove elements.", "some"),
+    Operation("move", "Move elements.", "some", _X_Y),
+    Operation("place", "Put an element at a place.", "one", (
+        Field("x", LENGTH, "Its new x. Default: as it is."),
+        Field("y", LENGTH, "Its new y. Default: as it is."),
+        Field("heading", ANGLE, "Its new heading. Default: as it is."),
+    )),
+    Operation("turn", "Turn elements as one body, counter-clockwise.", "some", (
+        Field("angle", ANGLE, "By how much.", required=True), *_ABOUT,
+    )),
+    Operation("mirror", "Mirror elements; objects of parts keep their shape.", "some", (
+        Field("axis", ("x", "y"), "x exchanges left and right, y up and down.", "x"),
+        Field("at", LENGTH, "Where the mirror stands. Default: in the middle."),
+    )),
+    Operation("array", "Copy elements into columns and rows.", "some", (
+        Field("columns", int, "How many along x.", 1),
+        Field("rows", int, "How many along y.", 1),
+        Field("x", LENGTH, "From one column to the next.", 0.0),
+        Field("y", LENGTH, "From one row to the next.", 0.0),
+    )),
+    Operation("ring", "Copy elements around a point, evenly spaced.", "some", (
+        Field("count", int, "How many there will be of each.", required=True),
+        Field("x", LENGTH, "The point's x.", required=True),
+        Field("y", LENGTH, "The point's y.", required=True),
+    )),
+    Operation("align", "Bring sides or centres of elements into line.", "some", (
+        Field("side", SIDES, "Which.", required=True),
+    )),
+    Operation("distribute", "Space the centres of elements evenly.", "some", (
+        Field("axis", ("x", "y"), "Along which axis.", required=True),
+    )),
+    Operation("group", "Make elements an object: a definition, and one copy of it.", "some",
+              (
+        Field("name", str, "The name of the definition.", required=True),
+        Field("id", str, "The id of the object. Default: the name.", ""),
+    )),
+    Operation("ungroup", "Put the parts of an object in its place.", "one"),
+    Operation("paste", "Put in elements that were copied.", "none", (
+        Field("clip", str, "What copy or cut has returned.", required=True), *_X_Y,
+    )),
+)  # fmt: skip
+
+OPERATIONS: Final = {row.name: row for row in ROWS}
+"""All operations by name."""

@@ -1,0 +1,106 @@
+"""The work of `crs world`: open a file, do one operation, save it or show what has changed."""
+
+from __future__ import annotations
+
+import difflib
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from crs_cc.builder.addresses import address
+from crs_cc.builder.table import Operation
+from crs_cc.builder.world_builder import WorldBuilder
+from crs_cc.cli.inputs import check_readable
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.files.xml_document import MAX_BYTES
+
+
+def opened(file: Path) -> WorldBuilder:
+    """Return the builder of a file.
+
+    Raises:
+        WorldError: it cannot be read.
+    """
+    check_readable(file)
+    return WorldBuilder(file)
+
+
+def listed(file: Path, name: str) -> list[str]:
+    """Return the names of elements with their tags, one a line."""
+    builder = opened(file)
+    try:
+        nodes = builder.element(name).children
+    except ValueError as wrong:
+        raise click.UsageError(f"{wrong}.") from None
+    names = [address(node) for node in nodes]
+    width = max(map(len, names), default=0)
+    return [f"{name:{width}}  {node.tag}" for name, node in zip(names, nodes, strict=True)]
+
+
+def copied(file: Path, names: Sequence[str]) -> str:
+    """Return elements as XML with the definitions that they need."""
+    builder = opened(file)
+    try:
+        return builder.copy(names)
+    except ValueError as wrong:
+        raise click.UsageError(f"{wrong}.") from None
+
+
+def edit(
+    row: Operation, file: Path, output: Path | None, given: Mapping[str, Any], *, diff: bool
+) -> Sequence[str]:
+    """Do an operation with a file.
+
+    Args:
+        row: the operation.
+        file: the file.
+        output: the file for the result; None for the same.
+        given: the values of the command line: fields by their names, `names`, `words`.
+        diff: whether to write nothing.
+
+    Returns:
+        what to print: the names of new elements, or the differences.
+
+    Raises:
+        WorldError: the result would not be valid, or the file cannot be read.
+        click.UsageError: the operation cannot be done.
+    """
+    builder = opened(file)
+    before = builder.text
+    values = {name: given[name] for name in (field.name for field in row.fields) if given.get(name)}
+    words = list(given.get("words") or ())
+    names = [given["names"]] if given.get("names") else []
+    names += [word for word in words if "=" not in word or not row.attributes]
+    pairs = [word.partition("=") for word in words if "=" in word and row.attributes]
+    attributes = {name: value for name, _, value in pairs}
+    if row.attributes and not attributes and row.name != "add":
+        raise click.UsageError("no attribute to set: give NAME=VALUE.")
+    try:
+        if "clip" in values:
+            values["clip"] = _clip(values["clip"])
+        new = builder.apply(row.name, names, values, attributes)
+    except WorldError:
+        raise
+    except ValueError as wrong:
+        raise click.UsageError(f"{wrong}.") from None
+    if diff:
+        lines = difflib.unified_diff(
+            before.splitlines(), builder.text.splitlines(), str(file), str(file), lineterm=""
+        )
+        return list(lines)
+    builder.save(output)
+    return new
+
+
+def _clip(name: str) -> str:
+    """Return the text of a clip: of a file, or of standard input for `-`."""
+    if name == "-":
+        return sys.stdin.buffer.read(MAX_BYTES).decode(errors="replace")
+    try:
+        with Path(name).open("rb") as file:
+            return file.read(MAX_BYTES).decode(errors="replace")
+    except OSError as error:
+        raise click.UsageError(f"cannot read '{name}': {error.strerror}.") from None

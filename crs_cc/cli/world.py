@@ -1,0 +1,122 @@
+"""`crs world`: edit a world file by commands, of which each operation of the builder is one."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, Final
+
+import click
+
+from crs_cc.builder.table import OPERATIONS, Field, Operation
+from crs_cc.core.quantity import Kind
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs world list room.xml                         the names of all elements
+  crs world add room.xml box x=1m y=2m length=40cm width=30cm
+  crs world move room.xml crate --x 50cm          by half a metre
+  crs world set room.xml crate mass=3kg heat=     set one attribute, remove another
+  crs world array room.xml shelf --columns 5 --x 1.2m
+  crs world group room.xml top leg0 leg1 --name table
+  crs world copy canteen.xml p1 | crs world paste room.xml -
+  crs world turn room.xml table --angle 30deg --diff
+"""
+
+
+@click.group(epilog=_EXAMPLES, short_help="Edit a world file by commands.", no_args_is_help=True)
+def world() -> None:
+    """Edit a world file, a robot definition or a file of definitions.
+
+    Comments, order, spaces and units stay as they are; only what is changed is written anew. The
+    file is replaced when the result is valid, as crs check says, and in one step. Elements are
+    named by their ids, or by where they stand: crate, surface/ramp[1], define[table]/leg0.
+    """
+
+
+@world.command(name="list", short_help="List the names of all elements.")
+@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("name", required=False, default="")
+def list_(file: Path, name: str) -> int:
+    """List the names of the elements of a file, or of those in one of its elements."""
+    from crs_cc.cli.edit_world import listed
+
+    for line in listed(file, name):
+        click.echo(line)
+    return 0
+
+
+@world.command(short_help="Print elements for crs world paste.")
+@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("names", nargs=-1, required=True)
+def copy(file: Path, names: tuple[str, ...]) -> int:
+    """Print elements as XML with the definitions that they need, for crs world paste."""
+    from crs_cc.cli.edit_world import copied
+
+    click.echo(copied(file, names))
+    return 0
+
+
+def _edit(row: Operation, file: Path, output: Path | None, *, diff: bool, **given: Any) -> int:
+    from crs_cc.cli.edit_world import edit
+
+    for name in edit(row, file, output, given, diff=diff):
+        click.echo(name)
+    return 0
+
+
+def _command(row: Operation) -> click.Command:
+    """Return the subcommand of an operation."""
+    function: Callable[..., int] = functools.partial(_edit, row)
+    parameters: list[click.Parameter] = [
+        click.Argument(["file"], type=click.Path(path_type=Path)),
+    ]
+    is_alone = row.things == "none"
+    parameters += [
+        click.Argument([field.name]) for field in row.fields if is_alone and field.required
+    ]
+    if row.things == "one":
+        parameters.append(click.Argument(["names"], nargs=1, metavar="NAME"))
+    if row.things == "some" or row.attributes:
+        words = "NAME..." if not row.attributes else "NAME=VALUE..."
+        several = "NAME... ATTRIBUTE=VALUE..." if row.things == "some" and row.attributes else words
+        parameters.append(click.Argument(["words"], nargs=-1, required=True, metavar=several))
+    parameters += [_option(field) for field in row.fields if not (is_alone and field.required)]
+    parameters.append(
+        click.Option(
+            ["-o", "--output"],
+            type=click.Path(path_type=Path),
+            metavar="FILE",
+            help="Write the result to this new file, and leave the other one as it is.",
+        )
+    )
+    parameters.append(
+        click.Option(["--diff"], is_flag=True, help="Print what would change, and write nothing.")
+    )
+    return click.Command(
+        row.name,
+        callback=function,
+        params=parameters,
+        help=row.summary,
+        short_help=row.summary,
+    )
+
+
+def _option(field: Field) -> click.Option:
+    kind: click.ParamType[Any] = click.STRING
+    metavar = "TEXT"
+    if isinstance(field.kind, tuple):
+        kind, metavar = click.Choice(field.kind), "|".join(field.kind)
+    elif isinstance(field.kind, Kind):
+        metavar = field.kind.name.split()[-1].upper()
+    elif field.kind is int:
+        metavar = "COUNT"
+    return click.Option(
+        [f"--{field.name}"], type=kind, metavar=metavar, required=field.required, help=field.help
+    )
+
+
+for _row in OPERATIONS.values():
+    world.add_command(_command(_row))
