@@ -12,11 +12,12 @@ The Nomadic interface counts in tenths of an inch and tenths of a degree (vendor
 from __future__ import annotations
 
 import math
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
-from crs_cc.core.arrays import FloatArray
+if TYPE_CHECKING:
+    from crs_cc.core.arrays import FloatArray  # numpy: the help of crs does without
 
-Number = TypeVar("Number", float, FloatArray)
+Number = TypeVar("Number", float, "FloatArray")
 
 INCH_M = 0.0254  # by definition, international yard and pound agreement of 1959
 SOUND_MPS = 343.2  # in dry air at 20 degrees Celsius (CRC Handbook of Chemistry and Physics)
