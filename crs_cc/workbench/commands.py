@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.workbench import console, sources, stops
 from crs_cc.workbench.command import Command
-from crs_cc.workbench.messages import block_message
+from crs_cc.workbench.messages import block_message, page_message
+from crs_cc.workbench.page import known_of, page_of
 from crs_cc.workbench.panel_commands import PANEL
 from crs_cc.workbench.player import FASTEST, SLOWEST
 from crs_cc.workbench.values import values
@@ -75,6 +76,10 @@ def _frames(screen: Context, block: int) -> bytes:
     return block_message(block, content)
 
 
+def _page(screen: Context) -> bytes:
+    return page_message(page_of(known_of(screen.feed)))
+
+
 RUNNING: Final = (
     Command("play", "Let the run go on.", _play, needs="play"),
     Command("pause", "Let the run wait.", _pause, needs="play", at_once=True),
@@ -86,6 +91,7 @@ RUNNING: Final = (
     Command("span", "Repeat the time between two instants; end it if they are equal.", _span,
             {"begin_s": float, "end_s": float}, needs="seek"),
     Command("select", "Select a robot, by number.", _select, {"robot": int}),
+    Command("page", "Send the run, as far as it is known, as one HTML page.", _page, asks=True),
     Command("frames", "Send a block of frames.", _frames, {"block": int}, controls=False,
             at_once=True),
 )  # fmt: skip

@@ -71,19 +71,25 @@ class Feed:
         with self._lock:
             self._flush()  # the others must know of the block that this page is told
             client.since = self.server.sent if self.server else 0
-            text = message(
-                "hello",
-                version=VERSION,
-                role=client.role,
-                **self.description,
-                frame_s=self._frame_s,
-                end_s=self.end_s,
-                rosters=[self._roster(each) for each in self._rosters],
-                events=self._events,
-                output=self._output,
-                blocks=self.frames.index(),
-            )
+            known = self._known()
+            text = message("hello", version=VERSION, role=client.role, **known)
         client.put(text)
+
+    def known(self) -> dict[str, Any]:
+        """Return what is known, besides the frames; thread-safe."""
+        with self._lock:
+            return self._known()
+
+    def _known(self) -> dict[str, Any]:
+        return {
+            **self.description,
+            "frame_s": self._frame_s,
+            "end_s": self.end_s,
+            "rosters": [self._roster(each) for each in self._rosters],
+            "events": list(self._events),
+            "output": list(self._output),
+            "blocks": self.frames.index(),
+        }
 
     def settle(self) -> None:
         """Pass on the frames up to here: the run stands, and pages may go back."""

@@ -31,17 +31,17 @@ _BLOCK: Final = struct.Struct("<cI")
 
 def message(kind: str, /, **fields: Any) -> str:
     """Return a message for the page; numbers that JSON does not have become null."""
-    return _text({"type": kind, **fields})
+    return plain_text({"type": kind, **fields})
 
 
 def answer(number: int, value: Any = None) -> str:
     """Return the answer to a command."""
-    return _text({"type": "answer", "id": number, "value": value})
+    return plain_text({"type": "answer", "id": number, "value": value})
 
 
 def refusal(number: int, error: str) -> str:
     """Return the answer to a command that failed."""
-    return _text({"type": "answer", "id": number, "error": error})
+    return plain_text({"type": "answer", "id": number, "error": error})
 
 
 def frame_message(time_s: float, frame: bytes) -> bytes:
@@ -54,7 +54,13 @@ def block_message(number: int, block: bytes) -> bytes:
     return _BLOCK.pack(b"B", number) + block
 
 
-def _text(content: dict[str, Any]) -> str:
+def page_message(page: str) -> bytes:
+    """Return the message of a run as one page."""
+    return b"P" + page.encode()
+
+
+def plain_text(content: dict[str, Any]) -> str:
+    """Return JSON; numbers that it does not have become null."""
     try:
         return json.dumps(content, separators=(",", ":"), allow_nan=False)
     except ValueError:

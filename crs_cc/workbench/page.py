@@ -19,6 +19,7 @@ import numpy as np
 from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import robot_data
+from crs_cc.workbench.messages import plain_text
 from crs_cc.workbench.recorded_content import events_in, frame_blocks, output_in
 from crs_cc.workbench.static_files import FOLDER, MODULES, html
 from crs_cc.workbench.world_data import world_data
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from crs_cc.core.arrays import FloatArray
     from crs_cc.recording.recording import Recording
     from crs_cc.sim.model.world import WorldModel
+    from crs_cc.workbench.feed import Feed
 
 MAX_BYTES: Final = 50 * 2**20
 """Of a page: Firefox and Chromium open it; of pages with 1 GB, users say that they do not."""
@@ -98,7 +100,34 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
         "output": output,
         "blocks": [[*span, b64encode(block).decode("ascii")] for *span, block in blocks],
     }
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+    return page_of(data)
+
+
+def known_of(feed: Feed) -> dict[str, Any]:
+    """Return what a feed knows of a run, as the contents of a page.
+
+    Raises:
+        ValueError: it is too much for one.
+    """
+    contents = [(begin_s, end_s, feed.frames.content(number) or b"")
+                for number, begin_s, end_s in feed.frames.index()]  # fmt: skip
+    if sum(len(content) for _, _, content in contents) > MAX_BYTES * _SHARE:
+        raise ValueError("the run is too long for one page: record it and use crs replay --html")
+    known = feed.known()
+    return {
+        **known,
+        "note": f"seed {known['seed']}, saved at {known['end_s']:.2f} s",
+        "blocks": [
+            [begin_s, end_s, b64encode(content).decode("ascii")]
+            for begin_s, end_s, content in contents
+            if content
+        ],
+    }
+
+
+def page_of(data: dict[str, Any]) -> str:
+    """Return the page with these contents."""
+    text = plain_text(data).replace("<", "\\u003c")
     style = (FOLDER / "style.css").read_text("utf-8")
     head = (
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n<style>\n{style}</style>'

@@ -15,6 +15,7 @@ from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.model.degradation import described
 from crs_cc.sim.state.degradation import ACTS, FADES, degradation_of
+from crs_cc.workbench.devices_in_view import devices_in_view
 from crs_cc.workbench.feed import rounded
 
 if TYPE_CHECKING:
@@ -54,6 +55,7 @@ def status(
             for each in rows
         ],
         "sensors": _sensors(session, rows),
+        "devices": devices_in_view(session.environment, rows, selected),
     }
 
 

@@ -53,6 +53,11 @@ def world_data(world: WorldModel, names: Sequence[str]) -> dict[str, Any]:
             for each in world.lights
         ],
         "ground": _ground(world.surface),
+        "channels": [
+            {"name": each.name, "range": each.range_m}
+            for each in world.communication.channels
+            if math.isfinite(each.range_m)
+        ],
     }
 
 
@@ -65,6 +70,7 @@ def _kind(model: RobotModel) -> dict[str, Any]:
         "wheel_base": drive.wheel_base_m,
         "steers": drive.steering is not None,
         "turret": drive.turret is not None,
+        **_limbs(model),
         "devices": [name for name, _ in model.devices],
         "sonars": [
             {
@@ -80,6 +86,23 @@ def _kind(model: RobotModel) -> dict[str, Any]:
             {"bit": each.bit, "bearing": each.bearing_rad, "span": each.span_rad}
             for each in switches_of(model)
         ],
+    }
+
+
+def _limbs(model: RobotModel) -> dict[str, Any]:
+    """Return gripper, arm and laser of a kind of robot, null for those that it lacks."""
+    gripper, arm, laser = (model.device(name) for name in ("gripper", "arm", "laser"))
+    return {
+        "gripper": gripper
+        and {"place": gripper.place_m, "reach": gripper.reach_m, "opening": gripper.opening_m},
+        "arm": arm and {"x": arm.x_m, "y": arm.y_m, "upper": arm.upper_m, "fore": arm.fore_m},
+        "laser": laser
+        and {
+            "forward": laser.forward_m,
+            "fov": laser.field_of_view_rad,
+            "range": laser.range_m,
+            "z": laser.z_m,
+        },
     }
 
 

@@ -332,6 +332,10 @@ class Environment:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""
         return self._data.charges(number)
 
+    def device_number(self, name: str, robot: int) -> int:
+        """Return the number of a robot's device among all of its kind; -1 without one."""
+        return int(self._data.constants.numbers[name][robot])
+
     def device_rows(self, number: int) -> list[tuple[str, str]]:
         """Return name and state of each device of a robot, for inspectors."""
         numbers = self._data.constants.numbers

@@ -71,6 +71,8 @@ export class SocketChannel {
     const view = new DataView(bytes.buffer);
     if (bytes[0] === 0x46) {
       this.hear({ type: "frame", time: view.getFloat64(1, true), data: bytes.subarray(9) });
+    } else if (bytes[0] === 0x50) {
+      this.pageCame?.(bytes.subarray(1));
     } else {
       const number = view.getUint32(1, true);
       this.blocks.get(number)?.(bytes.subarray(5));
@@ -87,6 +89,12 @@ export class SocketChannel {
     const id = ++this.number;
     this.socket.send(JSON.stringify({ id, do: name, ...fields }));
     return new Promise((resolve, reject) => this.asked.set(id, { resolve, reject }));
+  }
+
+  /** The run as one HTML page. @returns {Promise<Uint8Array>} */
+  page() {
+    const bytes = new Promise((resolve) => (this.pageCame = resolve));
+    return this.ask("page").then(() => bytes);
   }
 
   /** The bytes of a block of frames. @param {number} number @returns {Promise<Uint8Array>} */

@@ -1,5 +1,7 @@
 /** The ground: ramps and plateaus on a floor, or on a map of heights. */
 
+const REACH = 0.12; // half the distance over which a slope is measured: about that of wheels [m]
+
 export class Ground {
   /** @param {any} ground as the world has it; nothing for a flat floor */
   constructor(ground) {
@@ -25,6 +27,14 @@ export class Ground {
       height = Math.max(height, patch.from + (patch.to - patch.from) * share);
     }
     return height;
+  }
+
+  /** How steep it is at a place, along x and y; nothing where it is flat. */
+  slope(x, y) {
+    if (this.isFlat) return null;
+    const [a, b] = [this.height(x + REACH, y) - this.height(x - REACH, y), this.height(x, y + REACH) - this.height(x, y - REACH)];
+    const slope = [a / (2 * REACH), b / (2 * REACH)];
+    return slope[0] || slope[1] ? slope : null;
   }
 
   mapHeight(x, y) {

@@ -85,7 +85,7 @@ export class Layout {
   share() {
     const words = new URLSearchParams(location.hash.slice(1));
     words.set("t", this.model.clock.shown.toFixed(3));
-    words.set("view", this.page.views.active.camera.save());
+    words.set("view", this.page.views.cameras());
     history.replaceState(null, "", `#${words}`);
     navigator.clipboard?.writeText(location.href).then(() => this.model.say("link copied"), () => this.model.say("the address bar has the link"));
   }

@@ -1,5 +1,6 @@
 /** What the user looks at, and how: overlays, colours, sensors; views are drawn by it. */
 import { heatColour, mostHeat } from "crs/heat.js";
+import { Lighting } from "crs/lighting.js";
 import { PARTS } from "crs/overlay.js";
 import { palette } from "crs/theme.js";
 import { Trails } from "crs/trails.js";
@@ -14,6 +15,7 @@ export class Look {
     this.trails = new Trails();
     this.colours = palette();
     this.isInfrared = false;
+    this.light = new Lighting();
     this.time = 0;
     this.version = 0; // rises when something must be drawn anew
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
@@ -56,6 +58,11 @@ export class Look {
       bumpers: (row) => sensors?.bumpers?.[row - first],
       believed: (row) => sensors?.believed?.[row - first],
     };
+  }
+
+  /** What is drawn of devices, as it was told last. */
+  get devices() {
+    return this.model.status.devices;
   }
 
   /** The events of the last seconds, up to the time that is shown. */

@@ -91,6 +91,7 @@ export class Model {
 
   hear_status(message) {
     this.status = message;
+    this.scene?.hold(message.devices?.holds);
     this.tell("status", message);
   }
 

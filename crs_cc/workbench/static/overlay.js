@@ -3,6 +3,7 @@
  * Each part is a row of `PARTS`; `show` has their switches.
  */
 import { heatColour, mostHeat } from "crs/heat.js";
+import { degraded, laser, ranges } from "crs/overlay_devices.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
 const MANY = 60; // robots: of more, only the selected one is annotated
@@ -16,10 +17,13 @@ export const PARTS = [
   { name: "trails", title: "Trails", on: true, draw: trails },
   { name: "paths", title: "Whole paths, and believed ones", on: true, only: "paths", draw: paths },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
+  { name: "laser", title: "Laser", on: true, draw: laser },
+  { name: "degraded", title: "Degraded parts", on: true, draw: degraded },
   { name: "bumpers", title: "Bumpers", on: true, draw: bumpers },
   { name: "believed", title: "Believed poses", on: false, draw: believed },
   { name: "contacts", title: "Collisions", on: true, draw: contacts },
   { name: "messages", title: "Messages", on: true, draw: messages },
+  { name: "ranges", title: "Range of radio", on: false, draw: ranges },
   { name: "labels", title: "Names", on: true, draw: labels },
   { name: "grid", title: "Grid and scale", on: true, draw: scale },
 ];
@@ -160,8 +164,8 @@ function sonar(o) {
     body.kind.sonars.forEach((each, number) => {
       const echo = echoes[number];
       if (echo === null || echo === undefined || echo < 0) return;
-      const heading = body.heading + each.direction;
-      const [cos, sin] = [Math.cos(body.heading), Math.sin(body.heading)];
+      const heading = body.mount + each.direction;
+      const [cos, sin] = [Math.cos(body.mount), Math.sin(body.mount)];
       const from = [body.x + each.x * cos - each.y * sin, body.y + each.x * sin + each.y * cos];
       const z = body.z + body.height * 0.7;
       const arc = [-1, -0.5, 0, 0.5, 1].map((turn) => {
@@ -199,7 +203,7 @@ function bumpers(o) {
       if (!((bits >> bit) & 1)) continue;
       const points = [];
       for (let step = 0; step <= 8; step++) {
-        const angle = body.heading + bearing + span * (step / 8 - 0.5);
+        const angle = body.base + bearing + span * (step / 8 - 0.5);
         points.push([body.x + body.radius * 1.05 * Math.cos(angle), body.y + body.radius * 1.05 * Math.sin(angle), body.z + 0.08]);
       }
       pen.beginPath();

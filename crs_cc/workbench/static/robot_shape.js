@@ -33,7 +33,7 @@ function drum(radius, low, high, sides, top = radius) {
 }
 
 /**
- * The two geometries of a kind of robot.
+ * The geometries of a kind of robot: what is painted, what is not, and what turns with its turret.
  * @param {any} kind its definition; nothing for one that is not known
  * @param {number} radius @param {boolean} isNear whether there are few enough for details
  */
@@ -42,7 +42,7 @@ export function robotShape(kind, radius, isNear) {
   const foot = Math.min(0.05, height * 0.15);
   if (!isNear) {
     const nose = new THREE.BoxGeometry(radius * 0.8, radius * 0.2, 0.02).translate(radius * 0.5, 0, height);
-    return { painted: joined([[drum(radius, 0, height, 10), WHITE]]), plain: joined([[nose, WHITE]]) };
+    return { painted: joined([[drum(radius, 0, height, 10), WHITE]]), plain: joined([[new THREE.BoxGeometry(0.01, 0.01, 0.01), DARK]]), top: joined([[nose, WHITE]]) };
   }
   const body = radius * 0.96;
   const painted = joined([
@@ -52,11 +52,10 @@ export function robotShape(kind, radius, isNear) {
   const plain = [
     [drum(body * 0.97, height * 0.62, height * 0.78, 40), DARK],
     [drum(radius, foot + 0.015, foot + 0.05, 40), RUBBER],
-    [pointer(body * 0.66, height + 0.006), WHITE],
     ...wheels(kind, radius),
-    ...sonars(kind, height * 0.7),
   ];
-  return { painted, plain: joined(plain) };
+  const top = [[pointer(body * 0.66, height + 0.006), WHITE], ...sonars(kind, height * 0.7), ...turret(kind, body, height)];
+  return { painted, plain: joined(plain), top: joined(top) };
 }
 
 /** An arrowhead on the top, ahead. */
@@ -67,6 +66,13 @@ function pointer(size, z) {
   outline.lineTo(-0.15 * size, 0);
   outline.lineTo(-0.45 * size, -0.55 * size);
   return new THREE.ShapeGeometry(outline).translate(0, 0, z);
+}
+
+/** What shows where a turret looks: a bar across its front. */
+function turret(kind, body, height) {
+  if (!kind?.turret) return [];
+  const bar = new THREE.BoxGeometry(body * 0.28, body * 0.5, height * 0.1).translate(body * 0.82, 0, height * 0.9);
+  return [[bar, DARK]];
 }
 
 function wheels(kind, radius) {

@@ -4,7 +4,7 @@
  * @typedef {{id: string, x: number, y: number, angle: number, height: number, colour: string,
  *   corners?: number[][], radius?: number, heat?: number, movable?: boolean}} Shape
  * @typedef {{id: string, x: number, y: number, z: number, heading: number, turret: number | null,
- *   radius: number, height: number, colour: string, kind: any, row: number}} Body
+ *   base: number, mount: number, slope: [number, number] | null, radius: number, height: number, colour: string, kind: any, row: number}} Body
  */
 import { Ground } from "crs/ground.js";
 
@@ -23,6 +23,17 @@ export class Scene {
     /** @type {Body[]} */
     this.bodies = [];
     this.time = -1;
+    /** @type {Map<string, number>} how high things are that robots carry [m] */
+    this.carried = new Map();
+  }
+
+  /** Note what robots hold. @param {Record<number, string[]>} holds by robot */
+  hold(holds) {
+    this.carried.clear();
+    for (const [row, things] of Object.entries(holds ?? {})) {
+      const kind = this.body(Number(row))?.kind;
+      for (const id of things) this.carried.set(id, kind?.arm ? kind.height : 0.03);
+    }
   }
 
   /** Who was there at a time. */
@@ -46,14 +57,20 @@ export class Scene {
       const known = this.robots.get(id) ?? { radius: 0.2, colour: "#888888" };
       const y = values[rows + row];
       const kind = this.run.world.kinds?.[known.kind];
+      const heading = values[2 * rows + row];
+      const turret = columns > 3 && kind?.turret !== false ? values[3 * rows + row] : null;
+      const base = kind?.steers ? (known.start?.[2] ?? 0) : heading;
       this.bodies.push({
         id,
         row,
         x,
         y,
         z: this.ground.height(x, y),
-        heading: values[2 * rows + row],
-        turret: columns > 3 && kind?.turret !== false ? values[3 * rows + row] : null,
+        heading,
+        turret,
+        base,
+        mount: turret ?? base,
+        slope: this.ground.slope(x, y),
         radius: known.radius,
         height: kind?.height ?? HEIGHT,
         colour: known.colour,
@@ -63,6 +80,7 @@ export class Scene {
     roster.objects.forEach((id, number) => {
       const [shape, row] = [this.byId.get(id), roster.robots.length + number];
       if (!shape || row >= rows) return;
+      shape.lift = this.carried.get(id) ?? 0;
       [shape.x, shape.y, shape.angle] = [values[row], values[rows + row], values[2 * rows + row]];
     });
   }

@@ -30,7 +30,7 @@ export class Timeline {
       ...SPEEDS.map((each) => el("option", { value: String(each) }, each ? `${each} ×` : "max")));
     this.jumps = el("select", { title: "What the arrows jump to", "aria-label": "kind of event", onchange: () => (this.kind = this.jumps.value) },
       el("option", { value: "any" }, "any event"), ...MARKS.map((each) => el("option", { value: each.name }, each.title.toLowerCase())));
-    this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating", key: "L", onclick: () => this.loop() });
+    this.loopButton = button({ icon: "loop", title: "Repeat the last five seconds, or stop repeating; Shift and drag on the line repeats any span", key: "L", onclick: () => this.loop() });
     this.live = button({ text: "Back to now", title: "Look at where the run stands", key: "End", className: "chip", onclick: () => this.release() });
     this.canvas = el("canvas");
     this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "time line", "aria-valuemin": 0 }, this.canvas);
@@ -61,13 +61,43 @@ export class Timeline {
     };
     this.track.addEventListener("pointerdown", (event) => {
       this.track.setPointerCapture(event.pointerId);
+      this.spanFrom = event.shiftKey && this.model.can("seek") ? at(event) : null;
+      if (this.spanFrom !== null) return;
       this.drag(at(event), false);
     });
     this.track.addEventListener("pointermove", (event) => {
-      if (event.buttons) this.drag(at(event), false);
+      if (event.buttons && this.spanFrom !== null) this.markSpan(at(event), false);
+      else if (event.buttons) this.drag(at(event), false);
       this.hover(event);
     });
-    this.track.addEventListener("pointerup", (event) => this.drag(at(event), true));
+    this.track.addEventListener("pointerup", (event) => (this.spanFrom !== null ? this.markSpan(at(event), true) : this.drag(at(event), true)));
+  }
+
+  /** Mark the span between where the pointer was pressed and here; repeat it at the end. */
+  markSpan(time, isEnd) {
+    const [begin, end] = [Math.min(time, this.spanFrom), Math.max(time, this.spanFrom)];
+    this.marked = isEnd ? null : [begin, end];
+    this.isStale = true;
+    if (!isEnd) return;
+    this.spanFrom = null;
+    this.setSpan(begin, end);
+  }
+
+  /** Repeat a span, from its begin on. */
+  setSpan(begin, end) {
+    if (end - begin < 0.1) return this.model.say("a span to repeat is at least 0.1 s long", true);
+    this.model.ask("span", { begin_s: begin, end_s: end });
+    this.seek(begin);
+  }
+
+  /** Let the span that is repeated begin or end here. @param {number} which 0 or 1 */
+  bound(which) {
+    const { span, t, end } = this.model.state;
+    const now = this.model.clock.held ?? t;
+    const found = span ? [...span] : [0, Math.max(end, now + 1)];
+    found[which] = now;
+    if (found[1] - found[0] < 0.1) return this.model.say("a span to repeat is at least 0.1 s long", true);
+    this.model.ask("span", { begin_s: found[0], end_s: found[1] });
   }
 
   /** The right end of the line: a little more than what is known, while it grows. */
@@ -97,7 +127,7 @@ export class Timeline {
     const now = performance.now();
     if (!isEnd && now - this.askedAt < ASK) return;
     this.askedAt = now;
-    if (model.state.playing) model.ask("pause");
+    if (model.state.playing || model.state.busy) model.ask("pause");
     model.ask("seek", { time_s: bounded }).then(() => {
       if (isEnd) model.clock.held = null;
     });
@@ -209,9 +239,10 @@ export class Timeline {
     pen.fillRect(0, line, state.end * k, 6);
     pen.fillStyle = colours.accent;
     pen.fillRect(0, line, time * k, 6);
-    if (state.span) {
+    const span = this.marked ?? state.span;
+    if (span) {
       pen.globalAlpha = 0.25;
-      pen.fillRect(state.span[0] * k, 0, (state.span[1] - state.span[0]) * k, height - 12);
+      pen.fillRect(span[0] * k, 0, (span[1] - span[0]) * k, height - 12);
       pen.globalAlpha = 1;
     }
     this.drawMarks(pen, k, line);

@@ -1,6 +1,7 @@
 /** The world in three dimensions, by three.js. z points up. */
 import * as THREE from "three";
 import { heatPicture, hotThings, mostHeat } from "crs/heat.js";
+import { Limbs } from "crs/limbs.js";
 import { robotShape } from "crs/robot_shape.js";
 import { addGrid, addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
 
@@ -28,6 +29,9 @@ export class View3D {
     this.meshes = new Map(scene.shapes.map((shape) => [shape, this.addShape(shape)]));
     /** @type {Map<any, any>} by kind of robot */
     this.groups = new Map();
+    this.limbs = new Limbs(this.world);
+    this.lamps = new THREE.Group();
+    this.world.add(this.lamps);
     this.matrix = new THREE.Matrix4();
   }
 
@@ -64,9 +68,10 @@ export class View3D {
     this.paint(look);
     this.grid.visible = look.show.grid && !look.heat;
     for (const [shape, mesh] of this.meshes) {
-      mesh.position.set(shape.x, shape.y, this.scene.ground.height(shape.x, shape.y));
+      mesh.position.set(shape.x, shape.y, this.scene.ground.height(shape.x, shape.y) + (shape.lift ?? 0));
       mesh.rotation.z = shape.angle;
     }
+    this.limbs.place(this.scene.bodies.length > NEAR_ROBOTS ? [] : this.scene.bodies, look.devices);
     const lens = this.aim(camera, body, width, height);
     this.placeRobots(look, camera, width, height);
     renderer.render(this.world, lens);
@@ -103,21 +108,41 @@ export class View3D {
   /** Colours of the theme, or of heat. */
   paint(look) {
     const isHeat = Boolean(look.heat);
-    const key = look.colours.sky + look.colours.floor + isHeat;
+    const { light } = look;
+    const key = look.colours.sky + look.colours.floor + isHeat + light.version;
     if (isHeat) this.warm(look);
     if (key === this.painted) return;
     this.painted = key;
-    this.sun.intensity = isHeat ? 0 : 1.9; // heat is seen, not lit
-    this.sky.intensity = isHeat ? 0 : 1.55;
+    this.sun.intensity = isHeat ? 0 : 1.9 * light.day; // heat is seen, not lit
+    this.sky.intensity = isHeat ? 0 : 0.16 + 1.39 * light.day;
+    this.placeLights(light);
     if (!isHeat) this.floor.material.emissiveMap = null;
     this.floor.material.emissive.set(isHeat ? "#ffffff" : "#000000");
     this.floor.material.needsUpdate = true;
     this.world.background = new THREE.Color(isHeat ? look.heat(0) : look.colours.sky);
-    this.grid.material.color.set(look.colours.grid);
+    if (!isHeat) this.world.background.multiplyScalar(0.12 + 0.88 * light.day);
+    this.grid.material.color.set(look.colours.grid).multiplyScalar(0.25 + 0.75 * light.day);
     this.floor.material.color.set(isHeat ? "#000000" : look.colours.floor);
     for (const [shape, mesh] of this.meshes) {
       mesh.material.color.set(isHeat ? look.heat(shape.heat ?? 0) : shape.colour);
       mesh.material.emissive.set(isHeat ? look.heat(shape.heat ?? 0) : "#000000");
+    }
+  }
+
+  /** The sun, and the user's own lamps. @param {import("./lighting.js").Lighting} light */
+  placeLights(light) {
+    const { x, y, length, width } = this.scene.area;
+    const size = Math.min(60, Math.max(length, width));
+    const angle = (light.sun * Math.PI) / 180;
+    this.sun.position.set(x + length / 2 + 0.86 * size * Math.cos(angle), y + width / 2 + 0.86 * size * Math.sin(angle), size * 1.2);
+    this.lamps.clear();
+    for (const lamp of light.lamps) {
+      const z = this.scene.ground.height(lamp.x, lamp.y) + lamp.z;
+      const bulb = new THREE.Mesh(new THREE.SphereGeometry(0.06, 16, 10), new THREE.MeshBasicMaterial({ color: "#fff3cf" }));
+      const shine = new THREE.PointLight("#ffe7b8", 6 * lamp.bright, 9, 1.5);
+      bulb.position.set(lamp.x, lamp.y, z);
+      shine.position.copy(bulb.position);
+      this.lamps.add(bulb, shine);
     }
   }
 
@@ -147,8 +172,8 @@ export class View3D {
       mesh.dispose();
     }
     const room = Math.max(8, count);
-    const { painted, plain } = robotShape(kind, radius, detail === "near");
-    const meshes = [painted, plain].map((geometry) => {
+    const { painted, plain, top } = robotShape(kind, radius, detail === "near");
+    const meshes = [painted, plain, top].map((geometry) => {
       const mesh = new THREE.InstancedMesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true }), room);
       mesh.frustumCulled = false;
       mesh.castShadow = detail === "near";
@@ -176,12 +201,16 @@ export class View3D {
     const detail = bodies.length > NEAR_ROBOTS ? "far" : "near";
     for (const [kind, list] of byKind) {
       const { meshes } = this.group(kind, list[0].radius, list.length, detail);
+      const [painted, plain, top] = meshes;
       list.forEach((body, number) => {
         place.position.set(body.x, body.y, body.z);
-        place.rotation.z = body.heading;
-        place.updateMatrix();
-        for (const mesh of meshes) mesh.setMatrixAt(number, place.matrix);
-        meshes[0].setColorAt(number, paint.set(look.heat ? look.heat(0) : body.colour));
+        turned(place, body.base, body.slope);
+        painted.setMatrixAt(number, place.matrix);
+        plain.setMatrixAt(number, place.matrix);
+        const front = body.turret ?? body.heading;
+        if (front !== body.base) turned(place, front, body.slope);
+        top.setMatrixAt(number, place.matrix);
+        painted.setColorAt(number, paint.set(look.heat ? look.heat(0) : body.colour));
       });
       for (const mesh of meshes) {
         mesh.count = list.length;
@@ -228,6 +257,17 @@ export class View3D {
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
+}
+
+const UP = new THREE.Vector3(0, 0, 1);
+const NORMAL = new THREE.Vector3();
+const TILT = new THREE.Quaternion();
+
+/** Turn something to a heading, on ground that is as steep as this along x and y. */
+function turned(place, heading, slope) {
+  place.quaternion.setFromAxisAngle(UP, heading);
+  if (slope) place.quaternion.premultiply(TILT.setFromUnitVectors(UP, NORMAL.set(-slope[0], -slope[1], 1).normalize()));
+  place.updateMatrix();
 }
 
 /** Whether WebGL is done by the processor: then shadows are left out. */

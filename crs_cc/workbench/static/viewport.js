@@ -59,7 +59,7 @@ export class Viewport {
       [this.camera.x, this.camera.y] = [body.x, body.y];
     }
     if (this.camera.mustFit && clientHeight) this.camera.fit(clientWidth / clientHeight);
-    const key = [this.scene.time, look.version, look.time, this.camera.signature, clientWidth, clientHeight].join();
+    const key = [this.scene.time, look.version, look.time, look.light.version, this.camera.signature, clientWidth, clientHeight].join();
     if (key === this.drawn || !clientWidth || !clientHeight) return;
     this.drawn = key;
     this.view.draw(this.camera, body, look);
@@ -104,6 +104,8 @@ export class Viewport {
 
   /** Select the robot under a point. */
   click(px, py) {
+    const { clientWidth, clientHeight } = this.element;
+    if (this.options.placed?.(() => this.view.ground(px, py, this.camera, clientWidth, clientHeight))) return;
     let [nearest, least] = [-1, Infinity];
     for (const body of this.scene.bodies) {
       const [x, y, w] = this.view.project(body.x, body.y, body.z + body.height / 2);

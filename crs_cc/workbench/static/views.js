@@ -1,5 +1,7 @@
 /** The views of the world, one or several side by side, and the buttons over them. */
 import { button, el, fill } from "crs/dom.js";
+import { paintViews, saveFile, Video } from "crs/video.js";
+import { ViewMenu } from "crs/view_menu.js";
 import { Viewport } from "crs/viewport.js";
 
 const MODES = [
@@ -9,6 +11,9 @@ const MODES = [
   ["chase", "Chase", "Look over the shoulder of the selected robot", "4"],
   ["board", "On board", "Look out of the selected robot", "5"],
 ];
+
+/** What further views show at first. */
+const OTHERS = ["chase", "top", "board"];
 
 export class Views {
   /** @param {HTMLElement} root @param {any} model @param {any} look */
@@ -21,7 +26,11 @@ export class Views {
     this.bar = el("div.floating.left");
     this.right = el("div.floating.right");
     this.note = el("div.note", { role: "status" });
-    root.replaceChildren(this.grid, this.bar, this.right, this.note);
+    this.video = new Video(this);
+    this.menu = new ViewMenu(this);
+    /** @type {((x: number, y: number) => void) | null} what the next click on the ground does */
+    this.onPlace = null;
+    root.replaceChildren(this.grid, this.bar, this.right, this.menu.element, this.note);
     model.on("look", () => this.showBar());
     model.on("say", ({ text, isError }) => this.say(text, isError));
   }
@@ -32,7 +41,8 @@ export class Views {
     if (!this.all.length) this.add();
     else for (const view of this.all) view.setScene(scene);
     const saved = new URLSearchParams(location.hash.slice(1)).get("view");
-    if (saved) this.all[0].camera.restore(saved);
+    if (saved && !this.isRestored) this.restore(saved);
+    this.isRestored = true;
     this.showBar();
   }
 
@@ -44,6 +54,7 @@ export class Views {
         this.say(reason, true);
       },
       active: (chosen) => this.activate(chosen),
+      placed: (ground) => this.place(ground),
     });
     this.all.push(view);
     this.activate(view);
@@ -61,20 +72,45 @@ export class Views {
     fill(this.grid, ...this.all.map((each) => each.element));
   }
 
+  /** Put something where a click hits the ground, if anything waits for it. */
+  place(ground) {
+    const act = this.onPlace;
+    if (!act) return false;
+    const at = ground();
+    if (!at) return true;
+    this.onPlace = null;
+    act(at[0], at[1]);
+    return true;
+  }
+
   /** One view, or four: from anywhere, from above, over the shoulder, and on board. */
   split() {
-    if (this.all.length > 1) {
-      for (const view of this.all.slice(1)) view.view.dispose?.();
-      this.all.length = 1;
-      this.activate(this.all[0]);
-      this.arrange();
-      return;
-    }
-    for (const mode of this.isFlat ? ["follow"] : ["top", "chase", "board"]) {
+    this.setCount(this.all.length > 1 ? 1 : 4);
+  }
+
+  /** @param {number} count of views side by side */
+  setCount(count) {
+    for (const view of this.all.slice(count)) view.view.dispose?.();
+    if (this.all.length > count) this.all.length = count;
+    while (this.all.length < count) {
       this.add();
-      this.active.camera.setMode(mode);
+      this.active.camera.setMode(OTHERS[this.all.length - 2] ?? "orbit");
     }
     this.activate(this.all[0]);
+    this.arrange();
+  }
+
+  /** All cameras, for a link or a saved view. */
+  cameras() {
+    return this.all.map((view) => view.camera.save()).join("~");
+  }
+
+  /** Show views as they were saved. @param {string} text */
+  restore(text) {
+    const cameras = text.split("~").slice(0, 4);
+    this.setCount(cameras.length === 3 ? 4 : cameras.length);
+    cameras.forEach((each, number) => this.all[number].camera.restore(each));
+    this.showBar();
   }
 
   setMode(mode) {
@@ -108,6 +144,7 @@ export class Views {
       pressed(button({ icon: this.all.length > 1 ? "single" : "split", title: this.all.length > 1 ? "One view" : "Four views", key: "V", onclick: () => this.split() }), false),
       pressed(button({ icon: "heat", title: "Infra-red: heat as colour", key: "I", onclick: () => this.look.setInfrared(!this.look.isInfrared) }), this.look.isInfrared),
       pressed(button({ icon: "camera", title: "Save a picture", key: "S", onclick: () => this.picture() }), false),
+      pressed(button({ icon: "more", title: "Saved views, light, video, web page", key: "M", className: this.video.isOn ? "recording" : "", onclick: () => this.menu.toggle() }), !this.menu.element.hidden),
     );
   }
 
@@ -120,21 +157,25 @@ export class Views {
 
   draw(elapsed) {
     for (const view of this.all) view.draw(this.look, elapsed);
+    if (this.video.isOn) this.video.paint();
   }
 
-  /** Save the active view as a picture. */
+  /** Save the views as a picture. */
   picture() {
-    const { canvas, over } = this.active;
-    const whole = el("canvas", { width: canvas.width, height: canvas.height });
-    const pen = whole.getContext("2d");
-    pen.drawImage(canvas, 0, 0);
-    pen.drawImage(over, 0, 0, canvas.width, canvas.height);
+    const whole = el("canvas");
+    paintViews(this.all, whole, this.look.colours.sky);
     whole.toBlob((blob) => {
       if (!blob) return;
-      const url = URL.createObjectURL(blob);
-      el("a", { href: url, download: `crs-${this.look.time.toFixed(2)}s.png` }).click();
-      setTimeout(() => URL.revokeObjectURL(url), 1000);
+      saveFile(blob, `crs-${this.look.time.toFixed(2)}s.png`);
       this.say("picture saved");
     });
+  }
+
+  /** Save the run, as far as it is known, as one file. */
+  async exportPage() {
+    const bytes = await this.model.channel.page().catch((error) => this.say(error.message, true));
+    if (!bytes) return;
+    saveFile(new Blob([bytes], { type: "text/html" }), "crs-run.html");
+    this.say("page saved: it opens in any browser");
   }
 }

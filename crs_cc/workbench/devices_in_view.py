@@ -1,0 +1,90 @@
+"""What the view draws of devices: arms and grippers, what is carried, lasers, what is degraded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.sim.devices.arm.state import arm_of
+from crs_cc.sim.devices.gripper.state import gripper_of
+from crs_cc.sim.devices.laser.model import NUM_LASER, laser_state
+from crs_cc.workbench.feed import rounded
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from crs_cc.sim.engine.environment import Environment
+
+MAX_DEGRADED: Final = 500
+
+
+def devices_in_view(environment: Environment, rows: Sequence[int], selected: int) -> dict[str, Any]:
+    """Return what is drawn of some robots' devices, and the laser of the selected one."""
+    return {
+        "fingers": dict(_fingers(environment, rows)),
+        "joints": dict(_joints(environment, rows)),
+        "holds": dict(_holds(environment, rows)),
+        "degraded": list(_degraded(environment)),
+        "laser": _laser(environment, selected),
+    }
+
+
+def _fingers(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int, float]]:
+    """Yield how far the fingers are apart [m]."""
+    apart_m = gripper_of(environment.state).before_m
+    if len(apart_m):
+        for robot in rows:
+            number = environment.device_number("gripper", robot)
+            if number >= 0:
+                yield robot, round(float(apart_m[number]), 4)
+
+
+def _joints(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int, list[float]]]:
+    """Yield the angles of shoulder and elbow [rad], which turn at constant speed."""
+    arms = arm_of(environment.state)
+    for robot in rows if len(arms.since_s) else ():
+        number = environment.device_number("arm", robot)
+        if number < 0:
+            continue
+        model = environment.world.robots[robot].model.device("arm")
+        assert model is not None  # it has a number
+        speed_radps = np.array([model.shoulder_radps, model.elbow_radps])
+        most_rad = speed_radps * max(0.0, environment.time_s - float(arms.since_s[number]))
+        way_rad = arms.to_rad[number] - arms.from_rad[number]
+        yield robot, rounded(arms.from_rad[number] + np.clip(way_rad, -most_rad, most_rad))
+
+
+def _holds(environment: Environment, rows: Sequence[int]) -> Iterator[tuple[int, list[str]]]:
+    """Yield the names of what robots hold."""
+    things = environment.state.bodies.holds.thing
+    for robot in rows:
+        held = [environment.pushables[each] for each in things[robot].tolist() if each >= 0]
+        if held:
+            yield robot, held
+
+
+def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str]]:
+    """Yield robot, device, element (-1 for all) and phase of what is degraded."""
+    if not len(environment.state.degradation.table):
+        return
+    robots = {robot.id: row for row, robot in enumerate(environment.world.robots)}
+    for each in environment.degradations.all()[:MAX_DEGRADED]:
+        phase = environment.degradations.phase(each.id)
+        begins = phase == "waits" and each.onset_s <= environment.time_s
+        if begins or phase in {"acts", "fades"}:
+            element = -1 if each.element is None else each.element
+            yield robots[each.robot], each.device, element, phase
+
+
+def _laser(environment: Environment, robot: int) -> list[float | None]:
+    """Return the last scan of a robot's laser [m], from right to left; null without an echo."""
+    number = environment.device_number("laser", robot)
+    if number < 0:
+        return []
+    laser = laser_state(environment.state)
+    if laser.readings.at_s[number] < 0.0:
+        return []
+    scan = laser.readings.value[number]
+    count = min(int(laser.wanted[number]), int(np.nan_to_num(scan[NUM_LASER])))
+    return [round(each, 3) if np.isfinite(each) else None for each in scan[:count].tolist()]
