@@ -43,6 +43,7 @@ function table(page) {
     { keys: ["f"], text: "2-D or 3-D", does: () => views.setFlat(!views.isFlat) },
     { keys: ["i"], text: "infra-red", does: () => look.setInfrared(!look.isInfrared) },
     { keys: ["m"], text: "menu of the view", does: () => views.menu.toggle() },
+    { keys: ["Escape"], text: "close the menu", does: () => views.menu.close() },
     { keys: ["r"], text: "begin or end a video", does: () => views.video.toggle() },
     { keys: ["s"], text: "save a picture", does: () => views.picture() },
     { keys: ["k"], text: "copy a link", does: () => layout.share() },

@@ -35,6 +35,7 @@ export class Video {
   constructor(views) {
     this.views = views;
     this.recorder = null;
+    this.size = 0; // bytes so far
   }
 
   get isOn() {
@@ -55,15 +56,19 @@ export class Video {
     this.canvas = document.createElement("canvas");
     this.paint();
     const pieces = [];
+    this.size = 0;
     this.recorder = new MediaRecorder(this.canvas.captureStream(RATE), { mimeType: kind, videoBitsPerSecond: 6e6 });
-    this.recorder.addEventListener("dataavailable", (event) => pieces.push(event.data));
+    this.recorder.addEventListener("dataavailable", (event) => {
+      pieces.push(event.data);
+      this.size += event.data.size;
+    });
     this.recorder.addEventListener("stop", () => {
       this.recorder = null;
       saveFile(new Blob(pieces, { type: kind }), `crs-video.${kind.includes("mp4") ? "mp4" : "webm"}`);
       this.views.say("video saved");
       this.views.showBar();
     });
-    this.recorder.start(1000);
+    this.recorder.start(250);
     this.views.say("recording: press again to end it");
     this.views.showBar();
   }

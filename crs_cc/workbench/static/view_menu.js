@@ -9,7 +9,7 @@ export class ViewMenu {
     this.saved = new SavedViews();
     this.element = el("div.menu", { role: "dialog", "aria-label": "view", hidden: true, onkeydown: (event) => {
       event.stopPropagation();
-      if (event.key === "Escape") this.toggle();
+      if (event.key === "Escape") this.close();
     } });
   }
 
@@ -17,6 +17,10 @@ export class ViewMenu {
     this.element.hidden = !this.element.hidden;
     if (!this.element.hidden) this.draw();
     this.views.showBar();
+  }
+
+  close() {
+    if (!this.element.hidden) this.toggle();
   }
 
   draw() {

@@ -1,0 +1,136 @@
+"""What the view shows of devices, its light, its cameras, and what it saves, in a real browser."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from crs_cc.cli.debug_options import DebugOptions
+from crs_cc.cli.inputs import Inputs
+from crs_cc.cli.start_view import screen_of
+from crs_cc.workbench.screen import Screen
+from tests.workbench.in_browser import page_in, played, wait
+
+SAMPLE = Path(__file__).parents[2] / "samples" / "scout_c" / "hand"
+BRIGHTNESS = """() => {
+    const { canvas } = crs.views.active;
+    const small = Object.assign(document.createElement("canvas"), { width: 60, height: 40 });
+    const pen = small.getContext("2d");
+    pen.drawImage(canvas, 0, 0, 60, 40);
+    const { data } = pen.getImageData(0, 0, 60, 40);
+    return data.reduce((sum, each, at) => sum + (at % 4 < 3 ? each : 0), 0) / 7200;
+}"""
+SLOPE = """async () => {
+    const { Ground } = await import("crs/ground.js");
+    const ramp = { x: 2, y: 0, heading: Math.PI / 2, length: 4, width: 2, from: 0, to: 1 };
+    const ground = new Ground({ patches: [ramp], map: null });
+    return [ground.slope(2, 0), ground.slope(-3, 0)];
+}"""
+
+
+@pytest.fixture
+def screen() -> Iterator[Screen]:
+    files = Inputs((SAMPLE / "hand.c",), SAMPLE / "hand.xml")
+    with played(screen_of(DebugOptions(inputs=files, quiet=True), 0)) as made:
+        yield made
+
+
+def an_arm_and_what_it_carries_are_where_they_are(page: Any) -> None:
+    page.evaluate("crs.timeline.seek(6)")
+    wait(page, "crs.model.status.t === 6 && Math.abs(crs.model.scene.time - 6) < 1e-6")
+    thing, joints = page.evaluate(
+        "[crs.model.status.devices.holds[0][0], crs.model.status.devices.joints[0]]"
+    )
+    view = "crs.views.active.view"
+    limbs = f"{view}.limbs.all.values().next().value"
+    wait(page, f"Math.abs({limbs}.fore.rotation.z - {joints[1]}) < 1e-6")
+    assert page.evaluate(f"{limbs}.upper.rotation.z") == pytest.approx(joints[0])
+    high = f"[...{view}.meshes].find(([shape]) => shape.id === '{thing}')[1].position.z"
+    assert page.evaluate(high) > 0.2
+
+
+def what_is_degraded_is_told_and_slopes_are_measured(page: Any) -> None:
+    page.evaluate("crs.console('degrade robot0 bumper.2 dead')")
+    wait(page, "crs.model.status.devices.degraded.length === 1")
+    assert page.evaluate("crs.look.devices.degraded[0].slice(0, 3)") == [0, "bumper", 2]
+    steep, flat = page.evaluate(SLOPE)
+    assert steep == pytest.approx([0.0, 0.25])
+    assert flat is None
+
+
+def lamps_light_the_night(page: Any) -> None:
+    day = page.evaluate(BRIGHTNESS)
+    page.keyboard.press("m")
+    page.locator(".slider input").first.fill("0")
+    wait(page, f"({BRIGHTNESS})() < {day / 2}")
+    night = page.evaluate(BRIGHTNESS)
+    page.click("text=Add a lamp")
+    box = page.locator(".viewport").bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] * 0.6)
+    wait(page, f"crs.look.light.lamps.length === 1 && ({BRIGHTNESS})() > {night * 1.1}")
+
+
+def views_are_kept_and_shown_again(page: Any) -> None:
+    page.click(".menu >> text=2")
+    assert page.locator(".viewport").count() == 2
+    page.fill(".menu [aria-label='name of this view']", "behind")
+    page.click(".menu >> text=Keep")
+    kept = page.evaluate("crs.views.cameras()")
+    page.click(".menu .segmented button:first-child")
+    page.evaluate("crs.look.light.set({ day: 1 })")
+    page.click(".menu .saved")
+    assert page.evaluate("crs.views.cameras()") == kept
+    assert page.evaluate("crs.look.light.day") == 0
+
+
+def a_video_and_a_page_are_saved(browser: Any, page: Any, folder: Path) -> None:
+    page.click(".menu >> text=Video")
+    wait(page, "crs.views.video.isOn")
+    page.keyboard.press("Escape")
+    page.locator(".viewport").first.focus()
+    page.keyboard.press("ArrowRight")
+    wait(page, "crs.model.scene.time === crs.model.state.t")
+    wait(page, "crs.views.video.size > 0")
+    with page.expect_download() as saved:
+        page.keyboard.press("r")
+    saved.value.save_as(folder / "video.webm")
+    assert (folder / "video.webm").read_bytes()[:4] == b"\x1a\x45\xdf\xa3"  # EBML, RFC 8794
+    page.keyboard.press("m")
+    with page.expect_download() as saved:
+        page.click(".menu >> text=Web page")
+    saved.value.save_as(folder / "run.html")
+    alone = browser.new_page()
+    alone.goto((folder / "run.html").as_uri() + "#flat=1&t=1")
+    wait(alone, "crs.model.scene && Math.abs(crs.model.scene.time - 1) < 0.03")
+    assert alone.locator(".robot b").inner_text() == "robot0"
+    alone.close()
+
+
+def a_span_is_repeated(page: Any) -> None:
+    box = page.locator(".track").bounding_box()
+    scale = box["width"] / page.evaluate("crs.timeline.end")
+    page.keyboard.down("Shift")
+    page.mouse.move(box["x"] + 0.5 * scale, box["y"] + 30)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 1.5 * scale, box["y"] + 30, steps=3)
+    page.mouse.up()
+    page.keyboard.up("Shift")
+    wait(page, "crs.model.state.span && crs.model.state.t <= 0.51")
+    assert page.evaluate("crs.model.state.span") == pytest.approx([0.5, 1.5], abs=0.05)
+
+
+def test_the_view_shows_devices_and_saves_what_it_shows(
+    browser: Any, screen: Screen, tmp_path: Path
+) -> None:
+    """One test, since each step begins where the one before has led."""
+    with page_in(browser, screen) as page:
+        page.wait_for_selector(".robot b")
+        an_arm_and_what_it_carries_are_where_they_are(page)
+        what_is_degraded_is_told_and_slopes_are_measured(page)
+        lamps_light_the_night(page)
+        views_are_kept_and_shown_again(page)
+        a_video_and_a_page_are_saved(browser, page, tmp_path)
+        a_span_is_repeated(page)
