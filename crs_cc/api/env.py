@@ -18,10 +18,11 @@ from typing import Final, Literal
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.api.numbers import check_number
 from crs_cc.api.observations import Observation, measure
 from crs_cc.api.program_choice import Programs
 from crs_cc.api.session import Session
-from crs_cc.api.worlds import WorldSource, load_world
+from crs_cc.api.worlds import WorldSource, world_of
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
@@ -50,8 +51,8 @@ class Env:
         world: WorldModel | WorldSource | None = None,
         programs: Programs = None,
         *,
-        robots: Sequence[str] | None = None,
-        observe: Sequence[str] = ("sonar",),
+        robots: Sequence[str] | str | None = None,
+        observe: Sequence[str] | str = ("sonar",),
         actions: Actions = "speeds",
         step_s: float | None = None,
         duration_s: float | None = None,
@@ -64,8 +65,10 @@ class Env:
         Args:
             world: the world, or what `load_world` takes.
             programs: what the other robots run, see `Session`.
-            robots: the steered robots; by default those without a program.
-            observe: what is observed of them: sensors, `pose`, `odometry`, `speeds`.
+            robots: the names of the steered robots, or one name; by default those without a
+                program.
+            observe: what is observed of them, several names or one: sensors, `pose`, `odometry`,
+                `speeds`.
             actions: what an action consists of, one number for each axis (`RobotView.axis_names`):
                 `speeds` in m/s and rad/s, or `vendor` for the vendor's velocities, in 0.1 inch/s
                 and 0.1 degree/s, as of `vm`.
@@ -83,7 +86,9 @@ class Env:
             CompileError: a program is invalid.
             WorldError: the world is invalid.
         """
-        self.world = world if isinstance(world, WorldModel) else load_world(world)
+        self.world = world_of(world)
+        check_number("step_s", step_s)
+        robots, observe = _names(robots), _names(observe) or ()
         if actions not in ("speeds", "vendor"):
             raise ValueError(unknown("kind of actions", actions, ("speeds", "vendor")))
         self._actions, self._duration_s, self._seed = actions, duration_s, seed
@@ -126,6 +131,9 @@ class Env:
         Raises:
             ValueError: a robot is unknown, or an action has another shape or is not finite.
         """
+        if not isinstance(actions, Mapping):
+            kind = type(actions).__name__
+            raise TypeError(f"actions must be a dictionary by the robots' names, not {kind}")
         speeds = np.zeros((len(actions), AXES))
         rows = np.zeros(len(actions), dtype=np.intp)
         for place, (name, action) in enumerate(actions.items()):
@@ -217,3 +225,7 @@ class Env:
         if not wanted:
             raise ValueError("no robot to steer: each has a program")
         return tuple(name for name in steered if name in wanted)
+
+
+def _names(names: Sequence[str] | str | None) -> Sequence[str] | None:
+    return (names,) if isinstance(names, str) else names

@@ -45,6 +45,8 @@ class EventCallbacks:
         Raises:
             ValueError: there is no such kind.
         """
+        if not callable(function):
+            raise TypeError(f"an event calls a function, not {function!r}")
         if kind not in EVENT_KINDS:
             raise ValueError(unknown("event kind", kind, tuple(EVENT_KINDS)))
         self._callbacks.append((kind, function))

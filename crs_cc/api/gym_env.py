@@ -13,7 +13,7 @@ from functools import partial
 from typing import Any
 
 from crs_cc.api.env import Env
-from crs_cc.api.spaces import action_space, info_of, observation_space
+from crs_cc.api.spaces import action_space, check_render_mode, info_of, observation_space
 from crs_cc.core.arrays import FloatArray
 
 import gymnasium  # isort: skip - after `spaces`, which says how to install it
@@ -41,6 +41,7 @@ class GymEnv(gymnasium.Env[Any, Any]):
         Raises:
             ValueError: there is not exactly one robot to steer.
         """
+        check_render_mode(render_mode)
         self.env = Env(*arguments, **options)
         if len(self.env.robots) != 1:
             names = ", ".join(self.env.robots)
@@ -89,6 +90,8 @@ def vector_env(
         processes: whether each runs in a process of its own.
         options: those of `Env`; with processes they must be picklable.
     """
+    if not isinstance(seeds, Sequence) or not seeds:
+        raise ValueError(f"seeds must be a list with a seed for each environment, not {seeds!r}")
     makers: list[Callable[[], gymnasium.Env[Any, Any]]] = [
         partial(GymEnv, *arguments, **{**options, "seed": int(seed)}) for seed in seeds
     ]

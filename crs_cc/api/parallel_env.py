@@ -13,7 +13,14 @@ from typing import Any
 import numpy as np
 
 from crs_cc.api.env import Env, Observations
-from crs_cc.api.spaces import Box, Dict, action_space, info_of, observation_space
+from crs_cc.api.spaces import (
+    Box,
+    Dict,
+    action_space,
+    check_render_mode,
+    info_of,
+    observation_space,
+)
 from crs_cc.core.arrays import FloatArray
 
 try:
@@ -41,6 +48,7 @@ class ParallelEnv(pettingzoo.ParallelEnv[str, dict[str, FloatArray], FloatArray]
             render_mode: `svg` to have pictures of the run from `render`.
             options: those of `Env`.
         """
+        check_render_mode(render_mode)
         self.env = Env(*arguments, **options)
         self.metadata = {**self.metadata, "render_fps": 1.0 / self.env.step_s}
         self.render_mode = render_mode

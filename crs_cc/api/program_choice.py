@@ -69,6 +69,9 @@ def _chosen(world: WorldModel, programs: Programs) -> list[Program]:
             if name not in names:
                 raise ValueError(unknown("robot", name, names))
         return [programs.get(name, each) for name, each in zip(names, own, strict=True)]
+    if not isinstance(programs, Sequence):
+        kind = type(programs).__name__
+        raise TypeError(f"programs must be a program, a list or a dictionary, not {kind}")
     if len(programs) != len(names):
         raise ValueError(f"{len(programs)} programs for {len(names)} robots (expected one each)")
     return list(programs)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -21,6 +22,8 @@ ProgramSource = str | os.PathLike[str]
 _NAME: Final = "program.c"
 """The name of source text in messages."""
 
+_EXAMPLES: Final = {"defines": "SPEED=80", "undefines": "DEBUG", "include_paths": "include"}
+
 _TEXT: Final = frozenset("\n;{")
 
 
@@ -37,8 +40,16 @@ def compile_c(
         options: further options of `build_executable`, such as `include_paths` and `defines`.
 
     Raises:
+        TypeError: an argument has the wrong type.
         CompileError: it is not a valid program.
     """
+    for each in sources:
+        if not isinstance(each, str | os.PathLike):
+            kind = type(each).__name__
+            raise TypeError(f"a program must be a path or C source text, not {kind}")
+    for name in ("defines", "undefines", "include_paths"):
+        if isinstance(options.get(name, ()), str | Mapping):
+            raise TypeError(f"{name} must be a list, such as {name}=[{_EXAMPLES[name]!r}]")
     texts = [each for each in sources if is_text(each)]
     if texts and len(sources) > 1:
         raise ValueError("source text must be the only argument (several files are given by paths)")

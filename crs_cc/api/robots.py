@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.api.program_choice import NONE
-from crs_cc.core.arrays import FloatArray, read_only
+from crs_cc.core.arrays import FloatArray
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.registry import devices
 
@@ -27,9 +27,8 @@ Reading = npt.NDArray[Any]
 class RobotView:
     """A robot of a session; whatever it returns is of now.
 
-    Its sensors are attributes by their names, such as `sonar`; docs/python.md lists them. An array
-    is read-only, and may be a view of the state, which the next timestep changes: copy what is
-    to be kept.
+    Its sensors are attributes by their names, such as `sonar`; docs/python.md lists them. Each
+    array is a new one, which may be kept.
 
     Attributes:
         name: its name in the world.
@@ -56,12 +55,16 @@ class RobotView:
         """Whether it is in the world: it has joined and has not left."""
         return bool(self._environment.present[self.number])
 
+    @property
+    def _is_steered(self) -> bool:
+        return self._session.fleet.executable(self.number).name == NONE
+
     # -- where it is ---------------------------------------------------------------------------
 
     @property
     def position_m(self) -> FloatArray:
         """Its x and y [m], (2,)."""
-        return read_only(self._environment.last_state.bodies.position_m[self.number])
+        return self._environment.last_state.bodies.position_m[self.number].copy()
 
     @property
     def heading_rad(self) -> float:
@@ -88,7 +91,7 @@ class RobotView:
     def axis_speeds(self) -> FloatArray:
         """The speeds of its axes as commanded [m/s or rad/s], (axes,)."""
         speed = self._environment.state.drive.axes.speed
-        return read_only(speed[self.number, : len(self.axis_names)])
+        return speed[self.number, : len(self.axis_names)].copy()
 
     # -- what it senses ------------------------------------------------------------------------
 
@@ -108,7 +111,7 @@ class RobotView:
         reading = self._environment.reading(name, self.number)
         if reading is None:
             raise AttributeError(f"{self.name}: {unknown('sensor', name, self.sensors)}")
-        return read_only(reading)
+        return reading.copy()
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.sensors]
@@ -127,7 +130,7 @@ class RobotView:
         self._environment.measure(name, np.array([self.number]))
         reading = self._environment.reading(name, self.number)
         assert reading is not None
-        return read_only(reading)
+        return reading.copy()
 
     @property
     def charge(self) -> float:
@@ -146,9 +149,11 @@ class RobotView:
             speeds: one for each of `axis_names` [m/s, or rad/s for steering and turret].
 
         Raises:
-            ValueError: there is another number of axes, or one is not finite.
+            ValueError: there is another number of axes, one is not finite, or a program runs on it.
         """
         speed = self.checked_speeds(speeds)
+        if not self._is_steered:
+            raise ValueError(f"{self.name} runs a program, which sets its speeds itself")
         self._environment.drive(np.array([self.number]), speed[None, :])
 
     def checked_speeds(self, speeds: npt.ArrayLike) -> FloatArray:
@@ -177,7 +182,7 @@ class RobotView:
         Raises:
             ValueError: a program runs on it, which receives its messages itself.
         """
-        if self._session.fleet.executable(self.number).name != NONE:
+        if not self._is_steered:
             raise ValueError(f"{self.name} runs a program, which receives its messages itself")
         return self._environment.communication.receive(self.name)
 
@@ -225,6 +230,8 @@ class Robots(Mapping[str, RobotView]):
 
     def __getitem__(self, name: str) -> RobotView:
         names = self._names
+        if not isinstance(name, str):
+            raise KeyError(f"robots are found by their names, not by {name!r} ({', '.join(names)})")
         if name not in names:
             raise KeyError(unknown("robot", name, names))
         return RobotView(self._session, self._streams, name, names.index(name))

@@ -19,11 +19,12 @@ import numpy as np
 
 from crs_cc.api.edits import Edits
 from crs_cc.api.events import EventCallbacks
+from crs_cc.api.numbers import check_number
 from crs_cc.api.output import Streams
 from crs_cc.api.program_choice import NONE, Programs, executables_of
 from crs_cc.api.robots import Robots
 from crs_cc.api.run_picture import Paths, picture_of
-from crs_cc.api.worlds import WorldSource, load_world
+from crs_cc.api.worlds import WorldSource, world_of
 from crs_cc.core.arrays import FloatArray, read_only
 from crs_cc.debug.world.events import WorldEvent
 from crs_cc.session.host import Client
@@ -101,7 +102,9 @@ class Session(Edits):
             CompileError: a program is invalid.
             WorldError: the world is invalid.
         """
-        self.world = world if isinstance(world, WorldModel) else load_world(world)
+        self.world = world_of(world)
+        check_number("seed", seed, whole=True)
+        check_number("duration_s", duration_s)
         if seed is not None and seed < 0:
             raise ValueError(f"seed must be 0 or more, not {seed!r}")
         if duration_s is not None and not 0.0 < duration_s < math.inf:
@@ -173,8 +176,7 @@ class Session(Edits):
         Raises:
             ValueError: the time is not a number.
         """
-        if until_s is not None and math.isnan(until_s):
-            raise ValueError("until_s must be a number, not nan")
+        check_number("until_s", until_s)
         end_s = self.duration_s if until_s is None else until_s
         while not self._is_late(end_s) and self._advance(self._timesteps_to(end_s)):
             pass

@@ -8,6 +8,7 @@ import numpy as np
 
 from crs_cc.api.env import Env
 from crs_cc.core.arrays import FloatArray
+from crs_cc.core.suggest import unknown
 
 try:
     from gymnasium import spaces
@@ -40,3 +41,9 @@ def info_of(env: Env, robot: str) -> dict[str, Any]:
     """Return what is known of a robot besides observations: its true pose, and the time."""
     pose: FloatArray = env.session.robots[robot].pose
     return {"time_s": env.time_s, "pose": pose}
+
+
+def check_render_mode(mode: str | None) -> None:
+    """Raise ValueError unless an environment can be shown in a mode."""
+    if mode not in (None, "svg"):
+        raise ValueError(unknown("render mode", str(mode), ("svg",)))

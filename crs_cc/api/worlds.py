@@ -9,12 +9,16 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from dataclasses import replace
 from pathlib import Path
+from typing import Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.sim.files import world_xml as files
 from crs_cc.sim.files.known_robots import ROBOTS, SCOUT, known_robots
 from crs_cc.sim.files.robot_writer import robot_text
+from crs_cc.sim.files.world_check import check_world
 from crs_cc.sim.files.world_writer import world_text
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
@@ -42,13 +46,40 @@ def load_world(
         WorldError: the world cannot be read or is invalid; all errors are reported at once.
     """
     if source is None:
-        return files.empty_world(setup, robot)
+        return _checked(files.empty_world(setup, robot))
+    if not isinstance(source, str | bytes | os.PathLike):
+        kind = type(source).__name__
+        raise TypeError(f"a world must be a path, XML text or a WorldModel, not {kind}")
     if isinstance(source, str) and "<" in source:
         source = source.encode()
     if isinstance(source, bytes):
         where = None if folder is None else Path(folder)
-        return files.parse_world(source, "world", setup, robot, where)
-    return files.load_world(Path(source), setup, robot)
+        return _checked(files.parse_world(source, "world", setup, robot, where))
+    return _checked(files.load_world(Path(source), setup, robot))
+
+
+def world_of(world: WorldModel | WorldSource | None) -> WorldModel:
+    """Return a valid world: one that is given, or what `load_world` loads.
+
+    Raises:
+        WorldError: it is invalid; all errors are reported at once.
+        TypeError: a value has the wrong type.
+        ValueError: no file can have a value.
+    """
+    if not isinstance(world, WorldModel):
+        return load_world(world)
+    if not any(each is world for each in _CHECKED):
+        check_world(world)
+    return _checked(world)
+
+
+_CHECKED: Final[deque[WorldModel]] = deque(maxlen=8)
+"""The last worlds that were found to be valid: episodes of an environment all have the same one."""
+
+
+def _checked(world: WorldModel) -> WorldModel:
+    _CHECKED.append(world)
+    return world
 
 
 def load_robot(name: str | os.PathLike[str], *, setup: str = "") -> RobotModel:
@@ -59,10 +90,15 @@ def load_robot(name: str | os.PathLike[str], *, setup: str = "") -> RobotModel:
         setup: one of its setups, such as `noisy`; by default, and for `ideal`, none.
 
     Raises:
+        ValueError: the name is neither.
         WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
-    path = ROBOTS / f"{name}.xml" if name in known_robots() else Path(name)
-    return files.load_robot(path, setup)
+    if name in known_robots():
+        return files.load_robot(ROBOTS / f"{name}.xml", setup)
+    if not Path(name).suffix:
+        text = unknown("robot", str(name), known_robots())
+        raise ValueError(f"{text}, and the name of a definition file ends with .xml")
+    return files.load_robot(Path(name), setup)
 
 
 def world_xml(world: WorldModel, folder: str | os.PathLike[str] | None = None) -> str:
@@ -77,6 +113,7 @@ def world_xml(world: WorldModel, folder: str | os.PathLike[str] | None = None) -
         ValueError: something in the world cannot be written.
         WorldError: the world is invalid; all errors are reported at once.
     """
+    check_world(world)
     return world_text(world, None if folder is None else Path(folder)).decode()
 
 

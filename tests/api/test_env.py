@@ -93,6 +93,10 @@ def test_a_wrong_action_is_one_clear_error(action: object, expected: str) -> Non
     ("options", "expected"),
     [
         ({"robots": ["c"]}, "unknown robot without a program 'c' (known: a, b)"),
+        ({"robots": "both"}, "unknown robot without a program 'both' (known: a, b)"),
+        ({"observe": "radar"}, "unknown observation 'radar'"),
+        ({"step_s": "0.1"}, "step_s must be a number, not '0.1'"),
+        ({"seed": 1.5}, "seed must be an integer, not 1.5"),
         ({"programs": STANDS}, "no robot to steer: each has a program"),
         ({"step_s": 0.07}, "invalid step_s 0.07 (expected a multiple of the timestep, 0.05 s)"),
         ({"actions": "wheels"}, "unknown kind of actions 'wheels'"),
@@ -101,10 +105,12 @@ def test_a_wrong_action_is_one_clear_error(action: object, expected: str) -> Non
     ],
 )
 def test_wrong_options_are_one_clear_error(options: dict[str, object], expected: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(expected)):
+    with pytest.raises((TypeError, ValueError), match=re.escape(expected)):
         crs_cc.Env(PAIR, **options)
     with pytest.raises(ValueError, match="unknown steered robot 'c'"):
         crs_cc.Env(PAIR).step({"c": [0, 0]})
+    with pytest.raises(TypeError, match="actions must be a dictionary"):
+        crs_cc.Env(PAIR).step([0, 0])
 
 
 def test_gymnasiums_checker_passes() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import re
@@ -57,13 +58,10 @@ def test_a_run_ends_when_all_programs_have_ended(session: crs_cc.Session) -> Non
     assert session.robots["robot1"].stdout == "off\n"
 
 
-def test_arrays_are_read_only_and_of_now() -> None:
+def test_arrays_over_all_robots_are_views_of_now() -> None:
     session = crs_cc.Session(WORLD, {"robot0": None, "robot1": AHEAD})
     session.robots["robot0"].drive(0.2, 0.2)
-    assert not any(
-        array.flags.writeable
-        for array in (session.positions_m, session.headings_rad, session.robots["robot0"].sonar)
-    )
+    assert not any(each.flags.writeable for each in (session.positions_m, session.headings_rad))
     before = session.poses
     session.step(20)
     robot = session.robots["robot0"]
@@ -72,8 +70,18 @@ def test_arrays_are_read_only_and_of_now() -> None:
     assert robot.pose[0] - before[0, 0] == pytest.approx(robot.odometry[0], abs=1e-4)
     assert robot.axis_speeds.tolist() == pytest.approx([0.2, 0.2])
     assert robot.axis_names == ("right", "left")
-    with pytest.raises(ValueError, match="read-only"):
-        robot.sonar[0] = 1.0
+
+
+def test_readings_that_are_kept_stay_as_they_were() -> None:
+    session = crs_cc.Session(WORLD)
+    robot = session.robots["robot0"]
+    robot.drive(0.3, 0.3)
+    kept = []
+    for _ in range(40):
+        session.step()
+        kept.append((robot.sonar, robot.measure("sonar"), robot.position_m, robot.axis_speeds))
+    for arrays in zip(*kept, strict=True):
+        assert len({array.tobytes() for array in arrays}) > 5
 
 
 def test_readings_are_in_metres_and_nothing_is_measured_for_them(session: crs_cc.Session) -> None:
@@ -201,6 +209,7 @@ def test_python_receives_the_messages_to_a_robot_that_it_steers() -> None:
         (lambda run: run.message("robot0", "x", channel="tv"), "unknown channel 'tv'"),
         (lambda run: run.message("robot0", "x", kind=2**40), "invalid type of a message"),
         (lambda run: run.robots["robot0"].drive(1.0), "expected 2 finite numbers"),
+        (lambda run: run.robots["robot0"].drive(1.0, 1.0), "robot0 runs a program"),
         (lambda run: run.run(until_s=math.nan), "until_s must be a number, not nan"),
         (lambda run: run.restore(crs_cc.Session().snapshot()), "of a session with other world"),
     ],
@@ -226,13 +235,42 @@ def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
             "program.c:1:25: error: use of undeclared identifier 'x'",
         ),
         (("<world/>", AHEAD), "world:1: error: missing attribute 'version'"),
+        ((5, AHEAD), "a world must be a path, XML text or a WorldModel, not int"),
+        ((WORLD, 5), "programs must be a program, a list or a dictionary, not int"),
+        ((WORLD, [5, AHEAD]), "a program must be a path or C source text, not int"),
     ],
 )
 def test_wrong_input_of_a_session_is_one_clear_error(
     arguments: tuple[object, ...], expected: str
 ) -> None:
-    with pytest.raises((ValueError, crs_cc.CrsError), match=re.escape(expected)):
+    with pytest.raises((TypeError, ValueError, crs_cc.CrsError), match=re.escape(expected)):
         crs_cc.Session(*arguments)
+
+
+SCOUT = crs_cc.load_robot("scout")
+ROOM = crs_cc.load_world(WORLD)
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({"timestep_s": -0.05}, "world, timestep: '-0.05s' must be greater than 0"),
+        ({"robots": ()}, "no robot in the world"),
+        ({"robots": (crs_cc.Robot("x", SCOUT, crs_cc.Pose(math.nan, 1.0)),)}, "'nanm' is not a"),
+        ({"robots": (crs_cc.Robot("x", SCOUT, crs_cc.Pose(9.0, 1.0)),)}, "not completely inside"),
+        ({"robots": ROOM.robots[:1] * 2}, "duplicate id 'robot0'"),
+        ({"robots": (crs_cc.Robot("x", "scout", crs_cc.Pose(1.0, 1.0)),)}, "as of load_robot"),
+        ({"boxes": (crs_cc.Box("b", (1.0, 1.0), 0.1, 0.1),)}, "a value has the wrong type"),
+        ({"boxes": (crs_cc.Box("b", crs_cc.Pose(3.0, 2.0), -1.0, 0.1),)}, "must be greater than 0"),
+        ({"area": crs_cc.Area(-1.0, 0.0, 9.0, 9.0)}, "the area must begin at 0, 0, or be centred"),
+    ],
+)
+def test_a_world_made_in_python_is_checked_as_its_file_would_be(
+    changes: dict[str, object], expected: str
+) -> None:
+    for use in (crs_cc.Session, crs_cc.Env, crs_cc.world_xml):
+        with pytest.raises((TypeError, ValueError, crs_cc.WorldError), match=re.escape(expected)):
+            use(dataclasses.replace(ROOM, **changes))
 
 
 def test_snapshots_go_back(session: crs_cc.Session) -> None:

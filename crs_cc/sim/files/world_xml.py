@@ -68,7 +68,13 @@ def load_world(path: Path, setup: str = "", robot: str = SCOUT) -> WorldModel:
 
 
 def parse_world(
-    text: bytes, name: str, setup: str = "", robot: str = SCOUT, folder: Path | None = None
+    text: bytes,
+    name: str,
+    setup: str = "",
+    robot: str = SCOUT,
+    folder: Path | None = None,
+    *,
+    models: Mapping[str, RobotModel] | None = None,
 ) -> WorldModel:
     """Return the world that a text describes.
 
@@ -78,11 +84,14 @@ def parse_world(
         setup: the setup of all robots, see `load_world`.
         robot: the default kind of robot.
         folder: the folder of definitions, images and programs; None if it may not use any.
+        models: robot models by the names of their definitions, for which no file is read.
 
     Raises:
         WorldError: the text is invalid; all errors are reported at once.
     """
-    return _World(name, name, folder, setup, robot).parse(text)
+    world = _World(name, name, folder, setup, robot)
+    world.found.update({(each, setup): model for each, model in (models or {}).items()})
+    return world.parse(text)
 
 
 def empty_world(setup: str = "", robot: str = SCOUT) -> WorldModel:
