@@ -16,11 +16,15 @@ from crs_cc.toolchain.cache import file_of
 
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess.options import Dialect
+    from crs_cc.runtime.diagnosis.report import ErrorReport
 
 ProgramSource = str | os.PathLike[str]
 
 _NAME: Final = "program.c"
 """The name of source text in messages."""
+
+_FILES: Final[set[str]] = set()
+"""The files that hold source text."""
 
 _EXAMPLES: Final = {"defines": "SPEED=80", "undefines": "DEBUG", "include_paths": "include"}
 
@@ -57,11 +61,19 @@ def compile_c(
         paths = [Path(each) for each in sources]
         return build_executable(paths, Diagnostics(), dialect=dialect, **options)
     path = file_of(str(texts[0]))
+    _FILES.add(str(path))
     try:
         found = build_executable([path], Diagnostics(), dialect=dialect, **options)
     except CompileError as error:
         raise CompileError([_named(each, str(path)) for each in error.diagnostics]) from None
     return replace(found, name=_NAME, command=command_name(_NAME))
+
+
+def shown(error: ErrorReport) -> ErrorReport:
+    """Return a run-time error with the name of source text instead of that of its file."""
+    if error.location.file not in _FILES:
+        return error
+    return replace(error, location=replace(error.location, file=_NAME))
 
 
 def _named(message: Diagnostic, file: str) -> Diagnostic:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.api.program_choice import NONE
+from crs_cc.api.programs import shown
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.registry import devices
@@ -191,7 +193,7 @@ class RobotView:
     @property
     def result(self) -> RobotResult:
         """Its result so far."""
-        return self._session.state.robot_result(self.number)
+        return shown_result(self._session.state.robot_result(self.number))
 
     @property
     def stdout(self) -> str:
@@ -215,6 +217,11 @@ class RobotView:
         x_m, y_m, heading_rad = self.pose.tolist()
         angle_deg = np.degrees(heading_rad)
         return f"<robot {self.name} at {x_m:.3f}, {y_m:.3f} m, {angle_deg:.1f} deg>"
+
+
+def shown_result(result: RobotResult) -> RobotResult:
+    """Return a result whose error, if any, is in a file that the user knows."""
+    return result if result.error is None else replace(result, error=shown(result.error))
 
 
 class Robots(Mapping[str, RobotView]):

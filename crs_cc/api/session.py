@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
@@ -22,7 +22,7 @@ from crs_cc.api.events import EventCallbacks
 from crs_cc.api.numbers import check_number
 from crs_cc.api.output import Streams
 from crs_cc.api.program_choice import NONE, Programs, executables_of
-from crs_cc.api.robots import Robots
+from crs_cc.api.robots import Robots, shown_result
 from crs_cc.api.run_picture import Paths, picture_of
 from crs_cc.api.worlds import WorldSource, world_of
 from crs_cc.core.arrays import FloatArray, read_only
@@ -228,7 +228,8 @@ class Session(Edits):
 
     def result(self) -> RunResult:
         """Return the result of the run so far; nothing is prepared for it while it runs."""
-        return self.inner.result()
+        found = self.inner.result()
+        return replace(found, robots=tuple(map(shown_result, found.robots)))
 
     def state_hash(self) -> str:
         """Return the SHA-256 of the whole state, see `RunResult`."""

@@ -118,6 +118,8 @@ def debug(**options: Any) -> int:
         from crs_cc.cli.debug_recording import debug_recording
 
         return debug_recording(wanted)
+    if wanted.at_s is not None:
+        raise click.UsageError("--at is for recordings; in a run, the command goto does the same.")
     from crs_cc.cli.start_debugger import debug_programs
 
     return debug_programs(wanted)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import click
 
 from crs_cc.cli.debug_options import DebugOptions
+from crs_cc.cli.instants import recorded_instant
 from crs_cc.cli.recorded_run import RecordedRunCheck
 from crs_cc.cli.rerun import unpacked
 from crs_cc.cli.start_debugger import debug_programs
@@ -26,7 +27,9 @@ def debug_recording(options: DebugOptions) -> int:
     recording = Recording(options.inputs.sources[0])
     try:
         check = RecordedRunCheck(recording)
-        go = () if options.at_s is None else (f"goto {options.at_s!r}",)
+        go: tuple[str, ...] = ()
+        if options.at_s is not None:
+            go = (f"goto {recorded_instant(recording, options.at_s)!r}",)
         with unpacked(recording, DebugOptions) as recorded:
             wanted = replace(
                 recorded,

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Final
+
 import click
+
+if TYPE_CHECKING:
+    from crs_cc.recording.recording import Recording
+
+_ROUNDING_S: Final = 1e-9
 
 
 def parse_time(_ctx: click.Context, _option: click.Parameter, text: str | None) -> float | None:
@@ -24,3 +31,16 @@ def parse_time(_ctx: click.Context, _option: click.Parameter, text: str | None) 
     if time_s < 0.0:
         raise click.BadParameter(f"'{text}' is before the start.")
     return time_s
+
+
+def recorded_instant(recording: Recording, time_s: float) -> float:
+    """Return a time of a recording: its end, and a note, for a time after it."""
+    from crs_cc.cli.messages import show
+    from crs_cc.core.source import Diagnostic, Location
+
+    end_s = recording.end_ns / 1e9
+    if time_s <= end_s + _ROUNDING_S:
+        return time_s
+    text = f"the recording ends at {end_s:g} s, before {time_s:g} s: this is its end"
+    show([Diagnostic("note", Location(str(recording.path)), text)])
+    return end_s

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.inputs import is_animation
+from crs_cc.cli.instants import recorded_instant
 from crs_cc.cli.messages import printable, show
 from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Diagnostic, Location
@@ -58,7 +59,7 @@ def show_recording(
             hint = "crs replay --recover FILE.mcap makes it readable for other programs"
             show([Diagnostic("warning", Location(str(path)), text, hint=hint)])
         if at_s is not None:
-            _print(state_at(recording, at_s))
+            _print(state_at(recording, recorded_instant(recording, at_s)))
         wanted = [(name, target) for name, target in targets.items() if target is not None]
         for name, target in wanted:
             _EXPORTS[name](recording, target)

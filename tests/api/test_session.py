@@ -302,6 +302,9 @@ def test_notebooks_show_a_small_picture(session: crs_cc.Session) -> None:
 
 
 def test_source_text_is_compiled_once_and_named_in_errors() -> None:
+    failed = crs_cc.Session(None, "int main(void)\n{ return *(int *)0; }").run().robots[0].error
+    assert failed is not None
+    assert str(failed.location).startswith("program.c:2")
     first, second = crs_cc.compile_c(AHEAD), crs_cc.compile_c(AHEAD)
     assert first.machine_code == second.machine_code
     assert (first.name, first.command) == ("program.c", "program")

@@ -78,6 +78,11 @@ def test_it_shows_an_instant(recorded: Path, capfd: pytest.CaptureFixture[str]) 
     assert "x 3.000 m  y 1.000 m" in said
     assert "robot0  2 " in said
     assert main(["replay", str(recorded), "--at", "soon"]) == 2
+    for command in ("replay", "debug"):
+        capfd.readouterr()
+        options = ["--batch"] if command == "debug" else []
+        assert main([command, *options, str(recorded), "--at", "99s"]) == 0
+        assert ", before 99 s: this is its end" in capfd.readouterr().err
 
 
 def test_tables_have_units_and_no_formulas(recorded: Path, tmp_path: Path) -> None:

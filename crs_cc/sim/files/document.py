@@ -20,7 +20,7 @@ room.xml:7: error: wall, thickness: '-1' must be greater than 0
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 from crs_cc.core.quantity import LENGTH, RATIO, Kind
@@ -29,6 +29,7 @@ from crs_cc.core.source import Diagnostics, Location
 __all__ = ["LENGTH", "Element", "Reader"]
 
 MAX_MESSAGES: Final = 100
+_SHARE: Final = replace(RATIO, name="a share", example="0.5")
 _WHOLE_DIGITS: Final = 9
 _LONGEST: Final = 400  # values in messages may be of any length
 
@@ -139,7 +140,7 @@ class Reader:
 
     def share(self, element: Element, name: str, absent: float = 0.0) -> float:
         """Return a value from 0 to 1."""
-        value = self.quantity(element, name, RATIO, absent)
+        value = self.quantity(element, name, _SHARE, absent)
         if 0.0 <= value <= 1.0:
             return value
         shown = _find(element, name)

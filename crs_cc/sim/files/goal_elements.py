@@ -209,7 +209,10 @@ class _GoalReader:
         everything = set(known)
         for name in names:
             if name not in everything:
-                self.reader.refuse(element, f"{attribute}: {unknown(kind, name, known)}")
+                text = unknown(kind, name, known)
+                if "movable" in kind and name in self._objects():
+                    text = f"'{name}' is fixed: give it a mass"
+                self.reader.refuse(element, f"{attribute}: {text}")
                 break
         if attribute in {"object", "target"} and len(names) > 1:
             self.reader.refuse(element, f"{attribute}: names more than one {kind}")

@@ -8,22 +8,10 @@ from typing import Any
 
 from crs_cc.core.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.files.document import Element
-from crs_cc.sim.model.goals import (
-    Approach,
-    Bring,
-    Condition,
-    Cool,
-    Cover,
-    Follow,
-    Goal,
-    NoCollision,
-    Place,
-    Reach,
-    Visit,
-)
+from crs_cc.sim.model import goals
 
 
-def goal_element(goal: Goal) -> Element:
+def goal_element(goal: goals.Goal) -> Element:
     """Return the element of a goal."""
     attributes = {
         "id": goal.id,
@@ -36,33 +24,33 @@ def goal_element(goal: Goal) -> Element:
     return Element("goal", 0, _given(attributes), children=[_condition(goal.condition)])
 
 
-def _condition(condition: Condition) -> Element:
+def _condition(condition: goals.Condition) -> Element:
     match condition:
-        case Reach():
+        case goals.Reach():
             return _element("reach", **_place(condition.place), stay=_stay(condition.stay_s))
-        case Approach():
+        case goals.Approach():
             distance = LENGTH.exact(condition.distance_m)
             return _element(
                 "approach",
                 object=condition.thing, distance=distance, stay=_stay(condition.stay_s),
             )  # fmt: skip
-        case Visit():
+        case goals.Visit():
             places = [Element("place", 0, _place(place)) for place in condition.places]
             return Element("visit", 0, children=places)
-        case NoCollision():
+        case goals.NoCollision():
             return _element(
                 "no-collision", **{"except": _names(condition.excepted)}, until=condition.until
             )
-        case Cool():
+        case goals.Cool():
             heat = HEAT.exact(condition.heat)
             return _element("cool", objects=_names(condition.things), heat=heat)
-        case Cover():
+        case goals.Cover():
             cell = LENGTH.exact(condition.cell_m)
             return _element("cover", share=f"{float(condition.share)!r}", cell=cell)
-        case Bring():
+        case goals.Bring():
             place, things = _place(condition.place), _names(condition.things)
             return _element("bring", objects=things, **place, stay=_stay(condition.stay_s))
-        case Follow():
+        case goals.Follow():
             return _element(
                 "follow",
                 target=condition.target,
@@ -73,7 +61,7 @@ def _condition(condition: Condition) -> Element:
             )
 
 
-def _place(place: Place) -> dict[str, str]:
+def _place(place: goals.Place) -> dict[str, str]:
     return {name: LENGTH.exact(getattr(place, f"{name}_m")) for name in ("x", "y", "radius")}
 
 

@@ -61,7 +61,7 @@ def test_values_and_defaults_of_goals() -> None:
         ('<goal><visit><place x="5m" y="9m" radius="1m"/></visit></goal>',
          "place, the place is outside of the area (x 0 to 6, y 0 to 5 m)"),
         ('<goal><bring objects="stove" x="5m" y="4m" radius="1m"/></goal>',
-         "bring, objects: unknown movable object 'stove' (known: crate)"),
+         "bring, objects: 'stove' is fixed: give it a mass"),
         ('<goal><approach object="robot0" distance="1m"/></goal>',
          ("approach, object: unknown object 'robot0' (known: edge-south, edge-east, edge-north,"
           " edge-west, crate, stove)")),
