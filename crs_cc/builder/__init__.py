@@ -8,4 +8,5 @@
   work out what operations change; `extents` says what elements cover.
 - `table` lists the operations, `operations` works them out, `world_builder` does them, checks the
   result, and saves it by `world_file`.
+- `importing/` reads plans of other programs, `exporting` writes pictures and SDF.
 """

@@ -42,11 +42,13 @@ def schema_of(document: Document) -> str:
 
 
 def path_of(node: Node) -> list[str]:
-    """Return the tag of an element after those around it, outermost first."""
+    """Return the tag of an element after those around it, outermost first; a clip is a world."""
     tags = [node.tag]
     while node.parent is not None:
         node = node.parent
         tags.append(node.tag)
+    if tags[-1] == "clip":
+        tags[-1] = "world"
     return tags[::-1]
 
 

@@ -118,16 +118,16 @@ def paste(document: Document, text: str, motion: Motion, library: Sequence[Docum
     source = Document(text.encode(errors="replace"), "clip")
     if source.root.tag != "clip" or len(source.root.children) > MAX_COPIES:
         raise ValueError("this is no clip of a world")
-    used = set(ids(document.root))
     there = {
         (each.tag, each.attributes.get("name", ""))
         for home in (document, *library)
         for each in home.root.children
     }
-    new_ids = {
-        name: fresh(name, used | set(ids(source.root)) - {name}) if name in used else name
-        for name in ids(source.root)
-    }
+    new_ids: dict[str, str] = {}
+    taken = set(ids(document.root))
+    for name in ids(source.root):
+        new_ids[name] = fresh(name, taken)
+        taken.add(new_ids[name])
     plan = Plan([])
     groups: dict[str, list[str]] = {}
     for node in source.root.children:

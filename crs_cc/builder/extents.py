@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from typing import Final
+
+import numpy as np
 
 from crs_cc.builder.addresses import address, ids
 from crs_cc.builder.arrangement import Extent, Extents
 from crs_cc.builder.document import Document
+from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Pose, Solid, Wall, WorldModel
+
+_PLACES: Final = 40
+"""Places along each side where a robot is tried."""
 
 
 def extents(document: Document, world: WorldModel) -> Extents:
@@ -38,6 +45,25 @@ def extents(document: Document, world: WorldModel) -> Extents:
         )
         for name, found in corners.items()
     }
+
+
+def free_place(world: WorldModel, room_m: float) -> tuple[float, float] | None:
+    """Return a place far from everything, the first on a grid; None if there is none.
+
+    Args:
+        world: the world.
+        room_m: the least distance from everything.
+    """
+    area = world.area
+    step_m = max(room_m / 2, area.length_m / _PLACES, area.width_m / _PLACES)
+    xs = np.arange(area.x_min_m + room_m, area.x_max_m - room_m + step_m / 2, step_m)
+    ys = np.arange(area.y_min_m + room_m, area.y_max_m - room_m + step_m / 2, step_m)
+    grid_x, grid_y = (each.ravel() for each in np.meshgrid(xs, ys))
+    is_free = np.ones(len(grid_x), dtype=np.bool_)
+    for solid in world.solids():
+        is_free &= distance_from_m(solid, grid_x, grid_y) >= room_m
+    found = np.flatnonzero(is_free)
+    return (float(grid_x[found[0]]), float(grid_y[found[0]])) if len(found) else None
 
 
 def _element(name: str, known: Collection[str]) -> str:

@@ -20,6 +20,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
@@ -31,7 +32,9 @@ from crs_cc.builder.addresses import address, find
 from crs_cc.builder.arrangement import Extents
 from crs_cc.builder.changes import path_inside, path_of, schema_of
 from crs_cc.builder.document import Document
-from crs_cc.builder.extents import extents
+from crs_cc.builder.exporting import export
+from crs_cc.builder.extents import extents, free_place
+from crs_cc.builder.importing.plan import THICKNESS_M, read_plan
 from crs_cc.builder.motion import measure
 from crs_cc.builder.operations import planned
 from crs_cc.builder.spans import Node
@@ -51,6 +54,8 @@ from crs_cc.sim.model.world import Box, Cylinder, Polygon, Robot, Wall, WorldMod
 
 _BEHIND_UNIT = {LENGTH: "m", ANGLE: "deg"}
 _ROUNDING = 1e-9
+_MARGIN_M, _ROOM_M = 1.0, 0.4
+"""Around a plan that becomes a world, and around the centre of its robot."""
 
 
 class WorldBuilder:
@@ -354,6 +359,67 @@ class WorldBuilder:
     def paste(self, clip: str, x: Value = 0.0, y: Value = 0.0) -> list[str]:
         """Put in what `copy` or `cut` has returned, moved; return the names of the elements."""
         return self.apply("paste", (), {"clip": clip, "x": x, "y": y})
+
+    def import_plan(
+        self,
+        path: str | os.PathLike[str],
+        scale: float | None = None,
+        thickness: float = THICKNESS_M,
+        x: Value = 0.0,
+        y: Value = 0.0,
+    ) -> tuple[list[str], list[str]]:
+        """Put in what a plan shows: SVG, PNG, a world of Stage (`.world`), or SDF.
+
+        Args:
+            path: the file.
+            scale: the size of a pixel, or of a unit of SVG [m]; by default the physical size of an
+                SVG file.
+            thickness: the thickness of walls that are lines [m].
+            x: where the plan's own x = 0 comes to be.
+            y: where its y = 0 comes to be.
+
+        Returns:
+            the names of the elements, and what was left out.
+
+        Raises:
+            WorldError: the plan cannot be read.
+        """
+        drawn = read_plan(Path(path), scale, thickness)
+        return self.paste(drawn.clip(), x, y), drawn.left_out()
+
+    @classmethod
+    def from_plan(
+        cls,
+        path: str | os.PathLike[str],
+        scale: float | None = None,
+        thickness: float = THICKNESS_M,
+    ) -> tuple[Self, list[str]]:
+        """Return the builder of a new world with what a plan shows, and what was left out.
+
+        The area is as large as the plan with a margin. If the plan has no robot, one is added at
+        a free place, if there is any.
+        """
+        drawn = read_plan(Path(path), scale, thickness)
+        (left_m, bottom_m), (right_m, top_m) = drawn.extent
+        margin_m = 2 * _MARGIN_M
+        length_m = math.ceil((right_m - left_m + margin_m) * 10) / 10
+        builder = cls.new(length_m, math.ceil((top_m - bottom_m + margin_m) * 10) / 10)
+        builder.paste(drawn.clip(), _MARGIN_M - left_m, _MARGIN_M - bottom_m)
+        world = builder.visible()
+        place = None if world is None or world.robots else free_place(world, _ROOM_M)
+        if place is not None:
+            builder.add("robot", x=place[0], y=place[1])
+        return builder, drawn.left_out()
+
+    def export(self, path: str | os.PathLike[str]) -> list[str]:
+        """Write the world as a picture (SVG, PNG) or as SDF; return what was left out.
+
+        Raises:
+            WorldError: it is invalid.
+            ValueError: there is no such format.
+            OSError: the file cannot be written.
+        """
+        return export(self.world(), Path(path))
 
     # -- history and file ------------------------------------------------------------------------
 

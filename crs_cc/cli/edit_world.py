@@ -15,6 +15,7 @@ from crs_cc.builder.table import Operation
 from crs_cc.builder.world_builder import WorldBuilder
 from crs_cc.cli.inputs import check_readable
 from crs_cc.core.errors import WorldError
+from crs_cc.core.quantity import LENGTH
 from crs_cc.sim.files.xml_document import MAX_BYTES
 
 
@@ -93,6 +94,42 @@ def edit(
         return list(lines)
     builder.save(output)
     return new
+
+
+def imported(file: Path, plan: Path, given: Mapping[str, Any]) -> Sequence[str]:
+    """Put a plan into a world, which is made if it does not exist; return what to say.
+
+    Raises:
+        WorldError: the plan cannot be read, or the result would not be valid.
+        click.UsageError: a value is invalid.
+    """
+    try:
+        values = {name: LENGTH.parse(text) for name, text in given.items() if text is not None}
+    except ValueError as wrong:
+        raise click.UsageError(f"{wrong}.") from None
+    size = {name: values[name] for name in ("scale", "thickness") if name in values}
+    if file.exists():
+        builder = opened(file)
+        names, left_out = builder.import_plan(plan, **size, x=values["x"], y=values["y"])
+    else:
+        builder, left_out = WorldBuilder.from_plan(plan, **size)
+        names = builder.names()
+    builder.save(file)
+    return [f"{len(names)} elements in {file}", *(f"left out: {each}" for each in left_out)]
+
+
+def exported(file: Path, target: Path) -> Sequence[str]:
+    """Write a world in another format; return what to say.
+
+    Raises:
+        WorldError: the world is invalid.
+        click.UsageError: there is no such format.
+    """
+    try:
+        left_out = opened(file).export(target)
+    except ValueError as wrong:
+        raise click.UsageError(f"{wrong}.") from None
+    return [f"wrote {target}", *(f"left out: {each}" for each in left_out)]
 
 
 def _clip(name: str) -> str:

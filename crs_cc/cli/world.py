@@ -10,6 +10,7 @@ from typing import Any, Final
 import click
 
 from crs_cc.builder.table import OPERATIONS, Field, Operation
+from crs_cc.cli.messages import say
 from crs_cc.core.quantity import Kind
 
 _EXAMPLES: Final = """
@@ -22,6 +23,8 @@ Examples:
   crs world array room.xml shelf --columns 5 --x 1.2m
   crs world group room.xml top leg0 leg1 --name table
   crs world copy canteen.xml p1 | crs world paste room.xml -
+  crs world import office.xml plan.svg            a new world of a floor plan
+  crs world export room.xml room.sdf              for Gazebo
   crs world turn room.xml table --angle 30deg --diff
 """
 
@@ -56,6 +59,44 @@ def copy(file: Path, names: tuple[str, ...]) -> int:
     from crs_cc.cli.edit_world import copied
 
     click.echo(copied(file, names))
+    return 0
+
+
+@world.command(name="import", short_help="Put in what a plan shows: SVG, PNG, Stage or SDF.")
+@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("plan", type=click.Path(path_type=Path))
+@click.option(
+    "--scale", metavar="LENGTH", help="Size of a pixel, or of a unit of SVG, such as 5cm."
+)
+@click.option("--thickness", metavar="LENGTH", default="10cm", help="Thickness of walls.")
+@click.option("--x", metavar="LENGTH", default="0", help="Where the plan's x = 0 comes to be.")
+@click.option("--y", metavar="LENGTH", default="0", help="Where the plan's y = 0 comes to be.")
+def import_(file: Path, plan: Path, **given: Any) -> int:
+    """Put walls and objects of a plan into a world, or make a new world of them.
+
+    A plan is an SVG drawing (lines, polylines, polygons, rectangles, circles, paths of straight
+    segments), a PNG picture whose dark pixels are walls, a world of Stage (.world), or SDF with
+    boxes and cylinders. What is left out is listed. Of a new world the area fits the plan.
+    """
+    from crs_cc.cli.edit_world import imported
+
+    for line in imported(file, plan, given):
+        say(line)
+    return 0
+
+
+@world.command(short_help="Write a world as SVG, PNG or SDF.")
+@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("target", type=click.Path(path_type=Path))
+def export(file: Path, target: Path) -> int:
+    """Write a picture of a world (.svg, .png), or its walls, boxes and cylinders for Gazebo (.sdf).
+
+    What is left out is listed.
+    """
+    from crs_cc.cli.edit_world import exported
+
+    for line in exported(file, target):
+        say(line)
     return 0
 
 

@@ -18,6 +18,9 @@ def test_the_examples_run_in_order(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     shutil.copy(ROOT / "worlds" / "room.xml", tmp_path)
+    (tmp_path / "plan.svg").write_text(
+        '<svg viewBox="0 0 400 300"><rect width="90" height="60"/></svg>'
+    )
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {"__name__": "page"}
     for kind, block in re.findall(r"```(python|sh)\n(.*?)```", PAGE.read_text(), re.DOTALL):

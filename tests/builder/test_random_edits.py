@@ -80,14 +80,15 @@ class Editor:
 
     def attributes(self, kind: str) -> dict[str, Value]:
         place: dict[str, Value] = {"x": self.length(), "y": self.length()}
-        return {
+        found: dict[str, dict[str, Value]] = {
             "wall": {"x1": 0.5, "y1": self.length(), "x2": "1.5m", "y2": self.length()},
             "box": {**place, "length": "40cm", "width": 0.25},
             "cylinder": {**place, "radius": "3in"},
             "polygon": {"points": "0,0 1m,0 1m,1m"},
             "light": place,
             "ramp": {**place, "length": "1m", "width": "1m", "to": "8cm"},
-        }[kind]
+        }
+        return found[kind]
 
     def step(self, builder: WorldBuilder) -> list[str]:
         """Make one operation."""
