@@ -8,19 +8,22 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
 import click
 
 from crs_cc.cli.messages import say
 from crs_cc.cli.typed_input import TIMED_LINE
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.world.run_edits import edit_run
+from crs_cc.session.build import build_executable
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection
     from pathlib import Path
 
     from crs_cc.session.session import Session
@@ -67,11 +70,25 @@ class RunChanges:
         """
         while self._left and self._left[0][0] <= session.timesteps:
             _, number, text = self._left.popleft()
+            programs = [session.fleet.executable(robot) for robot in range(len(session.fleet))]
+            beside = self._beside(text, {PurePath(each.name).name for each in programs})
+            if beside is not None:
+                programs.append(build_executable([beside], Diagnostics(), root=beside.parent))
             try:
-                edit_run(session, text)
+                edit_run(session, text, programs)
             except DebugError as error:
                 raise self._wrong(number, str(error)) from None
-            made(Change(Position(session.timesteps, 0), text))
+            program = (
+                None if beside is None else (beside.name, beside.read_text("utf-8", "replace"))
+            )
+            made(Change(Position(session.timesteps, 0), text, program=program))
+
+    def _beside(self, text: str, known: Collection[str]) -> Path | None:
+        """Return the C file beside this one that a change names, unless its name is known."""
+        name = text.rpartition(" running ")[2].strip()
+        path = self._path.parent / name
+        is_named = text.startswith("join ") and path.name == name and name not in known
+        return path if is_named and path.is_file() else None
 
     def timesteps_left(self, session: Session) -> int:
         """Return how many timesteps there are until the next change, at least 1."""

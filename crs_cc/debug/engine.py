@@ -413,6 +413,8 @@ class Debugger:
         if self.position != change.position:
             raise DebugError(f"the run does not get to where {change.text[:40]!r} changed it")
         if change.robot < 0:
+            if change.program is not None:
+                self.run.uploads.add(*change.program)
             edit_run(self.session, change.text, self.run.executables())
         else:
             try:
@@ -423,7 +425,8 @@ class Debugger:
 
     def _changed(self, text: str, robot: int = -1, patches: tuple[MemoryPatch, ...] = ()) -> None:
         """Record a change, and discard the future."""
-        self.run.changed(Change(self.position, text, robot, patches))
+        program = self.run.uploads.used_in(text) if robot < 0 else None
+        self.run.changed(Change(self.position, text, robot, patches, program))
         self.branches.changed()
 
     # -- branches ------------------------------------------------------------------------------

@@ -128,7 +128,11 @@ def form(screen: Context, robot: int) -> dict[str, Any]:
                 "example": device.kind.example,
             }
         )
-    return {"robot": robots[robot].id, "devices": found, "fields": list(map(_field, FAULTS))}
+    return {
+        "robot": robots[robot].id,
+        "devices": found,
+        "fields": [_field(each) for each in FAULTS if each != "for"],
+    }
 
 
 def _field(name: str) -> dict[str, Any]:

@@ -132,10 +132,20 @@ def readings(debugger: Debugger, robot: int) -> dict[str, Any]:
         if numbers is None or numbers.dtype.names or not 0 < numbers.size <= MAX_ELEMENTS:
             continue
         degradable = degradables().get(device.name)
-        unit = "" if degradable is None else degradable.unit or degradable.kind.default
         flat = numbers.ravel().astype(float).tolist()
-        values = [round(each, 5) if math.isfinite(each) else None for each in flat]
-        found[device.name] = {"unit": unit, "values": values}
+        names: Sequence[str] = [str(each) for each in range(len(flat))]
+        unit = ""
+        if degradable is not None:
+            names = degradable.elements(environment.world.robots[robot].model) or names
+            unit = degradable.kind_of(names[0]).default
+        found[device.name] = {
+            "unit": unit,
+            "elements": [
+                [element, name, round(number, 5) if math.isfinite(number) else None]
+                for element, (name, number) in enumerate(zip(names, flat, strict=False))
+                if name
+            ],
+        }
     return found
 
 

@@ -21,7 +21,7 @@ from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import robot_data
 from crs_cc.workbench.messages import plain_text
 from crs_cc.workbench.recorded_content import events_in, frame_blocks, output_in
-from crs_cc.workbench.static_files import FOLDER, MODULES, html
+from crs_cc.workbench.static_files import FOLDER, MODULES, STYLES, html
 from crs_cc.workbench.world_data import world_data
 
 if TYPE_CHECKING:
@@ -128,7 +128,7 @@ def known_of(feed: Feed) -> dict[str, Any]:
 def page_of(data: dict[str, Any]) -> str:
     """Return the page with these contents."""
     text = plain_text(data).replace("<", "\\u003c")
-    style = (FOLDER / "style.css").read_text("utf-8")
+    style = "\n".join((FOLDER / name).read_text("utf-8") for name in STYLES)
     head = (
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n<style>\n{style}</style>'
     )

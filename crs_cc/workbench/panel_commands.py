@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.debug.uploads import MAX_TEXT
 from crs_cc.workbench import control, instruments
 from crs_cc.workbench.command import Command
 
 if TYPE_CHECKING:
     from crs_cc.workbench.context import Context
+
+
+def _upload(screen: Context, name: str, text: str) -> dict[str, str]:
+    screen.run.shell().debugger.run.uploads.add(name, text)
+    return {"name": name}
 
 
 def _traffic(screen: Context, since: int) -> dict[str, Any]:
@@ -18,6 +24,8 @@ def _traffic(screen: Context, since: int) -> dict[str, Any]:
 PANEL: Final = (
     Command("edit", "Change the run, at the start of this timestep.", control.edit,
             {"text": str}, needs="debug"),
+    Command("upload", "Bring a C program to the run, for robots that join.", _upload,
+            {"name": str, "text": str}, needs="debug", longest=MAX_TEXT, asks=True),
     Command("undo", "Take back a change, by its number, and all that followed.",
             control.take_back, {"number": int}, needs="debug"),
     Command("export", "Return what was changed, as a script or as XML.", control.export,

@@ -17,6 +17,9 @@ MODULES: Final = tuple(
 )  # fmt: skip
 """The page's own modules, by their names after `crs/`."""
 
+STYLES: Final = ("style.css", "panel.css")
+"""The style sheets, in their order."""
+
 _TYPES: Final = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"}
 _IMPORTS: Final = json.dumps(
     {
@@ -64,7 +67,7 @@ def file_at(path: str) -> StaticFile | None:
     if found is None:
         return None
     if found.suffix == ".html":
-        head = '<link rel="stylesheet" href="/static/style.css">'
+        head = "".join(f'<link rel="stylesheet" href="/static/{name}">' for name in STYLES)
         start = '<script type="module" src="/static/app.js"></script>'
         page = html(head=head, start=start, imports=_IMPORTS)
         return StaticFile(page.encode(), _TYPES[".html"])

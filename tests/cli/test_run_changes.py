@@ -26,6 +26,7 @@ CHANGES = {
     7: "degrade robot0 sonar noise 3cm",
     9: "join more like robot0 to 1 1 90",
     12: "sleep robot0 0.3s",
+    14: "join own like robot0 to 1 3 running beside.c",
     15: "heat robot0 4",
     20: "move robot0 to 1 1.5",
 }
@@ -34,6 +35,7 @@ CHANGES = {
 @pytest.fixture
 def script(tmp_path: Path) -> Path:
     (tmp_path / "a.c").write_text(PROGRAM)
+    (tmp_path / "beside.c").write_text("int main(void) { return 0; }\n")
     lines = [f"{timestep * 0.05:.2f}s: {text}" for timestep, text in CHANGES.items()]
     path = tmp_path / "by-hand.txt"
     path.write_text("# what was done\n" + "\n".join(lines) + "\n")
@@ -44,6 +46,7 @@ def test_a_script_repeats_what_was_done_to_the_bit(
     script: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     debugger = debugger_of(PROGRAM, folder=tmp_path, world="wall.xml", seed=3)
+    debugger.run.uploads.add("beside.c", (tmp_path / "beside.c").read_text())
     for timestep, text in CHANGES.items():
         debugger.goto_timestep(timestep)
         debugger.edit_world(text)
@@ -54,7 +57,7 @@ def test_a_script_repeats_what_was_done_to_the_bit(
     asked += ["--inputs", str(script), "--record", str(run), "-q"]
     assert main([*asked, "--max-time", "1.5"]) == 0
     result = json.loads(capsys.readouterr().out)
-    assert [robot["id"] for robot in result["robots"]] == ["robot0", "more"]
+    assert [robot["id"] for robot in result["robots"]] == ["robot0", "more", "own"]
     x_m, y_m, _ = debugger.session.state.robot_result(0).pose
     assert result["robots"][0]["pose"]["x_m"] == x_m
     assert result["robots"][0]["pose"]["y_m"] == y_m

@@ -50,12 +50,14 @@ class Change:
         text: what the user asked for: a change of the world, or an expression.
         robot: the robot whose program was changed; -1 for the world.
         patches: what was changed in the program's memory, in this order.
+        program: name and source of a program that the user brought, for a robot that joins.
     """
 
     position: Position
     text: str
     robot: int = -1
     patches: tuple[MemoryPatch, ...] = ()
+    program: tuple[str, str] | None = None
 
     def as_data(self) -> dict[str, Any]:
         """Return it as plain data."""
@@ -69,6 +71,7 @@ class Change:
                 [each.address, _encoded(each.content), _encoded(each.states)]
                 for each in self.patches
             ],
+            **({} if self.program is None else {"program": list(self.program)}),
         }
 
     @classmethod
@@ -88,7 +91,9 @@ class Change:
             for address, content, states in data["patches"]
         )
         place = Position(timestep, round_, halted, statements)
-        return cls(place, str(data["text"]), int(data["robot"]), patches)
+        name, text = data.get("program", ("", ""))
+        program = (str(name), str(text)) if name else None
+        return cls(place, str(data["text"]), int(data["robot"]), patches, program)
 
 
 def write(patches: Sequence[MemoryPatch], memory: ByteArray, shadow: ByteArray) -> None:

@@ -1,9 +1,8 @@
 """A run that can be moved to any position: forward by running, backward by replaying.
 
-`advance` runs the session to the next event: a program has
-stopped before a requested statement, a round has ended, a timestep has ended. Snapshots are
-kept on the way. `seek` moves to any position: back to the latest snapshot before it and forward
-from there with only that position requested.
+`advance` runs the session to the next event: a program has stopped before a requested statement, a
+round has ended, a timestep has ended. Snapshots are kept on the way. `seek` moves to any position:
+back to the latest snapshot before it and forward from there with only that position requested.
 
 Where the user has changed something, only the snapshot made after the change leads on from
 there; the history keeps it, and running through that position restores it.
@@ -26,6 +25,7 @@ from crs_cc.debug.timeline.history import History, RunSnapshot
 from crs_cc.debug.timeline.input_log import InputLog
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit
+from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.watch import WatchSet
 from crs_cc.debug.world.event_history import EventHistory
 from crs_cc.requests import CODES, FAILED, SUSPENDED
@@ -57,6 +57,7 @@ class RecordedRun:
         event_history: its events.
         input_log: the input of the programs in each round.
         programs: by robot, its program.
+        uploads: programs that the user has brought.
         interrupted: set to make `advance` raise `InterruptedRunError`.
         is_off_timeline: whether the state is no state of the run: programs ran too far, or
             without the world. Then only `seek` or `restore` lead on.
@@ -82,6 +83,7 @@ class RecordedRun:
             options: further options of `Session`.
         """
         self.programs = list(programs)
+        self.uploads = Uploads()
         self._robots = len(programs)  # those of the world; others may have been added
         self.console = console
         self.history = history
@@ -402,13 +404,13 @@ class RecordedRun:
         self.is_off_timeline = True
 
     def executables(self) -> list[Executable]:
-        """Return the robots' programs, in their plain builds."""
-        return [program.executable for program in self.programs]
+        """Return the programs that robots can run, in their plain builds: first their own."""
+        return [each.executable for each in (*self.programs, *self.uploads.programs.values())]
 
     def _know(self, added: Sequence[Added]) -> None:
         """Know the programs of the robots that have been added, and no others."""
-        known = {id(each.executable): each for each in self.programs}
-        count = self._robots
+        programs, count = (*self.programs, *self.uploads.programs.values()), self._robots
+        known = {id(each.executable): each for each in programs}
         self.programs[count:] = [known[id(each.executable)] for each in added]
         for robot, each in enumerate(added, count):
             if robot == len(self._watches) or not self._watches[robot].is_of(each.executable):
@@ -443,8 +445,7 @@ class RecordedRun:
         """
         if not 0 <= robot < len(self.programs):
             raise ValueError("a change of the memory of a robot that does not exist")
-        stopped = self.stopped(robot)
-        write(patches, stopped.memory, stopped.shadow)
+        write(patches, self.stopped(robot).memory, self.stopped(robot).shadow)
 
     def _look_anew(self) -> None:
         """Reset the watched values: they were not changed by the programs."""

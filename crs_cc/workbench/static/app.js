@@ -1,6 +1,8 @@
 /** The page: a run that goes on, or one that the page holds. */
 import { SocketChannel } from "crs/channel.js";
 import { button, el, part } from "crs/dom.js";
+import { Drawer } from "crs/drawer.js";
+import { Instruments } from "crs/instruments.js";
 import { listenToKeys } from "crs/keys.js";
 import { Layout } from "crs/layout.js";
 import { Look } from "crs/look.js";
@@ -18,6 +20,8 @@ const look = new Look(model);
 const page = { model, look };
 page.views = new Views(part("world"), model, look);
 page.timeline = new Timeline(part("time"), model, look);
+page.drawer = new Drawer(part("time"), model);
+page.instruments = new Instruments(model);
 page.layout = new Layout(model, look, page);
 listenToKeys(page);
 

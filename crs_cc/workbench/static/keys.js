@@ -1,5 +1,6 @@
 /** The keyboard: every button has a key; `?` shows them. */
 import { el } from "crs/dom.js";
+import { PANELS } from "crs/panels/index.js";
 
 /**
  * @param {any} page
@@ -63,6 +64,10 @@ function table(page) {
     { keys: ["u"], text: "the frame of the caller", does: () => run("up") },
     { keys: ["j"], text: "the frame of the callee", does: () => run("down") },
     { keys: ["z"], text: "a wide side for the code", does: () => page.code?.zoom() },
+    ...PANELS.filter((panel) => panel.side === "below").map((panel) => ({ keys: [panel.key], text: panel.summary.toLowerCase(), does: () => page.drawer.toggle(panel.id) })),
+    { keys: ["6"], text: "the selected robot", does: () => layout.open("robot") },
+    { keys: ["7"], text: "faults", does: () => layout.open("faults") },
+    { keys: ["8"], text: "changes", does: () => layout.open("changes") },
     { keys: ["c"], text: "to the console", does: () => { layout.open("console"); page.focusConsole?.(); } },
     { keys: ["?"], text: "show or hide the keys", does: () => page.keys() },
   ];

@@ -3,7 +3,7 @@
  *
  * Kinds: `hello` (all is new), `state` (time, playing, selected robot), `status` (the table of
  * robots), `where` (line, stack, variables), `event`, `output`, `forget`, `link` (connected or not),
- * `look` (what the user looks at has changed: selection, overlays, theme).
+ * `panel` (changes, faults, links), `look` (what the user looks at has changed: selection, overlays, theme).
  */
 import { Clock } from "crs/clock.js";
 import { Frames, fromBase64 } from "crs/frames.js";
@@ -22,6 +22,8 @@ export class Model {
     this.status = { t: 0, first: 0, robots: [], sensors: { believed: [], echoes: [], bumpers: [] } };
     /** @type {any} */
     this.where = null;
+    /** @type {any} */
+    this.panel = null;
     this.isConnected = false;
     /** Errors and what commands have answered, for the line below the view. */
     this.said = "";
@@ -93,6 +95,18 @@ export class Model {
     this.status = message;
     this.scene?.hold(message.devices?.holds);
     this.tell("status", message);
+  }
+
+  /** What has been changed, what is degraded, which links are shut. */
+  hear_panel(message) {
+    this.panel = message;
+    this.tell("panel", message);
+  }
+
+  /** Robots have been added to the world. */
+  hear_world(message) {
+    this.run.world = message.world;
+    this.tell("hello", this.run);
   }
 
   hear_where(message) {

@@ -8,6 +8,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from tests.debug.debuggers import debugger_at
 
@@ -97,6 +98,25 @@ def test_a_robot_that_joins_is_gone_before_and_back_after(debugger: Debugger) ->
                   "join x like robot0 to 1 1 running other.c", "join x like robot0"):  # fmt: skip
         with pytest.raises(DebugError):
             debugger.edit_world(wrong)
+
+
+def test_a_program_that_is_brought_is_part_of_the_change_that_uses_it(debugger: Debugger) -> None:
+    uploads = debugger.run.uploads
+    for name, text in (("../x.c", ""), ("x.c", "int main(void) { return y; }"),
+                       ("x.c", '#include "/etc/passwd"')):  # fmt: skip
+        with pytest.raises(DebugError):
+            uploads.add(name, text)
+    uploads.add("still.c", "int main(void) { for (;;) ; }")
+    debugger.goto_timestep(3)
+    debugger.edit_world("join more like robot0 to 1 1 running still.c")
+    found = state(debugger, 20)
+    (change,) = debugger.run.history.changes
+    assert Change.of(change.as_data()) == change
+    again = debugger_at([debugger.run.programs[0].paths[0]], "wall.xml")
+    again.goto_timestep(3)
+    again.repeat(change)
+    assert state(again, 20)[1] == found[1]
+    assert again.names == ("robot0", "more")
 
 
 def test_a_program_sleeps_and_wakes(debugger: Debugger) -> None:

@@ -3,15 +3,22 @@
  * below: it has an `id`, a `title`, a `side`, what the run must be able to do (`needs`), and `make`,
  * which fills its element and listens to the model.
  *
- * @typedef {{id: string, title: string, side: "left" | "right", needs?: string, recorded?: boolean,
+ * @typedef {{id: string, title: string, side: "left" | "right" | "below",
+ *   summary?: string, key?: string, needs?: string, recorded?: boolean,
  *   make: (root: HTMLElement, model: any, look: any, page: any) => void}} Panel
  */
+import { changes } from "crs/panels/changes.js";
 import { code } from "crs/panels/code.js";
 import { commandLine } from "crs/panels/console.js";
 import { events } from "crs/panels/events.js";
+import { faults } from "crs/panels/faults.js";
+import { messages } from "crs/panels/messages.js";
 import { output } from "crs/panels/output.js";
 import { overlays } from "crs/panels/overlays.js";
+import { plot } from "crs/panels/plot.js";
+import { robot } from "crs/panels/robot.js";
+import { robotTable } from "crs/panels/robot_table.js";
 import { robots } from "crs/panels/robots.js";
 
 /** @type {Panel[]} */
-export const PANELS = [robots, overlays, code, output, events, commandLine];
+export const PANELS = [robots, overlays, code, robot, faults, output, events, changes, commandLine, robotTable, plot, messages];

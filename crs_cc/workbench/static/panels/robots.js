@@ -64,6 +64,7 @@ export const robots = {
         data.battery === null ? null : ["battery", `${(100 * data.battery).toFixed(1)} %`],
         ["collisions", String(data.collisions)],
         ["does", data.does],
+        data.fails?.length ? ["fails", data.fails.join("; ")] : null,
       ];
       fill(details, ...rows.filter((each) => each).flatMap(([name, text]) => [el("dt", {}, name), el("dd", {}, text)]));
     };

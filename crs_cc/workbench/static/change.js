@@ -1,0 +1,65 @@
+/** Changes of the run, as commands; what is wrong is said at the field that it is about. */
+import { el } from "crs/dom.js";
+
+/**
+ * Make a change; say what was done.
+ * @param {any} model @param {string} text @returns {Promise<string>} what is wrong; empty if it was made
+ */
+export async function change(model, text) {
+  try {
+    const { text: done } = await model.channel.ask("edit", { text });
+    model.say(done);
+    return "";
+  } catch (error) {
+    return error.message;
+  }
+}
+
+/** Make a change, and show what is wrong over the view. */
+export async function changeOrSay(model, text) {
+  const wrong = await change(model, text);
+  if (wrong) model.say(wrong, true);
+  return !wrong;
+}
+
+let fields = 0;
+
+/**
+ * A labelled field with a place for its unit and for what is wrong with it.
+ * @param {string} label @param {any} input @param {string} unit
+ */
+export function field(label, input, unit = "") {
+  input.id ||= `field-${++fields}`;
+  const wrong = el("span.wrong", { id: `${input.id}-wrong`, role: "alert" });
+  input.setAttribute("aria-describedby", wrong.id);
+  const shown = el("span.unit", {}, unit);
+  const row = el("div.field", {}, el("label", { htmlFor: input.id }, label), el("span.entry", {}, input, shown), wrong);
+  const say = (text) => {
+    wrong.textContent = text;
+    input.setAttribute("aria-invalid", String(Boolean(text)));
+    row.classList.toggle("bad-field", Boolean(text));
+  };
+  input.addEventListener("input", () => say(""));
+  return { row, input, say, unit: (text) => (shown.textContent = text) };
+}
+
+/** A text to type. */
+export const entry = (properties = {}) => el("input", { type: "text", spellcheck: false, autocomplete: "off", ...properties });
+
+/** A choice. @param {[string, string][]} options values and what is shown */
+export function choice(options, properties = {}) {
+  return el("select", properties, ...options.map(([value, text]) => el("option", { value }, text)));
+}
+
+/** Show other options, and keep the chosen one if it is still there. */
+export function setOptions(select, options) {
+  const key = JSON.stringify(options);
+  if (select.dataset.options === key) return;
+  select.dataset.options = key;
+  const chosen = select.value;
+  select.replaceChildren(...options.map(([value, text]) => el("option", { value }, text)));
+  if (options.some(([value]) => value === chosen)) select.value = chosen;
+}
+
+/** A quantity as it is typed, without spaces. */
+export const typed = (input) => input.value.trim().replace(/\s+/g, "");

@@ -1,0 +1,56 @@
+/** Forms that shut and open links, and send a message in the name of a robot. */
+import { button, el, fill } from "crs/dom.js";
+import { change, changeOrSay, choice, entry, field, setOptions, typed } from "crs/change.js";
+
+/** @param {any} model @returns {{shut: HTMLElement, send: HTMLElement}} */
+export function linkForms(model) {
+  const list = el("div.outages");
+  const [channel, from, to] = [choice([["", "all channels"]]), choice([["", "anybody"]]), choice([["", "anybody"]])];
+  const [at, lasts] = [field("from", entry({ placeholder: "now" }), "s"), field("for", entry({ placeholder: "ever" }), "s")];
+  const shut = el("form.fields", { onsubmit: async (event) => {
+    event.preventDefault();
+    const way = words([["", channel.value], ["from", from.value], ["to", to.value]]) || "all";
+    const wrong = await change(model, `shut ${way}${words([["at", typed(at.input)], ["for", typed(lasts.input)]], " ")}`);
+    at.say(wrong && !wrong.includes(`'${typed(lasts.input)}'`) ? wrong : "");
+    lasts.say(wrong && wrong.includes(`'${typed(lasts.input)}'`) ? wrong : "");
+  } },
+  field("channel", channel).row, field("sent by", from).row, field("sent to", to).row, at.row, lasts.row,
+  el("div.row-end", {}, el("button.primary", { type: "submit" }, "Shut")));
+
+  const [by, addressee, on] = [choice([]), choice([["", "all"]]), choice([])];
+  const [kind, text] = [field("type", entry({ value: "0" })), field("text", entry({ placeholder: "content" }))];
+  const send = el("form.fields", { onsubmit: async (event) => {
+    event.preventDefault();
+    const way = words([["to", addressee.value], ["on", on.value], ["type", typed(kind.input)]], " ");
+    const wrong = await change(model, `message ${by.value}${way}: ${text.input.value}`);
+    kind.say(wrong.includes("type") ? wrong : "");
+    text.say(wrong && !wrong.includes("type") ? wrong : "");
+  } },
+  field("sent by", by).row, field("sent to", addressee).row, field("channel", on).row, kind.row, text.row,
+  el("div.row-end", {}, el("button.primary", { type: "submit" }, "Send")));
+
+  const show = () => {
+    const names = (model.run?.rosters.at(-1)?.robots ?? []).slice(0, 1000).map((each) => [each, each]);
+    const channels = (model.panel?.channels ?? []).map((each) => [each, each]);
+    setOptions(channel, [["", "all channels"], ...channels]);
+    setOptions(on, channels);
+    for (const each of [from, to]) setOptions(each, [["", "anybody"], ...names]);
+    setOptions(by, names);
+    setOptions(addressee, [["", "all"], ...names]);
+    const outages = model.panel?.outages ?? [];
+    fill(list, ...outages.map((each) => {
+      const way = words([["", each.channel], ["from", each.from], ["to", each.to]]) || "all";
+      const until = each.until === null ? "" : ` to ${+each.until.toFixed(3)} s`;
+      return el("div.fault", {}, el("span", {}, way, el("span.times", {}, ` from ${+each.at.toFixed(3)} s${until}`)),
+        button({ text: "Open", title: `Open ${way}`, onclick: () => changeOrSay(model, `open ${way}`) }));
+    }));
+  };
+  for (const kind of ["panel", "hello", "roster", "look"]) model.on(kind, show);
+  return { shut: el("div.link-forms", {}, shut, list), send: el("div.link-forms", {}, send) };
+}
+
+/** Words of a command: those that have a value. */
+function words(pairs, before = "") {
+  const found = pairs.filter(([, value]) => value).map(([word, value]) => (word ? `${word} ${value}` : value));
+  return found.length ? before + found.join(" ") : "";
+}

@@ -1,0 +1,38 @@
+/** What was changed by hand: each can be taken back, and all can be written out. */
+import { button, el, fill } from "crs/dom.js";
+
+/** @type {import("./index.js").Panel} */
+export const changes = {
+  id: "changes",
+  title: "Changes",
+  side: "right",
+  needs: "debug",
+  make(root, model, _look, page) {
+    const list = el("div.change-list", { role: "list", "aria-label": "changes" });
+    const save = async (form) => {
+      const answer = await model.ask("export", { form });
+      if (!answer) return;
+      const url = URL.createObjectURL(new Blob([answer.text], { type: "text/plain" }));
+      el("a", { href: url, download: answer.name }).click();
+      setTimeout(() => URL.revokeObjectURL(url), 1000);
+      model.say(`${answer.name} saved`);
+    };
+    const script = button({ text: "Save as a script", title: "To be made again: crs run --inputs changes.txt", onclick: () => save("inputs") });
+    const xml = button({ text: "Save as XML", title: "<degradation> and <shut> for a world file: what is in force", onclick: () => save("xml") });
+    const hint = el("p.hint", {}, "Nothing has been changed. What you do to the run (moves, faults, links, messages, variables) is listed here, and can be taken back.");
+    root.append(el("div.bar", {}, script, xml), hint, list);
+
+    const show = () => {
+      const all = model.panel?.changes ?? [];
+      hint.hidden = all.length > 0;
+      script.disabled = all.length === 0;
+      fill(list, ...[...all].reverse().map(({ number, t, text }) => el("div.change", { role: "listitem" },
+        el("button.link.when", { type: "button", title: "Go there", onclick: () => page.timeline.seek(t) }, `${t.toFixed(3)} s`),
+        el("code", {}, text),
+        button({ text: "Take back", title: "Take back this change and all that followed: the run goes back to before it", onclick: () => model.ask("undo", { number }) }))));
+    };
+    model.on("panel", show);
+    model.on("hello", show);
+    show();
+  },
+};

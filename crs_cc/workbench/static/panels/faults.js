@@ -1,0 +1,135 @@
+/** Faults: degrade any element of any sensor or actuator of the selected robot; what is in force; heal. */
+import { button, el, fill } from "crs/dom.js";
+import { change, changeOrSay, choice, entry, field, setOptions, typed } from "crs/change.js";
+
+const TITLES = { onset: "from", duration: "for", recovery: "then fading for" };
+const HINTS = {
+  gain: "times", bias: "plus", noise: "standard deviation", step: "rounded to", stuck: "always this", delay: "late by",
+  dropouts: "share that is missing, 0 to 1", onset: "now", duration: "ever", recovery: "0",
+};
+const PHASES = { waits: "waits", acts: "acts", fades: "fades", over: "over" };
+
+/** @type {import("./index.js").Panel} */
+export const faults = {
+  id: "faults",
+  title: "Faults",
+  side: "right",
+  needs: "debug",
+  make(root, model, _look, page) {
+    const title = el("h2.robot-name");
+    const form = el("form.fields", { onsubmit: (event) => {
+      event.preventDefault();
+      degrade();
+    } });
+    const list = el("div.fault-list");
+    const heading = el("h3", {}, "In force");
+    root.append(el("div.robot-body", {}, title, form, heading, list));
+    let asked = "";
+    /** @type {any} */
+    let parts = null;
+
+    const load = async () => {
+      const { id, number } = model.selected;
+      if (!root.offsetParent || !id || asked === id) return;
+      asked = id;
+      title.textContent = `Degrade ${id}`;
+      const answer = await model.ask("faults", { robot: number });
+      if (answer && asked === id) make(answer);
+    };
+
+    const make = ({ devices, fields }) => {
+      const kinds = (acts) => devices.filter((each) => each.acts === acts).map((each) => el("option", { value: each.name, title: each.title }, each.name));
+      const device = el("select", { onchange: () => elements() },
+        el("optgroup", { label: "sensors" }, ...kinds(false)), el("optgroup", { label: "actuators" }, ...kinds(true)));
+      if (devices.some((each) => each.name === "sonar")) device.value = "sonar";
+      const element = choice([["", "all"]], { onchange: () => units() });
+      const laws = fields.map((law) => {
+        if (law.kind === "flag") {
+          const box = el("input", { type: "checkbox" });
+          return { law, ...field(law.name, box) };
+        }
+        const made = field(TITLES[law.name] ?? law.name, entry({ placeholder: HINTS[law.name] ?? "" }), law.unit ?? "");
+        if (!law.word) return { law, ...made };
+        const held = el("input", { type: "checkbox", title: "the last value before", onchange: () => (made.input.disabled = held.checked) });
+        made.row.querySelector(".entry").append(el("label.held", {}, held, law.word));
+        return { law, ...made, held };
+      });
+      const what = el("p.hint");
+      parts = { devices, device, element, laws, what };
+      const rows = (isTime) => laws.filter(({ law }) => law.is_time === isTime).map(({ row }) => row);
+      fill(form, field("device", device).row, field("element", element).row, what,
+        el("div.laws", {}, ...rows(false)), el("div.laws", {}, ...rows(true)),
+        el("div.row-end", {}, button({ text: "Clear", title: "Empty the form", onclick: () => make({ devices, fields }) }),
+          el("button.primary", { type: "submit" }, "Degrade")));
+      elements();
+    };
+
+    const chosen = () => parts.devices.find((each) => each.name === parts.device.value);
+
+    const elements = () => {
+      const { title: text, nothing, elements: all } = chosen();
+      const named = all.map(([number, name]) => [String(number), name === String(number) ? name : `${number} (${name})`]);
+      setOptions(parts.element, all.length > 1 ? [["", "all"], ...named] : named);
+      parts.what.textContent = `${text[0].toUpperCase()}${text.slice(1)}. Dead or dropped: ${nothing}.`;
+      units();
+    };
+
+    /** Values are in the unit of the element. */
+    const units = () => {
+      const { elements: all } = chosen();
+      const [, , unit] = all.find(([number]) => String(number) === parts.element.value) ?? all[0];
+      for (const each of parts.laws) if (each.law.unit === null && each.law.kind !== "flag") each.unit(unit === "-" ? "" : unit);
+    };
+
+    const degrade = async () => {
+      const words = [];
+      for (const { law, input, held } of parts.laws) {
+        if (law.kind === "flag") words.push(...(input.checked ? [law.name] : []));
+        else if (held?.checked) words.push(law.name);
+        else if (typed(input)) words.push(law.name, typed(input));
+      }
+      const { value } = parts.element;
+      const device = `${parts.device.value}${value && chosen().elements.length > 1 ? `.${value}` : ""}`;
+      const wrong = await change(model, `degrade ${model.selected.id} ${device} ${words.join(" ")}`);
+      for (const each of parts.laws) each.say("");
+      if (!wrong) return;
+      const about = parts.laws.find(({ law }) => wrong.startsWith(`${law.name}:`) || wrong.startsWith(`${law.name} `));
+      const text = words.length ? wrong : "choose at least one fault";
+      (about ?? parts.laws[0]).say(text.replace(`${about?.law.name}: `, ""));
+    };
+
+    const show = () => {
+      const all = model.panel?.faults ?? [];
+      const own = model.selected.id;
+      const sorted = [...all.filter((each) => each.robot === own), ...all.filter((each) => each.robot !== own)];
+      heading.textContent = all.length ? `In force (${all.length})` : "In force";
+      if (!sorted.length) return fill(list, el("p.hint", {}, "Nothing is degraded."));
+      fill(list, ...sorted.map((each) => el("div.fault", {},
+        el("span.chip", { title: timesOf(each) }, PHASES[each.phase] ?? each.phase),
+        el("button.link", { type: "button", title: `Select ${each.robot}`, onclick: () => select(each.robot) }, each.robot),
+        el("span", {}, each.text, el("span.times", {}, ` ${timesOf(each)}`)),
+        button({ text: "Heal", title: `Remove ${each.id}`, onclick: () => changeOrSay(model, `heal ${each.id}`) }))));
+    };
+
+    const select = (id) => {
+      const number = (model.run.rosters.at(-1)?.robots ?? []).indexOf(id);
+      if (number >= 0) model.select(number);
+    };
+
+    page.openFaults = () => page.layout.open("faults");
+    model.on("panel", show);
+    model.on("look", () => {
+      load();
+      show();
+    });
+    model.on("hello", () => {
+      asked = "";
+      load();
+    });
+  },
+};
+
+function timesOf({ onset, duration, recovery }) {
+  const end = duration === null ? "" : `, for ${+duration.toFixed(3)} s`;
+  return `from ${+onset.toFixed(3)} s${end}${recovery ? `, fades in ${+recovery.toFixed(3)} s` : ""}`;
+}

@@ -1,0 +1,82 @@
+/** Values over time, by name: what sparklines and plots draw. */
+
+const MOST = 2000; // points of a series
+
+export class Series {
+  constructor() {
+    /** @type {Map<string, {times: number[], values: number[]}>} */
+    this.byName = new Map();
+  }
+
+  /** @param {string} name */
+  of(name) {
+    let found = this.byName.get(name);
+    if (!found) this.byName.set(name, (found = { times: [], values: [] }));
+    return found;
+  }
+
+  /** Note a value; one of the same time is replaced. @param {string} name @param {number} time @param {any} value */
+  add(name, time, value) {
+    const { times, values } = this.of(name);
+    let at = times.length;
+    while (at > 0 && times[at - 1] > time + 1e-9) at--;
+    const number = typeof value === "number" ? value : NaN;
+    if (at > 0 && Math.abs(times[at - 1] - time) < 1e-9) values[at - 1] = number;
+    else {
+      times.splice(at, 0, time);
+      values.splice(at, 0, number);
+    }
+    if (times.length > MOST) {
+      times.splice(0, MOST / 4);
+      values.splice(0, MOST / 4);
+    }
+  }
+
+  /** Discard what was after a time. @param {number} time */
+  forget(time) {
+    for (const { times, values } of this.byName.values()) {
+      while (times.length && times[times.length - 1] > time + 1e-9) {
+        times.pop();
+        values.pop();
+      }
+    }
+  }
+
+  clear() {
+    this.byName.clear();
+  }
+}
+
+/** The least and greatest value in a span of time; nothing if there is none. */
+export function limitsOf({ times, values }, begin, end) {
+  let [least, most] = [Infinity, -Infinity];
+  times.forEach((time, at) => {
+    const value = values[at];
+    if (time < begin || time > end || Number.isNaN(value)) return;
+    if (value < least) least = value;
+    if (value > most) most = value;
+  });
+  return least <= most ? [least, most] : null;
+}
+
+/**
+ * Draw a series as a line; gaps where there is no value.
+ * @param {CanvasRenderingContext2D} pen
+ * @param {{times: number[], values: number[]}} series
+ * @param {(time: number) => number} x @param {(value: number) => number} y
+ */
+export function drawSeries(pen, { times, values }, x, y) {
+  pen.beginPath();
+  let isOn = false;
+  if (times.length === 1) pen.arc(x(times[0]), y(values[0]), 1.5, 0, 7);
+  times.forEach((time, at) => {
+    if (Number.isNaN(values[at])) {
+      isOn = false;
+      return;
+    }
+    if (isOn) pen.lineTo(x(time), y(values[at]));
+    else pen.moveTo(x(time), y(values[at]));
+    isOn = true;
+  });
+  pen.stroke();
+}
