@@ -33,6 +33,11 @@ class AttachedRun:
         self._robot = 0
 
     @property
+    def stands(self) -> bool:
+        """Return False: its programs are not asked."""
+        return False
+
+    @property
     def time_s(self) -> float:
         """The simulated time [s]."""
         return self._session.time_s

@@ -105,7 +105,7 @@ def _time_s(debugger: Debugger, change: Change) -> float:
 
 def form(screen: Context, robot: int) -> dict[str, Any]:
     """Return what of a robot can be degraded, and by which laws: the fields of a form."""
-    robots = screen.run.shell().debugger.session.environment.world.robots
+    robots = screen.run.debugger().session.environment.world.robots
     if not 0 <= robot < len(robots):
         raise DebugError(f"no robot {robot}")
     model = robots[robot].model

@@ -44,6 +44,11 @@ class DebuggedRecording:
         self._is_here = False
 
     @property
+    def stands(self) -> bool:
+        """Whether the programs stand at the time that is shown."""
+        return self._is_here
+
+    @property
     def time_s(self) -> float:
         """The simulated time [s]."""
         debugged = self._there()

@@ -44,6 +44,11 @@ class DebuggedRun:
         self._watcher = watcher
 
     @property
+    def stands(self) -> bool:
+        """Return True: its programs are always where it is."""
+        return True
+
+    @property
     def time_s(self) -> float:
         """The simulated time [s]."""
         return self._debugger.session.time_s

@@ -37,7 +37,9 @@ Value = float | str
 
 def rows(screen: Context, robots: str) -> dict[str, Any]:
     """Return the rows of the table of robots, by their numbers with commas between."""
-    debugger = screen.run.shell().debugger
+    if not screen.run.stands:  # a recording: its status has what is known
+        return {"t": screen.run.time_s, "robots": []}
+    debugger = screen.run.debugger()
     count = len(debugger.names)
     wanted = [int(each) for each in robots.split(",") if each.isdecimal() and len(each) < 8]
     chosen = [each for each in wanted[:MAX_ROWS] if each < count]
@@ -47,6 +49,8 @@ def rows(screen: Context, robots: str) -> dict[str, Any]:
 
 def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
     """Return `State[]`, the readings and the values of expressions of a robot, as they are now."""
+    if not screen.run.stands:
+        raise DebugError("the programs do not stand at the time that is shown")
     debugger = _debugger(screen, robot)
     try:
         state = [[each.name, each.text] for each in vendor_state_rows(debugger.view, robot)]

@@ -66,6 +66,11 @@ class Playback:
                 feed.messages.add(recorded_rows(data, fates))
         feed.fill(events_in(recording)[0], output_in(recording)[0])
 
+    @property
+    def stands(self) -> bool:
+        """Return False: it has no programs."""
+        return False
+
     def advance(self, timesteps: int) -> bool:
         """Advance at most so far; return whether it may go on."""
         if self.time_s >= self.end_s:

@@ -43,6 +43,10 @@ class Run(Protocol):
         """Why it stands, or stood last."""
 
     @property
+    def stands(self) -> bool:
+        """Whether its programs stand at the time that is shown, so that they can be asked."""
+
+    @property
     def time_s(self) -> float:
         """The simulated time [s]."""
 

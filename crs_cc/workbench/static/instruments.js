@@ -45,7 +45,8 @@ export class Instruments {
     try {
       this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
     } catch {
-      // the robot is no more; the next status says so
+      this.now = null; // the robot is no more, or the programs of a recording stand elsewhere
+      this.model.tell("instruments", null);
     } finally {
       this.isAsking = false;
     }

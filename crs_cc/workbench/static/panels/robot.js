@@ -47,8 +47,11 @@ export const robot = {
     };
 
     const draw = (now) => {
-      if (!root.offsetParent || !now || now.robot !== model.state.robot) return;
+      if (!root.offsetParent) return;
       title.textContent = model.selected.id;
+      if (!now) return fill(sensors, el("p.hint", {}, "Its sensors and State[] are known where its program stands."),
+        button({ text: "Run the programs to this time", title: "They run again, with the recorded input", onclick: () => model.ask("stand") }));
+      if (now.robot !== model.state.robot) return;
       const own = [["speed", "speed", "m/s"], ["battery", "battery", "%"]]
         .filter(([name]) => typeof now.byName.get(name) === "number")
         .map(([name, label, unit]) => spark(name, label, `${now.byName.get(name).toFixed(2)} ${unit}`));

@@ -1,0 +1,183 @@
+"""The control panel in a real browser: robots, faults, messages and changes of one run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.workbench.screen import Screen
+from tests.workbench.in_browser import page_in, running, wait
+
+PROGRAM = """\
+#include <Nclient.h>
+#include <crs.h>
+
+int main(void)
+{
+    int i;
+
+    connect_robot(1);
+    for (i = 0; i < 3000; i++) {
+        get_sn();
+        if (i % 10 == 0)
+            crs_broadcast(0, "tick", 5);
+    }
+    return 0;
+}
+"""
+WORLD = """<world version="1" timestep="50ms">
+  <area length="6m" width="4m"/>
+  <robot id="ada" x="1m" y="1m"/>
+  <robot id="bob" x="1m" y="2.500m"/>
+</world>
+"""
+
+
+def click(page: Any, text: str, within: str) -> None:
+    page.locator(f"{within} >> button:has-text('{text}')").first.click()
+
+
+def changes(debugger: Debugger) -> list[str]:
+    return [each.text for each in debugger.run.history.changes]
+
+
+def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
+    page.click("button.start")
+    wait(page, "crs.model.state.t > 0.7")
+    page.keyboard.press(" ")
+    wait(page, "!crs.model.state.playing")
+    page.keyboard.press("r")
+    row = page.locator("#robot-row-1")
+    page.wait_for_selector("#robot-row-1 .code:has-text('go.c')")
+    assert row.locator("span").nth(0).inner_text() == "bob"
+    assert row.locator("span").nth(5).inner_text() == "2.500"
+    row.click()
+    wait(page, "crs.model.state.robot === 1")
+    assert debugger.view.robot == 1
+    page.keyboard.press("r")
+
+
+def a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page: Any, debugger: Debugger) -> None:
+    page.click("#tab-robot")
+    page.wait_for_selector(".state-rows th:has-text('STATE_SONAR_0')")
+    click(page, "Move", ".actions")
+    x = page.locator(".action-form input").nth(0)
+    x.fill("5 lb")
+    click(page, "Move", ".action-form")
+    page.wait_for_selector(".action-form .field:first-child .wrong:has-text('is not a length')")
+    x.fill("3")
+    click(page, "Move", ".action-form")
+    wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 0) - 3) < 1e-3")
+    assert changes(debugger) == ["move bob to 3 2.50 0"]
+    click(page, "Hold", ".actions")
+    page.wait_for_selector(".actions button:has-text('Let go')")
+
+
+def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> None:
+    page.click("#tab-faults")
+    page.wait_for_selector("#panel-faults .laws")
+    devices = page.locator("#panel-faults select").nth(0)
+    devices.select_option("sonar")
+    page.locator("#panel-faults select").nth(1).select_option("4")
+    stuck = page.locator("#panel-faults .field:has(label:text-is('stuck')) input[type=text]")
+    stuck.fill("5 lb")
+    click(page, "Degrade", "#panel-faults")
+    page.wait_for_selector(".bad-field .wrong:has-text('is not a length')")
+    stuck.fill("1.27m")
+    click(page, "Degrade", "#panel-faults")
+    page.wait_for_selector(".fault:has-text('sonar 4, stuck at 1.27m')")
+    page.evaluate("crs.model.ask('step', { timesteps: 20 })")
+    page.click("#tab-robot")
+    # 1.27 m are 50 inches, as the vendor's State[] has them
+    page.wait_for_selector(".state-rows tr:has-text('STATE_SONAR_4'):has-text('50 in')")
+    page.click("#tab-faults")
+    click(page, "Heal", ".fault:has-text('sonar 4')")
+    page.wait_for_selector(".fault:has-text('sonar 4')", state="detached")
+    assert changes(debugger)[2:] == ["degrade bob sonar.4 stuck 1.27m", "heal degradation0"]
+
+
+def an_expression_is_plotted_back_to_the_start(page: Any) -> None:
+    page.keyboard.press("g")
+    page.fill("#panel-plot input", "i")
+    page.press("#panel-plot input", "Enter")
+    page.wait_for_selector(".chips .chip:has-text('i')")
+    click(page, "Fill in the past", "#panel-plot")
+    wait(page, "crs.instruments.series.of('1 i').times.length > 10")
+    values = page.evaluate("crs.instruments.series.of('1 i').values")
+    known = [each for each in values if each is not None]
+    assert known == sorted(known)
+    page.keyboard.press("Escape")
+
+
+def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
+    page.click("#drawer-messages")
+    page.wait_for_selector(".message:has-text('ada → bob'):has-text('tick'):has-text('arrived')")
+    page.wait_for_selector(".graph .link[aria-label^='ada to bob']")
+    click(page, "Shut links", ".side-box")
+    shut = page.locator(".link-forms").first
+    shut.locator("select").nth(1).select_option("bob")
+    click(page, "Shut", ".link-forms")
+    page.wait_for_selector(".outages .fault:has-text('from bob')")
+    click(page, "Send", ".side-box .segmented")
+    page.locator(".link-forms >> nth=1").locator("select").nth(0).select_option("bob")
+    page.locator(".link-forms >> nth=1").locator("input").nth(1).fill("who hears?")
+    click(page, "Send", ".link-forms >> nth=1")
+    page.evaluate("crs.model.ask('step', { timesteps: 4 })")
+    page.wait_for_selector(".message:has-text('bob → ada'):has-text('who hears?'):has-text('shut')")
+    rows = page.evaluate("crs.model.channel.ask('traffic', { since: 0 })")["rows"]
+    events = debugger.run.event_history.world_events()
+    told = [each for each in events if each.kind.startswith("message-")]
+    assert len(rows) == len([each for each in told if each.kind != "message-way"])
+    page.click("#drawer-messages")
+
+
+def changes_are_listed_taken_back_and_written_out(page: Any, debugger: Debugger) -> None:
+    page.click("#tab-changes")
+    assert page.locator(".change").count() == len(changes(debugger)) == 6
+    script = page.evaluate("crs.model.channel.ask('export', { form: 'inputs' })")["text"]
+    assert [line.split(": ", 1)[1] for line in script.splitlines()[1:]] == changes(debugger)
+    xml = page.evaluate("crs.model.channel.ask('export', { form: 'xml' })")["text"]
+    assert 'id="hold-bob"' in xml
+    assert 'from="bob"' in xml
+    click(page, "Take back", ".change:has-text('move bob')")
+    wait(page, "document.querySelectorAll('.change').length === 0")
+    wait(page, "Math.abs(crs.model.scene.body(1).x - 1) < 1e-3")
+    assert changes(debugger) == []
+
+
+def a_robot_joins_with_a_program_of_its_own(page: Any, folder: Path) -> None:
+    dance = folder / "dance.c"
+    dance.write_text("int main(void) { return x; }")
+    page.click("#tab-robot")
+    click(page, "Add a robot", ".actions")
+    page.set_input_files(".action-form input[type=file]", dance)
+    click(page, "Add", ".action-form")
+    page.wait_for_selector(".action-form .wrong:has-text('dance.c:1')")
+    dance.write_text("int main(void) { for (;;) ; }")
+    page.set_input_files(".action-form input[type=file]", dance)
+    click(page, "Add", ".action-form")
+    wait(page, "crs.model.run.rosters.at(-1).robots.length === 3")
+    page.wait_for_selector(".robot b:has-text('robot2')")
+    wait(page, "Boolean(crs.model.scene.body(2))")
+
+
+def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path: Path) -> None:
+    """One test, since each step begins where the one before has led."""
+    with running(tmp_path, PROGRAM, WORLD) as screen:
+        debugger = debugger_of(screen)
+        with page_in(browser, screen, 1280, 720) as page:
+            wait(page, "document.body.dataset.time === '0.000'")
+            the_table_has_a_row_for_each_robot(page, debugger)
+            a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page, debugger)
+            a_sonar_is_degraded_and_reads_otherwise(page, debugger)
+            an_expression_is_plotted_back_to_the_start(page)
+            messages_are_listed_shut_and_sent(page, debugger)
+            changes_are_listed_taken_back_and_written_out(page, debugger)
+            a_robot_joins_with_a_program_of_its_own(page, tmp_path)
+
+
+def debugger_of(screen: Screen) -> Debugger:
+    debugger = screen.run.debugger()
+    assert isinstance(debugger, Debugger)
+    return debugger
