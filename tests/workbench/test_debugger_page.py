@@ -110,7 +110,7 @@ def a_fault_is_shown_at_its_expression(page: Any) -> None:
     assert page.locator(".frame[aria-pressed=true] b").inner_text() == "worst"
     page.click(".frame:nth-child(2)")
     page.wait_for_selector(".line[data-line='23'].current")
-    assert value(page, "locals/main@1/n#1").count() == 1
+    value(page, "locals/main@1/n#1").wait_for()
     page.keyboard.press("Shift+F10")
     page.wait_for_selector(".line[data-line='11'].current:not(.outer)")
     assert page.locator(".fault").count() == 0

@@ -86,14 +86,14 @@ def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> No
     page.wait_for_selector(".bad-field .wrong:has-text('is not a length')")
     stuck.fill("1.27m")
     click(page, "Degrade", "#panel-faults")
-    page.wait_for_selector(".fault:has-text('sonar 4, stuck at 1.27m')")
+    page.wait_for_selector(".in-force:has-text('sonar 4, stuck at 1.27m')")
     page.evaluate("crs.model.ask('step', { timesteps: 20 })")
     page.click("#tab-robot")
     # 1.27 m are 50 inches, as the vendor's State[] has them
     page.wait_for_selector(".state-rows tr:has-text('STATE_SONAR_4'):has-text('50 in')")
     page.click("#tab-faults")
-    click(page, "Heal", ".fault:has-text('sonar 4')")
-    page.wait_for_selector(".fault:has-text('sonar 4')", state="detached")
+    click(page, "Heal", ".in-force:has-text('sonar 4')")
+    page.wait_for_selector(".in-force:has-text('sonar 4')", state="detached")
     assert changes(debugger)[2:] == ["degrade bob sonar.4 stuck 1.27m", "heal degradation0"]
 
 
@@ -118,7 +118,7 @@ def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
     shut = page.locator(".link-forms").first
     shut.locator("select").nth(1).select_option("bob")
     click(page, "Shut", ".link-forms")
-    page.wait_for_selector(".outages .fault:has-text('from bob')")
+    page.wait_for_selector(".outages .in-force:has-text('from bob')")
     click(page, "Send", ".side-box .segmented")
     page.locator(".link-forms >> nth=1").locator("select").nth(0).select_option("bob")
     page.locator(".link-forms >> nth=1").locator("input").nth(1).fill("who hears?")

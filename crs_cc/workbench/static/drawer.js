@@ -26,7 +26,7 @@ export class Drawer {
 
   /** Open a panel, or close it if it is open. */
   toggle(id) {
-    this.open(this.opened === id ? "" : id);
+    if (this.box.querySelector(`#panel-${id}`)) this.open(this.opened === id ? "" : id);
   }
 
   /** @param {string} id which panel; empty for none */

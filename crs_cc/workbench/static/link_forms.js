@@ -41,7 +41,7 @@ export function linkForms(model) {
     fill(list, ...outages.map((each) => {
       const way = words([["", each.channel], ["from", each.from], ["to", each.to]]) || "all";
       const until = each.until === null ? "" : ` to ${+each.until.toFixed(3)} s`;
-      return el("div.fault", {}, el("span", {}, way, el("span.times", {}, ` from ${+each.at.toFixed(3)} s${until}`)),
+      return el("div.in-force", {}, el("span", {}, way, el("span.times", {}, ` from ${+each.at.toFixed(3)} s${until}`)),
         button({ text: "Open", title: `Open ${way}`, onclick: () => changeOrSay(model, `open ${way}`) }));
     }));
   };

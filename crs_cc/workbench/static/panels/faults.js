@@ -15,7 +15,7 @@ export const faults = {
   title: "Faults",
   side: "right",
   needs: "debug",
-  make(root, model, _look, page) {
+  make(root, model) {
     const title = el("h2.robot-name");
     const form = el("form.fields", { onsubmit: (event) => {
       event.preventDefault();
@@ -104,7 +104,7 @@ export const faults = {
       const sorted = [...all.filter((each) => each.robot === own), ...all.filter((each) => each.robot !== own)];
       heading.textContent = all.length ? `In force (${all.length})` : "In force";
       if (!sorted.length) return fill(list, el("p.hint", {}, "Nothing is degraded."));
-      fill(list, ...sorted.map((each) => el("div.fault", {},
+      fill(list, ...sorted.map((each) => el("div.in-force", {},
         el("span.chip", { title: timesOf(each) }, PHASES[each.phase] ?? each.phase),
         el("button.link", { type: "button", title: `Select ${each.robot}`, onclick: () => select(each.robot) }, each.robot),
         el("span", {}, each.text, el("span.times", {}, ` ${timesOf(each)}`)),
@@ -116,7 +116,6 @@ export const faults = {
       if (number >= 0) model.select(number);
     };
 
-    page.openFaults = () => page.layout.open("faults");
     model.on("panel", show);
     model.on("look", () => {
       load();

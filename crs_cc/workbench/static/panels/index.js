@@ -1,10 +1,11 @@
 /**
  * The panels beside the view, in their order. To add one, write a module like those here and name it
  * below: it has an `id`, a `title`, a `side`, what the run must be able to do (`needs`), and `make`,
- * which fills its element and listens to the model.
+ * which fills its element and listens to the model. One that `asks` the server is not in pages that
+ * hold a run.
  *
  * @typedef {{id: string, title: string, side: "left" | "right" | "below",
- *   summary?: string, key?: string, needs?: string, recorded?: boolean,
+ *   summary?: string, key?: string, needs?: string, asks?: boolean, recorded?: boolean,
  *   make: (root: HTMLElement, model: any, look: any, page: any) => void}} Panel
  */
 import { changes } from "crs/panels/changes.js";

@@ -15,6 +15,7 @@ export const messages = {
   summary: "Messages between robots: list, graph, links",
   key: "m",
   side: "below",
+  asks: true,
   make(root, model) {
     const filter = el("input", { type: "text", placeholder: "find: a robot, a channel, a word of the content", "aria-label": "filter", spellcheck: false });
     const lostOnly = el("input", { type: "checkbox" });

@@ -13,6 +13,7 @@ export const robotTable = {
   summary: "Table of the robots",
   key: "r",
   side: "below",
+  asks: true,
   make(root, model, look) {
     const filter = el("input", { type: "text", placeholder: "find a robot", "aria-label": "find a robot", spellcheck: false });
     const counted = el("span.hint");
