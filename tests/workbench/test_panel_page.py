@@ -47,7 +47,7 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     wait(page, "crs.model.state.t > 0.7")
     page.keyboard.press(" ")
     wait(page, "!crs.model.state.playing")
-    page.keyboard.press("r")
+    page.keyboard.press("9")
     row = page.locator("#robot-row-1")
     page.wait_for_selector("#robot-row-1 .code:has-text('go.c')")
     assert row.locator("span").nth(0).inner_text() == "bob"
@@ -55,7 +55,7 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     row.click()
     wait(page, "crs.model.state.robot === 1")
     assert debugger.view.robot == 1
-    page.keyboard.press("r")
+    page.keyboard.press("9")
 
 
 def a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page: Any, debugger: Debugger) -> None:

@@ -13,7 +13,7 @@ export const messages = {
   id: "messages",
   title: "Messages",
   summary: "Messages between robots: list, graph, links",
-  key: "m",
+  key: "y",
   side: "below",
   asks: true,
   make(root, model) {

@@ -11,7 +11,7 @@ export const robotTable = {
   id: "table",
   title: "Robots",
   summary: "Table of the robots",
-  key: "r",
+  key: "9",
   side: "below",
   asks: true,
   make(root, model, look) {
