@@ -15,12 +15,11 @@ import click
 
 from crs_cc.cli.messages import say
 from crs_cc.cli.typed_input import TIMED_LINE
-from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.world.run_edits import edit_run
-from crs_cc.session.build import build_executable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
@@ -43,6 +42,7 @@ class RunChanges:
             OSError: it cannot be read.
         """
         self._path = path
+        self._uploads = Uploads(debug=False)
         self._left: deque[tuple[int, int, str]] = deque()  # timestep, line, change
         lines = path.read_text("utf-8", "replace").splitlines()
         for number, line in enumerate(lines, start=1):
@@ -72,15 +72,13 @@ class RunChanges:
             _, number, text = self._left.popleft()
             programs = [session.fleet.executable(robot) for robot in range(len(session.fleet))]
             beside = self._beside(text, {PurePath(each.name).name for each in programs})
-            if beside is not None:
-                programs.append(build_executable([beside], Diagnostics(), root=beside.parent))
             try:
-                edit_run(session, text, programs)
+                if beside is not None:
+                    self._uploads.add(beside.name, beside.read_text("utf-8", "replace"))
+                edit_run(session, text, [*programs, *self._uploads.executables()])
             except DebugError as error:
                 raise self._wrong(number, str(error)) from None
-            program = (
-                None if beside is None else (beside.name, beside.read_text("utf-8", "replace"))
-            )
+            program = self._uploads.used_in(text)
             made(Change(Position(session.timesteps, 0), text, program=program))
 
     def _beside(self, text: str, known: Collection[str]) -> Path | None:

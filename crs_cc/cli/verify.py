@@ -16,6 +16,7 @@ from crs_cc.core.errors import ReplayMismatch
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.recording import topics
 from crs_cc.recording.description import versions
@@ -65,6 +66,7 @@ class _Rerun:
         given = RecordedInput(recording)
         self._changed: ChangedRun | None = None
         self._changes = deque(changes)
+        self._uploads = Uploads(debug=False)
         if recording.description.for_debugger:  # its changes can be anywhere in a program
             from crs_cc.cli.make_debugger import make_debugger
 
@@ -122,9 +124,17 @@ class _Rerun:
                 change = self._changes.popleft()
                 if change.patches or at != Position(at.timestep, 0):
                     raise DebugError(f"{change.text[:80]!r} was not made between two timesteps")
-                edit_run(session, change.text)
+                self._make(change)
             if not session.advance(until - session.timesteps):
                 return
+
+    def _make(self, change: Change) -> None:
+        """Make a change again, with the program that it brings."""
+        fleet = self._session.fleet
+        if change.program is not None:
+            self._uploads.add(*change.program)
+        programs = [fleet.executable(robot) for robot in range(len(fleet))]
+        edit_run(self._session, change.text, [*programs, *self._uploads.executables()])
 
     def _write(self, _robot: int, _stream: int, content: bytes) -> None:
         self._output_crc = zlib.crc32(content, self._output_crc)

@@ -14,6 +14,7 @@ from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import library_options
 
@@ -28,11 +29,17 @@ class Uploads:
     """The programs that were brought to a run.
 
     Attributes:
-        programs: by name, their debug builds.
+        programs: by name.
         texts: by name, their source.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, debug: bool = True) -> None:
+        """Start without programs.
+
+        Args:
+            debug: whether they are built for the debugger.
+        """
+        self._debug = debug
         self.programs: dict[str, DebugProgram] = {}
         self.texts: dict[str, str] = {}
         self._folder: tempfile.TemporaryDirectory[str] | None = None
@@ -60,13 +67,19 @@ class Uploads:
         path = Path(self._folder.name, name)
         path.write_text(text, "utf-8")
         try:
-            executable = build_executable([path], Diagnostics(), root=path.parent, debug=True)
+            executable = build_executable(
+                [path], Diagnostics(), root=path.parent, debug=self._debug
+            )
         except CompileError as error:
             first = error.diagnostics[0]
             raise DebugError(f"{name}:{first.location.line}: {first.text}") from None
         options = library_options((), (), (), "gnu17", path.parent)
         self.programs[name] = DebugProgram(executable, [path], options)
         self.texts[name] = text
+
+    def executables(self) -> list[Executable]:
+        """Return the builds of all programs."""
+        return [each.executable for each in self.programs.values()]
 
     def used_in(self, change: str) -> tuple[str, str] | None:
         """Return name and text of the program that a change names; None if it names none."""

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from crs_cc.core.quantity import Kind
     from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.stop import Stop
     from crs_cc.debug.timeline.change import Change
     from crs_cc.workbench.context import Context
 
@@ -44,8 +45,15 @@ def edit(screen: Context, text: str) -> dict[str, str]:
             debugger.goto(here)
             raise
         if is_start:
-            debugger.start()
+            begin(debugger)
     return {"text": f"{done}."}
+
+
+def begin(debugger: Debugger) -> Stop:
+    """Go from the start of a run to the first statement, unless the program sleeps there."""
+    session, robot = debugger.session, debugger.view.robot
+    is_soon = session.state.clock_s[robot] < session.environment.timestep_s
+    return debugger.start() if is_soon and session.state.alive[robot] else debugger.stop
 
 
 def take_back(screen: Context, number: int) -> None:
@@ -55,7 +63,7 @@ def take_back(screen: Context, number: int) -> None:
     with screen.working():
         debugger.take_back(number)
         if debugger.position == BEGINNING:
-            debugger.start()
+            begin(debugger)
 
 
 def panel(debugger: Debugger) -> dict[str, Any]:

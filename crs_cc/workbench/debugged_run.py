@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.workbench import sources
-from crs_cc.workbench.control import panel
+from crs_cc.workbench.control import begin, panel
 from crs_cc.workbench.robot_table import status
 from crs_cc.workbench.run import Halt
 from crs_cc.workbench.world_data import world_data
@@ -62,7 +62,7 @@ class DebuggedRun:
     def seek(self, time_s: float) -> None:
         """Go to a time; at the start, to the first statement."""
         stop = self._debugger.goto_time(time_s)
-        self._arrive(self._debugger.start() if stop.reason == "beginning" else stop)
+        self._arrive(begin(self._debugger) if stop.reason == "beginning" else stop)
 
     def interrupt(self) -> None:
         """Let what it does end soon; thread-safe."""
