@@ -23,7 +23,9 @@ export class Timeline {
     Object.assign(this, { model, look });
     this.kind = "any";
     this.askedAt = 0;
-    this.clock = el("output.clock", { "aria-label": "simulated time" });
+    this.clock = el("output", { "aria-label": "simulated time" });
+    this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to type one to go to (G)", onclick: () => this.enter() }, this.clock);
+    this.wanted = el("input.clock", { type: "text", hidden: true, "aria-label": "time to go to, in seconds, or by so many: -10", onkeydown: (event) => this.take(event), onblur: () => this.leave() });
     this.rate = el("span.rate", { title: "simulated by real time, measured" });
     this.playButton = button({ icon: "play", title: "Play or pause", key: "Space", className: "primary", onclick: () => this.toggle() });
     this.speed = el("select", { title: "Speed, by real time", "aria-label": "speed", onchange: () => this.setSpeed(Number(this.speed.value)) },
@@ -36,7 +38,7 @@ export class Timeline {
     this.track = el("div.track", { tabIndex: 0, role: "slider", "aria-label": "time line", "aria-valuemin": 0 }, this.canvas);
     fill(root,
       el("div.transport", {},
-        this.clock,
+        this.clockButton, this.wanted,
         el("div.group", {},
           button({ icon: "first", title: "Go to the start", key: "Home", onclick: () => this.seek(0) }),
           button({ icon: "previous", title: "A timestep back", key: "←", onclick: () => this.step(-1) }),
@@ -71,6 +73,31 @@ export class Timeline {
       this.hover(event);
     });
     this.track.addEventListener("pointerup", (event) => (this.spanFrom !== null ? this.markSpan(at(event), true) : this.drag(at(event), true)));
+  }
+
+  /** Let the user type a time to go to: 12.5, or -10 for ten seconds earlier. */
+  enter() {
+    this.clockButton.hidden = true;
+    this.wanted.hidden = false;
+    this.wanted.value = this.clock.textContent.replace(" s", "");
+    this.wanted.select();
+    this.wanted.focus();
+  }
+
+  take(event) {
+    event.stopPropagation();
+    if (event.key === "Escape") this.leave();
+    if (event.key !== "Enter") return;
+    const text = this.wanted.value.trim();
+    const number = Number(text.replace(/ ?s$/, ""));
+    if (!text || !Number.isFinite(number)) return this.model.say(`'${text}' is no time: type seconds, or -10 for ten seconds earlier`, true);
+    this.leave();
+    this.seek(/^[-+]/.test(text) ? (this.model.clock.held ?? this.model.state.t) + number : number);
+  }
+
+  leave() {
+    this.wanted.hidden = true;
+    this.clockButton.hidden = false;
   }
 
   /** Mark the span between where the pointer was pressed and here; repeat it at the end. */
