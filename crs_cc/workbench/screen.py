@@ -31,7 +31,7 @@ MAX_WAITING: Final = 200
 
 _STATUS_S: Final = 0.2
 _SHARE: Final = 0.05  # of the time that the table may take
-_STATE_S: Final = 0.04
+_STATE_S: Final = 0.1  # pages move on by themselves meanwhile
 
 
 class Screen:

@@ -6,6 +6,7 @@ import { robotShape } from "crs/robot_shape.js";
 import { addGrid, addGround, addLamps, shapeGeometry } from "crs/world_shape.js";
 
 const NEAR_ROBOTS = 400; // more are drawn without details
+const NEAR_SOFT = 40; // the same where the processor draws
 const DOTS = 2000; // more are dots
 const LEAST_PIXELS = 3;
 
@@ -15,8 +16,8 @@ export class View3D {
     this.scene = scene;
     this.canvas = canvas;
     this.isFlat = false;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.isSoft = isSoftware(this.renderer);
+    this.isSoft = isSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.isSoft, preserveDrawingBuffer: true });
     this.renderer.shadowMap.enabled = !this.isSoft;
     this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
     this.wide = new THREE.PerspectiveCamera(42, 1, 0.03, 5000);
@@ -59,11 +60,14 @@ export class View3D {
     return mesh;
   }
 
-  /** @param {any} camera @param {any} body whom it follows @param {any} look */
-  draw(camera, body, look) {
+  /**
+   * @param {any} camera @param {any} body whom it follows @param {any} look
+   * @param {boolean} isFine whether edges must be smooth though that takes long
+   */
+  draw(camera, body, look, isFine = false) {
     const { canvas, renderer } = this;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    renderer.setPixelRatio(this.isSoft ? 1 : window.devicePixelRatio || 1);
+    renderer.setPixelRatio(this.isSoft ? 1 + Number(isFine) : window.devicePixelRatio || 1);
     renderer.setSize(width, height, false);
     this.paint(look);
     this.grid.visible = look.show.grid && !look.heat;
@@ -198,7 +202,7 @@ export class View3D {
     }
     for (const [kind, group] of this.groups) if (!byKind.has(kind)) for (const mesh of group.meshes) mesh.count = 0;
     const [place, paint] = [new THREE.Object3D(), new THREE.Color()];
-    const detail = bodies.length > NEAR_ROBOTS ? "far" : "near";
+    const detail = bodies.length > (this.isSoft ? NEAR_SOFT : NEAR_ROBOTS) ? "far" : "near";
     for (const [kind, list] of byKind) {
       const { meshes } = this.group(kind, list[0].radius, list.length, detail);
       const [painted, plain, top] = meshes;
@@ -270,10 +274,16 @@ function turned(place, heading, slope) {
   place.updateMatrix();
 }
 
-/** Whether WebGL is done by the processor: then shadows are left out. */
-function isSoftware(renderer) {
-  const gl = renderer.getContext();
-  const info = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
-  return /swiftshader|llvmpipe|software/i.test(name);
+/** @type {boolean | null} */
+let isSoft = null;
+
+/** Whether WebGL is done by the processor: then shadows, smooth edges and small parts are left out. */
+function isSoftware() {
+  if (isSoft === null) {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    const info = gl?.getExtension("WEBGL_debug_renderer_info");
+    isSoft = /swiftshader|llvmpipe|software/i.test(info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+    gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+  return isSoft;
 }

@@ -6,6 +6,7 @@ import { View2D } from "crs/view2d.js";
 import { View3D } from "crs/view3d.js";
 
 const CLICK = 5; // pixels that a click may move
+const STILL = 0.3; // without movement before edges are smooth [s]
 const NEAR = 12; // pixels around a robot that still mean it
 
 export class Viewport {
@@ -60,10 +61,22 @@ export class Viewport {
     }
     if (this.camera.mustFit && clientHeight) this.camera.fit(clientWidth / clientHeight);
     const key = [this.scene.time, look.version, look.time, look.light.version, this.camera.signature, clientWidth, clientHeight].join();
-    if (key === this.drawn || !clientWidth || !clientHeight) return;
+    if (!clientWidth || !clientHeight) return;
+    if (key === this.drawn) {
+      this.smooth(body, look, elapsed);
+      return;
+    }
     this.drawn = key;
+    this.stillFor = 0;
     this.view.draw(this.camera, body, look);
     this.overlay.draw(this.view, this.camera, look);
+  }
+
+  /** Draw once more with smooth edges when nothing has moved for a while, if the processor draws. */
+  smooth(body, look, elapsed) {
+    if (!this.view.isSoft || this.stillFor > STILL) return;
+    this.stillFor += elapsed;
+    if (this.stillFor > STILL) this.view.draw(this.camera, body, look, true);
   }
 
   listen() {

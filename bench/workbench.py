@@ -1,0 +1,236 @@
+"""Measure the workbench: the server with many pages, and a page in a browser.
+
+The server sends 20 frames a second of robots that all move to pages that read as fast as they come.
+A page is drawn by a browser without a graphics card: the time to its first picture, and for each
+picture that of the page's scripts besides the call that draws it, and the processor time of all
+processes of the browser.
+
+    python bench/workbench.py [ROBOTS...]
+
+`--no-browser` leaves the page out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from crs_cc.cli.start_view import describe
+from crs_cc.sim.files.world_xml import parse_world
+from crs_cc.workbench.feed import Feed
+from crs_cc.workbench.player import Player
+from crs_cc.workbench.run import Halt
+from crs_cc.workbench.screen import Screen
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+PAGES = 50
+RATE_HZ = 20
+SECONDS = 5.0
+SPACING_M = 1.0
+
+READER = """
+import socket, sys, threading
+port, token, pages = int(sys.argv[1]), sys.argv[2], int(sys.argv[3])
+def read():
+    line = socket.create_connection(("127.0.0.1", port))
+    line.sendall((f"GET /channel HTTP/1.1\\r\\nHost: 127.0.0.1:{port}\\r\\nUpgrade: websocket\\r\\n"
+        "Connection: Upgrade\\r\\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\\r\\n"
+        f"Sec-WebSocket-Version: 13\\r\\nSec-WebSocket-Protocol: crs.1, token.{token}\\r\\n\\r\\n"
+    ).encode())
+    room = bytearray(1 << 20)
+    while line.recv_into(room):
+        pass
+threads = [threading.Thread(target=read, daemon=True) for _ in range(pages)]
+for each in threads:
+    each.start()
+sys.stdin.read()
+"""
+
+
+class Circles:
+    """A run in which robots drive in circles, computed at once."""
+
+    can = frozenset({"play"})
+    halt = Halt()
+    timestep_s = 1 / RATE_HZ
+
+    def __init__(self, robots: int) -> None:
+        columns = int(np.ceil(np.sqrt(robots)))
+        number = np.arange(robots)
+        self.middle_m = np.array([number % columns, number // columns]) * SPACING_M + 1.0
+        self.phase_rad = number * 0.7
+        self.time_s = 0.0
+
+    def values(self) -> Any:
+        angle_rad = self.phase_rad + 0.8 * self.time_s
+        ring = 0.3 * np.array([np.cos(angle_rad), np.sin(angle_rad)])
+        return np.vstack([self.middle_m + ring, angle_rad + np.pi / 2])
+
+    def interrupt(self) -> None: ...
+    def forget_interrupt(self) -> None: ...
+    def select(self, robot: int) -> None: ...
+    def settle(self) -> None: ...
+    def where(self) -> None: ...
+    def panel(self) -> None: ...
+    def new_world(self) -> None: ...
+
+    def status(self, *, is_playing: bool) -> dict[str, Any]:  # noqa: ARG002
+        return {"t": self.time_s, "first": 0, "robots": [], "sensors": {}, "devices": {}}
+
+
+@contextmanager
+def shown(robots: int) -> Iterator[tuple[Screen, Circles]]:
+    """Serve a run of so many robots."""
+    size_m = np.ceil(np.sqrt(robots)) * SPACING_M + 2.0
+    rows = "".join(
+        f'<robot id="r{n}" x="{1 + n % int(size_m - 2)}m" y="{1 + n // int(size_m - 2)}m"/>'
+        for n in range(robots)
+    )
+    text = f'<world version="1"><area length="{size_m}m" width="{size_m}m"/>{rows}</world>'
+    world = parse_world(text.encode(), "circles.xml")
+    run = Circles(robots)
+    feed = Feed(describe("live", world, ("circles.c", "circles.xml"), 0), 1 / RATE_HZ)
+    screen = Screen(run, feed, Player(1 / RATE_HZ))  # type: ignore[arg-type]
+    screen.player.play()
+    feed.roster(0.0, [robot.id for robot in world.robots], [])
+    try:
+        yield screen, run
+    finally:
+        screen.server.close()
+
+
+def play(screen: Screen, run: Circles, seconds: float) -> tuple[float, float]:
+    """Send frames in real time; return the processor time of that, and of computing them [s]."""
+    begin_s, computing_s = time.monotonic(), 0.0
+    cpu_s = time.process_time()
+    first_s = run.time_s
+    while run.time_s - first_s < seconds:
+        run.time_s += 1 / RATE_HZ
+        before_s = time.thread_time()
+        values = run.values()
+        computing_s += time.thread_time() - before_s
+        screen.feed.frame(run.time_s, values, is_last=True)
+        screen.tick()
+        time.sleep(max(0.0, begin_s + run.time_s - first_s - time.monotonic()))
+    return time.process_time() - cpu_s, computing_s
+
+
+def server(robots: int) -> str:
+    """Measure the server with many pages."""
+    with shown(robots) as (screen, run):
+        words = [str(screen.server.port), screen.server.tokens["view"], str(PAGES)]
+        reader = subprocess.Popen([sys.executable, "-c", READER, *words], stdin=subprocess.PIPE)
+        while screen.server.count < PAGES:
+            time.sleep(0.05)
+        play(screen, run, 1.0)
+        sizes: list[int] = []
+        cpu_s, computing_s = play(screen, run, SECONDS)
+        assert reader.stdin is not None
+        reader.stdin.close()
+        reader.wait(10)
+        last = screen.server._last
+        sizes.append(len(last.change or b"") if last else 0)
+    share = 100 * (cpu_s - computing_s) / SECONDS
+    return f"{sizes[0]:>12,} {share:>12.1f}"
+
+
+def page(robots: int) -> str:
+    """Measure a page: to its first picture, and for each picture."""
+    from playwright.sync_api import sync_playwright
+
+    chromium = shutil.which("chromium")
+    flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    with shown(robots) as (screen, run), sync_playwright() as started:
+        play(screen, run, 0.5)
+        browser = started.chromium.launch(executable_path=chromium, args=flags)
+        made = browser.new_page(viewport={"width": 1280, "height": 720})
+        begin_s = time.monotonic()
+        made.goto(screen.server.address())
+        while not made.evaluate("document.body.dataset.time !== undefined"):
+            screen.player._do_jobs(0.0)
+            time.sleep(0.02)
+        first_s = time.monotonic() - begin_s
+        made.evaluate(MEASURE)
+        before_s = browser_cpu_s()
+        play(screen, run, SECONDS)
+        scripts, draws = made.evaluate("[window.scripts, window.pictures]")
+        cpu_s = (browser_cpu_s() - before_s) / max(1, draws)
+        browser.close()
+    script_ms = statistics.median(scripts) if scripts else 0.0
+    return f"{first_s:>10.1f} {script_ms:>10.1f} {cpu_s:>10.2f} {draws / SECONDS:>10.1f}"
+
+
+def browser_cpu_s() -> float:
+    """Return the processor time of all processes of the browser so far (Linux)."""
+    parents, times_s, names = {}, {}, {}
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            name, _, rest = path.read_text().partition("(")[2].rpartition(")")
+        except OSError:  # it has ended meanwhile
+            continue
+        words, number = rest.split(), int(path.parent.name)
+        parents[number], names[number] = int(words[1]), name
+        times_s[number] = (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+    def is_ours(number: int) -> bool:
+        while number in parents and number != os.getpid():
+            number = parents[number]
+        return number == os.getpid()
+
+    return sum(times_s[each] for each in parents if "chrom" in names[each] and is_ours(each))
+
+
+MEASURE = """() => {
+    window.scripts = []; window.pictures = 0;
+    const draw = crs.views.draw.bind(crs.views);
+    crs.views.draw = (elapsed) => {
+        const three = crs.views.active.view.renderer;
+        let inside = 0;
+        if (three && !three.isTimed) {
+            three.isTimed = true;
+            const render = three.render.bind(three);
+            three.render = (...given) => {
+                const begin = performance.now();
+                render(...given);
+                three.took = performance.now() - begin;
+            };
+        }
+        const begin = performance.now();
+        draw(elapsed);
+        inside = three?.took ?? 0;
+        window.scripts.push(performance.now() - begin - inside);
+        window.pictures += 1;
+    };
+}"""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("robots", type=int, nargs="*", default=[100, 1000, 10_000])
+    parser.add_argument("--no-browser", action="store_true")
+    options = parser.parse_args()
+    print(f"{'robots':>8} {'frame bytes':>12} {'server %':>12}", end="")
+    print(
+        ""
+        if options.no_browser
+        else f" {'first s':>10} {'scripts ms':>10} {'cpu s':>10} {'pictures/s':>10}"
+    )
+    for robots in options.robots:
+        row = f"{robots:>8,} {server(robots)}"
+        print(row if options.no_browser else f"{row} {page(robots)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
