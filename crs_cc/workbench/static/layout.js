@@ -3,7 +3,7 @@ import { button, el, fill, part } from "crs/dom.js";
 import { PANELS } from "crs/panels/index.js";
 import { setTheme, theme } from "crs/theme.js";
 
-const STATES = { playing: "running", busy: "working", end: "ended", error: "stopped by an error", start: "ready", lost: "not connected" };
+const STATES = { playing: "running", busy: "working", end: "ended", error: "stopped by an error", start: "ready", lost: "not connected", breakpoint: "at a breakpoint", watchpoint: "a value has changed", catchpoint: "at an event", exit: "a program has ended", step: "paused" };
 
 export class Layout {
   /** @param {any} model @param {any} look @param {any} page what panels may use of each other */

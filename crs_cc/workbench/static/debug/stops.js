@@ -73,7 +73,7 @@ export class Stops {
   row(point, robots) {
     const file = point.file.split("/").at(-1);
     const [title, what] = point.kind === "watchpoint" ? [point.text, ACCESS[point.access]] : point.kind === "catchpoint" ? [point.text, "happens"] : [point.line ? `${file}:${point.line}` : point.text, point.line ? "" : "is called"];
-    const more = [what, point.condition && `if ${point.condition}`, point.robot >= 0 && robots[point.robot], point.log && `prints ${point.log}`, point.ignore && `ignores ${point.ignore}`, point.hits && `hit ${point.hits} ×`].filter(Boolean).join(", ");
+    const more = [what, point.condition && `if ${point.condition}`, point.robot >= 0 && robots[point.robot], point.log && `prints ${point.log}`, point.ignore && `ignores ${point.ignore}`, point.hits && (point.hits > 1 ? `hit ${point.hits} times` : "hit once")].filter(Boolean).join(", ");
     const shown = el("button.what", { type: "button", title: point.line ? "Show and edit it" : "", onclick: () => point.line && this.edit(point.file, point.line) }, el("b", {}, title), ` ${more}`);
     return el("div.stop-row", { role: "listitem" },
       el("input", { type: "checkbox", checked: point.enabled, "aria-label": `breakpoint ${point.number} is on`, onchange: () => this.page.console(`${point.enabled ? "disable" : "enable"} ${point.number}`) }),
