@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from crs_cc.core.errors import WorldError
-from crs_cc.sim.devices.battery import COMPUTERS, MOTORS
 from crs_cc.sim.devices.battery.state import motors_of
+from crs_cc.sim.devices.battery.supplies import COMPUTERS, MOTORS
 from crs_cc.sim.devices.vendor_state import CONF_X, MOTOR_STATUS, VEL_RIGHT
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from crs_cc.sim.state.motion_profile import ALL, Axes, advance, plan_move, plan_speed
+from crs_cc.sim.state.motion_profile import ALL, Axes, advance, plan_move
+from tests.sim.kernels.numpy_profiles import plan_speed
 
 ZERO = np.array([0.0])
 

@@ -35,10 +35,14 @@ def drive_on(environment: Environment, steps: int) -> None:
 
 def assert_in_rows(environment: Environment) -> None:
     state = environment.state
-    for path, names in robot_rows._PARTS:
-        for name in names:
-            array = getattr(attrgetter(path)(state), name)
-            assert np.shares_memory(array, state.rows.table), f"{path}.{name}"
+    rows = state.rows
+    for (parts, _), table in zip(
+        robot_rows._TABLES, (rows.table, rows.bodies, rows.batteries), strict=True
+    ):
+        for path, names in parts:
+            for name in names:
+                array = getattr(attrgetter(path)(state) if path else state, name)
+                assert np.shares_memory(array, table), f"{path}.{name}"
 
 
 def test_no_array_leaves_the_rows() -> None:
@@ -74,7 +78,6 @@ def test_more_robots_than_kernels_have_room_for_run_the_same(
     hashes = []
     for room in (robot_rows.ROBOTS, 2):
         monkeypatch.setattr(robot_rows, "ROBOTS", room)
-        monkeypatch.setattr(robot_rows, "ROBOTS_AT_ONCE", room)
         environment = Environment(WORLD, seed=1)
         drive_on(environment, 30)
         hashes.append(environment.hash())

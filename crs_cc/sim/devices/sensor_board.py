@@ -11,32 +11,26 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, all_of
-from crs_cc.requests import NUM_STATE
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records, all_of
 from crs_cc.requests.request import ALL_SENSORS, LASER
 from crs_cc.sim.devices import pos_data
-from crs_cc.sim.devices.bumper.state import bumper_state
 from crs_cc.sim.devices.clock import BoardClock
 from crs_cc.sim.devices.compass import compasses
 from crs_cc.sim.devices.infrared import MAX_INFRARED, InfraredRing, rings
 from crs_cc.sim.devices.laser.model import laser_state
-from crs_cc.sim.devices.sonar.model import MAX_SONARS
-from crs_cc.sim.devices.sonar.state import sonar_state
 from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import (
-    BUMPER,
     COMPASS,
-    CONF_X,
     IR_0,
     MOTOR_STATUS,
-    SIM_SPEED,
     SONAR_0,
-    report,
+    VEL_RIGHT,
+    correct_speeds,
 )
 from crs_cc.sim.devices.vendor_state import LASER as LASER_MODE
 from crs_cc.sim.model import registry
 from crs_cc.sim.state import mask
-from crs_cc.sim.state.rows import ALL, Rows, take
+from crs_cc.sim.state.rows import ALL, Rows, simplest, take
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -99,18 +93,20 @@ class SensorBoard:
         rows, at_s = context.rows, context.at_s
         if request.sensors == ALL_SENSORS:
             self._measure(context, good)
-        states = state_vector(state, constants, rows)
-        status = self.batteries.status(state, rows, at_s)
+        replies = _replies(state, constants, rows, at_s)
+        states, charge = replies["state"], replies["charge"]
+        status = self.batteries.status(rows, charge)
         if status is not None:
             states[:, MOTOR_STATUS] |= status
-        context["laser_count"] = 0
+        laser_count: Int32Array | int = 0
         if self._lasers is not None and request.sensors & LASER:
             masked = _is_requested(context, mask.LASER)
-            context["laser_count"] = self._lasers.reply(context, masked)
+            laser_count = self._lasers.reply(context, masked)
         pos_data.keep(state, constants, self._clock, rows, request.sensors)
-        computers, motors = self.batteries.voltage_bytes(state, constants, rows, at_s)
-        context["computer_battery"], context["motor_battery"] = computers, motors
-        context["board_ms"] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
+        bytes_ = self.batteries.voltage_bytes(state, constants, rows, at_s, charge)
+        context["laser_count"] = laser_count
+        context["computer_battery"], context["motor_battery"] = bytes_[:, 0], bytes_[:, 1]
+        context["board_ms"] = replies["board_ms"]
         context.put_data(states)
         return states
 
@@ -154,22 +150,29 @@ class SensorBoard:
 
 def state_vector(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
     """Return `State` of robots at the time to which their axes were turned, shape (k, 45)."""
-    vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
-    vector[:, SIM_SPEED] = _REAL_TIME
-    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_state(state).reading_in(rows)
+    states: Int32Array = _replies(state, constants, rows, state.drive.clock_s[rows])["state"]
+    return states
+
+
+def _replies(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, at_s: FloatArray
+) -> Records:
+    """Return `State`, charges and times of robots, (k,) of dtype `REPLY`."""
+    kinds, for_s = constants.kinds, at_s - state.presence.joined_s[rows]
+    replies = state.rows.replies(simplest(rows, len(kinds.kind)), for_s, kinds)
+    states = replies["state"]
+    correct_speeds(state, constants, rows, states[:, VEL_RIGHT:MOTOR_STATUS])
     level, mode, reading = rings(state).level, laser_state(state).mode, compasses(state).reading
     if len(level):
         has, mine = _having(constants.numbers["infrared"], rows)
-        vector[has, IR_0:SONAR_0] = np.rint(take(level, mine))
+        states[has, IR_0:SONAR_0] = np.rint(take(level, mine))
     if len(mode):
         has, mine = _having(constants.numbers["laser"], rows)
-        vector[has, LASER_MODE] = mode[mine]
+        states[has, LASER_MODE] = mode[mine]
     if len(reading):
         has, mine = _having(constants.numbers["compass"], rows)
-        vector[has, COMPASS] = reading[mine]
-    vector[:, BUMPER] = bumper_state(state).pressed[rows]
-    vector[:, CONF_X : MOTOR_STATUS + 1] = report(state, constants, rows)
-    return vector
+        states[has, COMPASS] = reading[mine]
+    return replies
 
 
 def _having(numbers: IndexArray, rows: IndexArray) -> tuple[Rows, IndexArray]:

@@ -36,7 +36,7 @@ VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
 MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, even if stalled
 
-_SPEEDS: Final = slice(VEL_RIGHT - CONF_X, MOTOR_STATUS - CONF_X)
+_SPEEDS: Final = slice(VEL_RIGHT - CONF_X, MOTOR_STATUS - CONF_X)  # of a report
 
 LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
@@ -44,15 +44,22 @@ COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
 def report(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:
     """Return the part of `State` with positions, speeds and the motors' status, shape (k, 8)."""
-    drives = constants.drives.table
-    reports = state.rows.reports(simplest(rows, len(drives)), len(rows), drives)
+    kinds = constants.kinds
+    reports = state.rows.reports(simplest(rows, len(kinds.kind)), len(rows), kinds)
+    correct_speeds(state, constants, rows, reports[:, _SPEEDS])
+    return reports
+
+
+def correct_speeds(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, speeds: Int32Array
+) -> None:
+    """Set the reported speeds of robots, some of which are held up or degraded, (k, 3)."""
     if any_of(state.drive.hindered) or constants.degradations.concern_motions(state):
         now_s, speed = state.drive.clock_s[rows], traction.speed(state, constants, rows)
         speed = constants.degradations.speeds(state, "odometry", rows, speed, now_s)
         unit, told = constants.drives.unit[rows], np.zeros_like(speed)
         told = np.rint(np.divide(speed, unit, out=told, where=unit > 0.0))
-        reports[:, _SPEEDS] = np.clip(told, -LARGEST, LARGEST)
-    return reports
+        speeds[:] = np.clip(told, -LARGEST, LARGEST)
 
 
 def configuration(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Int32Array:

@@ -43,9 +43,10 @@ from crs_cc.sim.engine.quiet_time import catch_up, quiet_until
 from crs_cc.sim.engine.step import NO_SLICES, Slices, Step, slices_of
 from crs_cc.sim.engine.world_data import Snapshot, WorldData
 from crs_cc.sim.geometry.scene import Outlines
+from crs_cc.sim.kernels.program import ADVANCED, HELD_UP
 from crs_cc.sim.model.registry import device, devices
 from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
-from crs_cc.sim.state.bodies import Contacts
+from crs_cc.sim.state.bodies import NO_CONTACTS, Contacts
 from crs_cc.sim.state.env_state import EnvState
 
 
@@ -137,17 +138,15 @@ class Environment:
         present = state.presence.present.nonzero()[0]
         data.advance_to(present, np.full(len(present), end_s))
         data.rolling.add(state, data.constants)
-        slices, contacts = self._move(tells_slices=tells_slices)
+        slices, contacts, empty = self._move(tells_slices=tells_slices)
         # Motors without power are limp from the next cycle on.
-        worked = data.devices.sensor_board.batteries.drain(state, data.timestep_s)
-        data.let_go_if_empty(worked, end_s)
+        if empty:
+            drive.go_limp(state, data.constants, np.array(empty))
         # Contacts use the numbers of objects before robots join or leave below.
-        before = bumper_state(state).pressed
+        pressed_before = bumper_state(state).pressed.copy()
         began = data.devices.bumpers.touch(state, data.constants, contacts, end_s)
         now, names = bumper_state(state).pressed, data.names
-        pressed = released = np.zeros_like(before)
-        if now is not before:
-            pressed, released = now & ~before, before & ~now
+        pressed, released = now & ~pressed_before, pressed_before & ~now
         # Degradations that begin are logged before the devices' work at the end of the cycle.
         cycle, served = state.cycle, tuple(self._dispatcher.served)
         if state.degradation.next_s < end_s:
@@ -201,32 +200,42 @@ class Environment:
         self._running.state.cycle += cycles
         self._skipped += cycles
 
-    def _move(self, *, tells_slices: bool) -> tuple[Slices, Contacts]:
-        """Move the bodies along the slices of the cycle, which are complete now."""
+    def _move(self, *, tells_slices: bool) -> tuple[Slices, Contacts, list[int]]:
+        """Move the bodies along the slices of the cycle, which are complete now, and end these.
+
+        Return the robots whose batteries are empty, too.
+        """
         data, end_s = self._running, self._running.end_s
-        state, constants = data.state, data.constants
+        state, constants, handling = data.state, data.constants, data.devices.handling
         before_m = state.bodies.position_m[: len(state.heading_rad)].copy()
-        handling, pull = data.devices.handling, traction.pull(state, constants)
-        pull = handling.pull(state, constants, pull, end_s)
-        contacts = data.physics.step(state.bodies, pull)
-        # Wheels that were held up have not turned; only now the robots' true motion is known.
-        went_m = state.bodies.position_m[: len(before_m)] - before_m
-        traction.apply_contacts(state, constants, went_m)
-        slices = slices_of(state, data.axes, data.timestep_s) if tells_slices else NO_SLICES
-        log_falls(constants, data.log, end_s, before_m, went_m)
-        state.distance_m += traction.ways_m(constants, before_m, went_m)
-        drive.face(state, constants)
+        slices, contacts, found = NO_SLICES, NO_CONTACTS, HELD_UP
+        if data.physics.passes(state.bodies, state.drive.moved_m, traction.facing_rad(state)):
+            if tells_slices:
+                slices = slices_of(state, data.axes, data.timestep_s)
+            found, empty = state.rows.finish(state, (data.timestep_s, end_s), None, constants.kinds)
+        else:
+            pull = handling.pull(state, constants, traction.pull(state, constants), end_s)
+            contacts = data.physics.step(state.bodies, pull)
+        if found != ADVANCED:
+            # Wheels that were held up have not turned; only now the robots' true motion is known.
+            went_m = state.bodies.position_m[: len(before_m)] - before_m
+            traction.apply_contacts(state, constants, went_m)
+            if tells_slices:
+                slices = slices_of(state, data.axes, data.timestep_s)
+            log_falls(constants, data.log, end_s, before_m, went_m)
+            uphill_m = traction.uphill_ways_m(constants, before_m, went_m)
+            way_m = None if uphill_m is None else state.distance_m + uphill_m
+            times_s = data.timestep_s, end_s
+            _, empty = state.rows.finish(state, times_s, before_m, constants.kinds)
+            if way_m is not None:
+                state.distance_m[:] = way_m
         # Hands grasp what is there now; held objects change the bodies.
         if handling.end_cycle(state, constants, contacts, end_s):
             data.physics.start_from(state.bodies)
-        return slices, contacts
+        return slices, contacts, empty
 
     def _begin_cycle(self) -> None:
-        state, drives = self._running.state, self._running.state.drive
-        state.cycle += 1
-        drives.moved_m[:] = 0.0
-        drives.slice[:] = 0.0
-        drives.facing_rad[:] = state.heading_rad
+        self._running.state.cycle += 1
         self._dispatcher.served = []
 
     # -- contents ------------------------------------------------------------------------------

@@ -219,8 +219,9 @@ class WorldData:
     def charges(self, number: int) -> tuple[float, float]:
         """Return the state of charge of a robot's computer and motor batteries, 0 to 1."""
         rows = np.array([number], dtype=np.intp)
-        batteries = self.devices.sensor_board.batteries
-        computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
+        batteries, now_s = self.devices.sensor_board.batteries, np.array([self.time_s])
+        left = batteries.left(self.state, self.constants, rows, now_s)
+        computers, motors = left[0].tolist()
         return computers, motors
 
     def charge(self, number: int, share: float) -> None:
@@ -231,7 +232,7 @@ class WorldData:
         """
         self._demand_presence(number)
         batteries = self.devices.sensor_board.batteries
-        batteries.charge(self.state, number, self.time_s, share)
+        batteries.charge(self.state, self.constants, number, at_s=self.time_s, share=share)
 
     def warm(self, name: str, heat: float) -> None:
         """Set the heat of a robot or an object, 0 or more."""
@@ -279,11 +280,12 @@ class WorldData:
         if renews:
             drive.renew_deadline(state, rows)
 
-    def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
+    def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray) -> None:
         """Make the axes of robots with empty batteries limp."""
-        if not len(rows):
+        batteries = self.devices.sensor_board.batteries
+        if batteries.last or not len(rows):
             return
-        empty = rows[self.devices.sensor_board.batteries.empty(self.state, rows, at_s)]
+        empty = rows[batteries.empty(self.state, self.constants, rows, at_s)]
         if len(empty):
             drive.go_limp(self.state, self.constants, empty)
 

@@ -75,8 +75,7 @@ static double weighted(const double *way, const double *weight)
     return way[0] * weight[0] + way[1] * weight[1] + way[2] * weight[2];
 }
 
-/* Python's remainder. */
-static double in_turn(double angle)
+double __crs_in_turn(double angle)
 {
     if (!(angle >= 0 && angle < TURN)) {
         angle = fmod(angle, TURN);
@@ -105,9 +104,9 @@ static void count_turns(const struct drive *drive, const struct columns *o, int 
     __crs_arc(o->heading[i], weighted(whole, drive->forward), turn, &x, &y);
     o->x[i] += x;
     o->y[i] += y;
-    o->heading[i] = in_turn(o->heading[i] + turn);
+    o->heading[i] = __crs_in_turn(o->heading[i] + turn);
     if (drive->turret != 0)
-        o->turret[i] = in_turn(o->turret[i] + whole[2]);
+        o->turret[i] = __crs_in_turn(o->turret[i] + whole[2]);
 }
 
 /* Columns: the profiles, the time of each robot. Adds the ways and the speeds of the axes. */
@@ -188,12 +187,12 @@ static int is_due(const struct robot *robot, double time)
    then return what. What sensors do counts up to the time `last`. Command timeouts begin anew if
    `renews` is set. */
 int __crs_advance(int count, int renews, const long long *rows, double last, const double *to,
-                  const struct drive *drives, struct robot *robots)
+                  const struct tables *tables)
 {
     int i;
 
     for (i = 0; i < count; i++) {
-        const struct robot *robot = &robots[rows ? rows[i] : i];
+        const struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
         if (is_due(robot, least(to[i], last)))
             return SENSOR_DUE;
@@ -203,11 +202,51 @@ int __crs_advance(int count, int renews, const long long *rows, double last, con
             return HELD_UP;
     }
     for (i = 0; i < count; i++) {
-        int row = rows ? rows[i] : i;
+        struct robot *robot = &tables->robots[rows ? rows[i] : i];
 
-        move(&robots[row], &drives[row], to[i]);
+        move(robot, &tables->kinds[(int)robot->kind].drive, to[i]);
         if (renews)
-            robots[row].deadline = to[i] + robots[row].timeout;
+            robot->deadline = to[i] + robot->timeout;
     }
     return ADVANCED;
+}
+
+/* Ramp an axis to a speed and keep it. */
+static void set_speed(struct axes *a, int axis, double now, double target, double ramp)
+{
+    double first = a->speed[axis], more = target - first, time = __builtin_fabs(more) / ramp;
+
+    a->start[axis] = now;
+    a->first[axis] = first;
+    a->ramp[axis] = (more > 0 ? 1 : more < 0 ? -1 : 0) * ramp;
+    a->ramp_time[axis] = time;
+    a->cruise[axis] = target;
+    a->cruise_time[axis] = target == 0 ? 0 : INFINITY;
+    a->brake_time[axis] = a->begun[axis] = a->travelled[axis] = 0;
+    a->limit[axis] = a->rate[axis] = 0;
+    a->total[axis] = target == 0 ? first * time / 2 : NAN;
+}
+
+/* Ramp axes to speeds within their limits, from the time to which they have been advanced, with their
+   own acceleration or others. `which` are the axes to change, 0 for all. */
+void __crs_speeds(int count, const long long *rows, const double *speeds, const double *ramps,
+                  const double *which, const struct tables *tables)
+{
+    int i, axis;
+
+    for (i = 0; i < count; i++) {
+        struct robot *robot = &tables->robots[rows ? rows[i] : i];
+        const double *limit = tables->kinds[(int)robot->kind].speed_limit;
+        const double *ramp = ramps ? ramps + AXES * i : robot->ramp;
+
+        for (axis = 0; axis < AXES; axis++) {
+            double speed = speeds[AXES * i + axis];
+
+            if (which && which[AXES * i + axis] == 0)
+                continue;
+            speed = speed < -limit[axis] ? -limit[axis] : speed;
+            speed = speed > limit[axis] ? limit[axis] : speed;
+            set_speed(&robot->axes, axis, robot->clock, speed, ramp[axis]);
+        }
+    }
 }

@@ -74,6 +74,8 @@ exp: Final = _Unary(7)
 exp2: Final = _Unary(8)
 log: Final = _Unary(9)
 power: Final = _Binary(10)
+board_ms: Final = _Binary(15)
+"""The time that the clock of a sensor board shows, from its own time and its tick [s]."""
 _TURN: Final = 11
 _PRODUCT: Final = 12
 _NORMAL_PAIRS: Final = 14

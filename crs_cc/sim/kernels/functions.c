@@ -82,5 +82,6 @@ void __crs_apply(int function, int count, double *a, double *b, double *out)
     case 12: products(count, a, b, out); break;
     case 13: arcs(count, a, b, out); break;
     case 14: normal_pairs(count, a, b, out); break;
+    case 15: EACH(__crs_board_ms(a[i], b[i]));
     }
 }

@@ -1,9 +1,9 @@
-/* What the kernels share: their arrays lie in one arena, which numpy writes and reads. */
+/* What the kernels share: their arrays lie in one arena, which numpy writes and reads, and
+   in tables of robots. */
 #ifndef CRS_KERNELS_H
 #define CRS_KERNELS_H
 
-#define BLOCK 0x20000               /* elements of an array; complex numbers are two doubles each */
-#define ROBOTS 11000                /* rows of the tables of robots */
+#define MEMORY 1800000               /* numbers for the arena and the tables */
 #define RAY_BINS 256                /* of directions in a turn, see rays.c */
 
 /* Elementwise functions, see functions.c. */
@@ -12,23 +12,64 @@ void __crs_apply(int function, int count, double *a, double *b, double *out);
 /* The displacement along an arc with a heading before, a length and a change of heading. */
 void __crs_arc(double heading, double way, double turn, double *x, double *y);
 
-struct drive;
+/* An angle in a turn, as Python's remainder. */
+double __crs_in_turn(double angle);
+
+struct battery;
+struct body;
+struct constants;
+struct reply;
 struct robot;
 
 /* The motion of axes and robots, see drive.c: arrays in columns, changed in place. */
 void __crs_profiles(int count, double *columns);
 void __crs_counts(int count, double *columns);
 
-/* What `__crs_advance` returns. */
+/* The tables of robots. */
+struct tables {
+    struct robot *robots;
+    struct body *bodies;
+    struct battery *batteries;
+    struct constants *kinds;
+};
+
+/* What kernels on robots return. */
 enum { ADVANCED, SENSOR_DUE, TIMEOUT_DUE, HELD_UP };
 
 /* Kernels on robots: `rows` are their rows in the tables, 0 for the first `count` ones. */
 int __crs_advance(int count, int renews, const long long *rows, double last, const double *to,
-                  const struct drive *drives, struct robot *robots);
+                  const struct tables *tables);
+
+/* Ramp axes to speeds, see drive.c: three numbers of each robot. */
+void __crs_speeds(int count, const long long *rows, const double *speeds, const double *ramps,
+                  const double *which, const struct tables *tables);
 
 /* What `State` says of motions, see report.c: eight integers of each robot. */
-void __crs_reports(int count, const long long *rows, const struct drive *drives,
-                   const struct robot *robots, int *out);
+void __crs_reports(int count, const long long *rows, const struct tables *tables, int *out);
+
+/* Replies to requests, see report.c; `times` are those for which robots have been in the world. */
+void __crs_replies(int count, const long long *rows, const double *times,
+                   const struct tables *tables, struct reply *out);
+
+/* What the clock of a sensor board shows [ms], see `devices/clock`. */
+double __crs_board_ms(double time, double tick);
+
+/* The charges of batteries: two numbers of each robot. */
+void __crs_charges(int count, const long long *rows, const double *times,
+                   const struct tables *tables, double *out);
+int __crs_is_empty(const struct robot *robot, double time, const struct tables *tables);
+
+struct cycle {
+    double timestep, end;               /* [s] */
+    double is_free;                     /* whether the robots move as their wheels do, or have moved */
+    double drains;                      /* whether any wheel turned or was held; negative: find out */
+};
+
+/* End a cycle of all robots, see cycle.c. `empty` gets how many robots' batteries ran empty, and which.
+   `before` is where they were; if they move freely that is set here, too. If rounding errors of their
+   places are too large, they have moved, but nothing else is done: then return HELD_UP. */
+int __crs_finish(int count, const struct cycle *cycle, const double *joined, double *before,
+                 const struct tables *tables, int *empty);
 
 /* The first echo of each of some pings, see echoes.c. The tables of shapes are overwritten. */
 void __crs_echoes(int count, int hushed, const double *pings, double *faces, double *rounds,

@@ -5,17 +5,62 @@
 #include "robot.h"
 
 /* Other numbers are those of elementwise functions. */
-enum { ECHOES = 100, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW };
+enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
+    CHARGES, FINISH };
 
 static int arguments[10];
-static double arena[3][2 * BLOCK];
-static struct robot robots[ROBOTS];
-static struct drive drives[ROBOTS];
+static double memory[MEMORY];
+static double *arena;
+static int block;               /* numbers in a third of the arena */
+static struct tables tables;
 
-/* Return the rows of some robots, which follow a number for each and one for all. */
-static const long long *rows(int count, int is_selection)
+/* Divide the memory into the arena and the tables, whose numbers of rows are given. */
+static void set_up(int *n)
 {
-    return is_selection ? (const long long *)(arena[0] + 1 + count) : 0;
+    block = n[1];
+    arena = memory;
+    tables.robots = (struct robot *)(memory + 3 * block);
+    tables.bodies = (struct body *)(tables.robots + n[2]);
+    tables.batteries = (struct battery *)(tables.bodies + n[3]);
+    tables.kinds = (struct constants *)(tables.batteries + n[2]);
+    n[0] = (int)arena;
+    n[1] = (int)tables.robots;
+    n[2] = (int)tables.bodies;
+    n[3] = (int)tables.batteries;
+    n[4] = (int)tables.kinds;
+}
+
+/* Run a kernel on some robots. Their rows come first in the arena, unless it is about the first ones;
+   then numbers. */
+static void run_on_robots(int *n)
+{
+    int count = n[1];
+    const long long *rows = n[2] ? (const long long *)arena : 0;
+    double *numbers = arena + (n[2] ? count : 0), *out = arena + block;
+
+    switch (n[0]) {
+    case ADVANCE:
+    case RENEW:
+        n[0] = __crs_advance(count, n[0] == RENEW, rows, numbers[0], numbers + 1, &tables);
+        break;
+    case REPORTS:
+        __crs_reports(count, rows, &tables, (int *)out);
+        break;
+    case REPLIES:
+        __crs_replies(count, rows, numbers, &tables, (struct reply *)out);
+        break;
+    case CHARGES:
+        __crs_charges(count, rows, numbers, &tables, out);
+        break;
+    case SPEEDS:
+        __crs_speeds(count, rows, numbers, n[3] ? numbers + n[3] : 0, n[4] ? numbers + n[4] : 0,
+                     &tables);
+        break;
+    case FINISH:
+        n[0] = __crs_finish(count, (struct cycle *)numbers, numbers + 4, numbers + 4 + count,
+                            &tables, (int *)out);
+        break;
+    }
 }
 
 int __crs_start(void)
@@ -24,30 +69,25 @@ int __crs_start(void)
     int *n = arguments;
 
     message.i[0] = (int)arguments;
-    message.i[1] = (int)arena;
-    message.i[2] = (int)robots;
-    message.i[3] = (int)drives;
     for (;;) {
         __crs_request(1, &message);
-        if (n[0] == ECHOES)
-            __crs_echoes(n[1], n[2], arena[0], arena[0] + n[3], arena[0] + n[4], arena[0] + n[5],
-                         arena[0] + n[6]);
+        if (n[0] == SETUP)
+            set_up(n);
+        else if (n[0] == ECHOES)
+            __crs_echoes(n[1], n[2], arena, arena + n[3], arena + n[4], arena + n[5],
+                         arena + n[6]);
         else if (n[0] == RAYS)
-            __crs_rays(n[1], n[2], n[3], n[4], n[5], arena[0], arena[0] + n[6], arena[0] + n[7],
-                       arena[0] + n[8]);
+            __crs_rays(n[1], n[2], n[3], n[4], n[5], arena, arena + n[6], arena + n[7],
+                       arena + n[8]);
         else if (n[0] == COVERS)
-            __crs_covers(n[1], n[2], n[4], arena[0], arena[0] + n[6], arena[0] + n[7],
-                         arena[0] + n[8]);
+            __crs_covers(n[1], n[2], n[4], arena, arena + n[6], arena + n[7], arena + n[8]);
         else if (n[0] == PROFILES)
-            __crs_profiles(n[1], arena[0]);
+            __crs_profiles(n[1], arena);
         else if (n[0] == COUNTS)
-            __crs_counts(n[1], arena[0]);
-        else if (n[0] == ADVANCE || n[0] == RENEW)
-            n[0] = __crs_advance(n[1], n[0] == RENEW, rows(n[1], n[2]), arena[0][0], arena[0] + 1,
-                                 drives, robots);
-        else if (n[0] == REPORTS)
-            __crs_reports(n[1], rows(n[1], n[2]), drives, robots, (int *)arena[1]);
+            __crs_counts(n[1], arena);
+        else if (n[0] > COUNTS)
+            run_on_robots(n);
         else
-            __crs_apply(n[0], n[1], arena[0], arena[1], arena[2]);
+            __crs_apply(n[0], n[1], arena, arena + block, arena + 2 * block);
     }
 }

@@ -18,17 +18,19 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Location
+from crs_cc.requests import NUM_STATE
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
 
 BLOCK: Final = 0x20000
-"""Elements of an array in the arena, as in `kernels.h`."""
+"""Elements of an array in the arena; complex numbers are two numbers each."""
 
-_BYTES: Final = BLOCK * 16
+_SETUP: Final = struct.Struct("<5i")
+_SETUP_NUMBER: Final = 99
 _ARGUMENTS: Final = struct.Struct("<2i")
 _ECHOES: Final = struct.Struct("<7i")
 _ARCS: Final = 13
@@ -45,8 +47,12 @@ _ADVANCE: Final = 104
 _REPORTS: Final = 105
 _COVERS: Final = 106
 _RENEW: Final = 107
-ROBOTS_AT_ONCE: Final = 8192
-"""A kernel of `drive.c` has room for so many."""
+_SPEEDS: Final = 108
+_REPLIES: Final = 109
+_CHARGES: Final = 110
+_FINISH: Final = 111
+ROBOTS_AT_ONCE: Final = 2048
+"""Robots whose columns or rows are copied for a kernel at once."""
 
 ADVANCED: Final = 0
 SENSOR_DUE: Final = 1
@@ -55,15 +61,33 @@ HELD_UP: Final = 3
 """What `Kernels.advance` returns, as in `kernels.h`."""
 
 ROBOTS: Final = 11000
-"""Rows of the tables of robots, as in `kernels.h`."""
-ROBOT_BYTES: Final = 64 * 8
-_DRIVE_BYTES: Final = 19 * 8
-"""Sizes of the rows, see `robot.h`."""
+BODIES: Final = 15000
+KINDS: Final = 2048
+"""Rows of the tables of instances that hold the rows of a world."""
+ROBOT_SIZE: Final = 104
+BODY_SIZE: Final = 6
+BATTERY_SIZE: Final = 4
+KIND_SIZE: Final = 40
+"""Numbers in the rows of tables, see `robot.h`."""
+KIND: Final = 91
+BATTERY: Final = 92
+"""Places in a row of a robot: the row of its constants, and that of its battery, -1 for none."""
+
+REPLY: Final = np.dtype(
+    [("state", "<i4", NUM_STATE), ("_", "<i4"), ("charge", "<f8", 2), ("board_ms", "<f8")]
+)
+"""What the reply to a request tells of a robot, see `report.c`."""
 
 _NUMBER: Final = 8  # bytes
 _SELECTION: Final = struct.Struct("<3i")
+_PLACES: Final = struct.Struct("<2i")
 _LAST: Final = struct.Struct("<d")
+_CYCLE: Final = struct.Struct("<4d")
 _RESULT: Final = struct.Struct("<i")
+
+_AT_ONCE: Final = 2 * BLOCK, ROBOTS_AT_ONCE, ROBOTS_AT_ONCE, ROBOTS_AT_ONCE
+_WORLD: Final = 145_000, ROBOTS, BODIES, KINDS
+"""Numbers in a third of the arena, rows of robots, of bodies and of kinds."""
 
 _Column: TypeAlias = Any  # contiguous arrays of float64, or bool at the end
 
@@ -74,38 +98,49 @@ RAY_BINS: Final = 256
 
 
 class Kernels:
-    """One thread's instance of the kernels.
+    """An instance of the kernels.
 
     Attributes:
         room: numbers that the tables of a kernel have room for.
-        reals: two arguments and the result of a function of real arrays, `BLOCK` elements each.
+        reals: two arguments and the result of a function of real arrays.
         complexes: the same memory as complex numbers.
         robots: the bytes of the rows of robots, see `robot.h`.
-        drives: those of their constants.
+        bodies: those of robots' and objects' bodies.
+        batteries: those of motor batteries.
+        kinds: those of the constants of each kind of robot.
     """
 
-    def __init__(self, *, checked: bool = False) -> None:
+    def __init__(self, *, holds_world: bool = False, checked: bool = False) -> None:
         """Load the program.
 
         Args:
+            holds_world: whether the rows of a world lie in its memory, or a larger arena.
             checked: check every access through a pointer, for tests.
         """
         # Not needed by a run that computes nothing.
         from crs_cc.runtime.kernel_instance import KernelInstance
 
         instance = KernelInstance(_executable(checked=checked))
-        arguments, arena, robots, drives = (int(each) for each in instance.message[:4])
-        self._place, self._memory = arguments, instance.memory.data
-        memory = instance.memory[arena : arena + 3 * _BYTES].reshape(3, _BYTES)
-        self.reals = tuple(memory.view(np.float64)[:, :BLOCK])
+        self._place, self._memory = int(instance.message[0]), instance.memory.data
+        self._resume = instance.resume
+        third, robots, bodies, kinds = _WORLD if holds_world else _AT_ONCE
+        _SETUP.pack_into(self._memory, self._place, _SETUP_NUMBER, third, robots, bodies, kinds)
+        self._resume()
+        arena, *tables = _SETUP.unpack_from(self._memory, self._place)
+        memory = instance.memory[arena : arena + 3 * third * _NUMBER].reshape(3, -1)
+        self.reals = tuple(memory.view(np.float64))
         self.complexes = tuple(memory.view(np.complex128))
         self._arena = memory.view(np.float64).reshape(-1)
         self._bytes = self._arena.data.cast("B")
-        self.robots = instance.memory[robots : robots + ROBOTS * ROBOT_BYTES].data
-        self.drives = instance.memory[drives : drives + ROBOTS * _DRIVE_BYTES].data
-        self._second = memory[1].view(np.int32)
+        sizes = robots * ROBOT_SIZE, bodies * BODY_SIZE, robots * BATTERY_SIZE, kinds * KIND_SIZE
+        self.robots, self.bodies, self.batteries, self.kinds = (
+            instance.memory[begin : begin + size * _NUMBER].data
+            for begin, size in zip(tables, sizes, strict=True)
+        )
+        results = memory[1:].reshape(-1)
+        self._second, self._charges = results.view(np.int32), results.view(np.float64)
+        self._replies = results[: robots * REPLY.itemsize].view(REPLY)
         self.room = len(self._arena)
-        self._resume = instance.resume
 
     def apply(self, function: int, count: int) -> None:
         """Apply a function, by its number in `functions.c`, to arguments in the arena."""
@@ -255,7 +290,7 @@ class Kernels:
             `ADVANCED`, or what happens before.
         """
         times = _LAST.pack(last_s) + to_s.tobytes()
-        self._select(_RENEW if renews else _ADVANCE, len(to_s), times, rows)
+        self._select(_RENEW if renews else _ADVANCE, len(to_s), rows, times)
         found: int = _RESULT.unpack_from(self._memory, self._place)[0]
         return found
 
@@ -266,14 +301,89 @@ class Kernels:
             rows: their rows in `robots`, None for the first ones.
             count: the number of robots.
         """
-        self._select(_REPORTS, count, bytes(_NUMBER * (1 + count)), rows)
+        self._select(_REPORTS, count, rows)
         return np.array(self._second[: 8 * count].reshape(count, 8))
 
-    def _select(self, kernel: int, count: int, numbers: bytes, rows: IndexArray | None) -> None:
-        """Run a kernel on some of the `robots`."""
-        joined = numbers if rows is None else numbers + rows.tobytes()
+    def replies(self, rows: IndexArray | None, for_s: FloatArray) -> Records:
+        """Return what replies tell of robots, (k,) of dtype `REPLY`.
+
+        Args:
+            rows: their rows in `robots`, None for the first ones.
+            for_s: the time for which each has been in the world, (k,).
+        """
+        self._select(_REPLIES, len(for_s), rows, for_s.tobytes())
+        return self._replies[: len(for_s)].copy()
+
+    def charges(self, rows: IndexArray | None, for_s: FloatArray) -> FloatArray:
+        """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
+
+        Args:
+            rows: their rows in `robots`, None for the first ones.
+            for_s: the time for which each has been in the world, (k,).
+        """
+        self._select(_CHARGES, len(for_s), rows, for_s.tobytes())
+        return self._charges[: 2 * len(for_s)].reshape(-1, 2).copy()
+
+    def set_speeds(
+        self,
+        rows: IndexArray | None,
+        speed: FloatArray,
+        ramp: FloatArray | None,
+        which: FloatArray | None,
+    ) -> None:
+        """Ramp axes of robots to speeds within their limits.
+
+        Args:
+            rows: their rows in `robots`, None for the first ones.
+            speed: of each axis, (k, 3).
+            ramp: their accelerations, (k, 3); None for those of commands.
+            which: 1 for the axes to change, (k, 3); None for all.
+        """
+        numbers, places = speed.tobytes(), []
+        for each in (ramp, which):
+            places.append(0 if each is None else len(numbers) // _NUMBER)
+            numbers += b"" if each is None else each.tobytes()
+        self._select(_SPEEDS, len(speed), rows, numbers, *places)
+
+    def finish(
+        self,
+        count: int,
+        cycle: tuple[float, float, bool, float],
+        joined_s: FloatArray,
+        before_m: FloatArray | None,
+    ) -> tuple[int, list[int]]:
+        """End a cycle of the first robots, see `cycle.c`.
+
+        Args:
+            count: how many.
+            cycle: its length and end [s], whether the robots move as their wheels do, and whether
+                any wheel has turned or was held back, negative if that is not known.
+            joined_s: when each has joined, (count,).
+            before_m: where they were, if they have moved already, (count, 2).
+
+        Returns:
+            `ADVANCED`, or `HELD_UP` if they have moved, but for rounding errors nothing else was
+            done; and the robots whose batteries are empty.
+        """
+        before = b"" if before_m is None else before_m.tobytes()
+        self._select(_FINISH, count, None, _CYCLE.pack(*cycle) + joined_s.tobytes() + before)
+        empty = self._second[1 : 1 + self._second[0]].tolist() if self._second[0] else []
+        return _RESULT.unpack_from(self._memory, self._place)[0], empty
+
+    def _select(
+        self,
+        kernel: int,
+        count: int,
+        rows: IndexArray | None,
+        numbers: bytes = b"",
+        *places: int,
+    ) -> None:
+        """Run a kernel on some of the `robots`, with numbers, and places in them."""
+        joined = numbers if rows is None else rows.tobytes() + numbers
         self._bytes[: len(joined)] = joined
         _SELECTION.pack_into(self._memory, self._place, kernel, count, rows is not None)
+        if places:
+            _PLACES.pack_into(self._memory, self._place + _SELECTION.size, *places)
         self._resume()
 
     def number(self, function: int, a: float, b: float) -> float:

@@ -1,13 +1,27 @@
-/* What `State` says of a robot's motion, see `devices/vendor_state.py`. */
+/* What the reply to a request tells of a robot: `State`, see `devices/vendor_state.py`, the charge of
+   its batteries, see `devices/battery`, and the time of its board, see `devices/clock`. */
 #include <math.h>
 
 #include "kernels.h"
 #include "robot.h"
 
-#define TENTH_INCH (0.0254 / 10)        /* [m] */
+#define INCH 0.0254                     /* [m] */
+#define TENTH_INCH (INCH / 10)
 #define TENTH_DEGREE (M_PI / 1800)      /* [rad] */
 #define FULL_TURN 3600
 #define LARGEST 2147483647
+#define NO_ECHO 255                     /* [in] */
+#define REAL_TIME 10
+#define ROUNDING 1e-9                   /* [ticks] */
+#define WRAP 4294967296.0               /* [ms] */
+
+/* Places in `State`. */
+enum { SIM_SPEED, IR_0, SONAR_0 = 17, BUMPER = SONAR_0 + SONARS, CONF_X, NUM_STATE = 45 };
+
+struct reply {
+    int state[NUM_STATE];
+    double charge[2], ms;
+};
 
 static int whole(double value)
 {
@@ -22,30 +36,113 @@ static int angle(double value)
     return tenths < 0 ? tenths + FULL_TURN : tenths;
 }
 
-/* Each report is position, angles and speeds, and a bit for each motor that works. */
-void __crs_reports(int count, const long long *rows, const struct drive *drives,
-                   const struct robot *robots, int *out)
+static int inches(double value)
 {
-    int i, axis;
+    value = rint(value / INCH);
+    return value < NO_ECHO ? value > 0 ? (int)value : 0 : NO_ECHO;
+}
 
-    for (i = 0; i < count; i++, out += 8) {
-        int row = rows ? rows[i] : i;
-        const struct robot *robot = &robots[row];
-        const struct axes *a = &robot->axes;
-        const double *unit = drives[row].unit;
+/* Position, angles and speeds, and a bit for each motor that works. */
+static void report(const struct robot *robot, const struct drive *drive, int *out)
+{
+    const struct axes *a = &robot->axes;
+    int axis;
 
-        out[0] = whole(robot->odometry.x / TENTH_INCH);
-        out[1] = whole(robot->odometry.y / TENTH_INCH);
-        out[2] = angle(robot->odometry.heading);
-        out[3] = angle(robot->odometry.turret);
-        out[7] = 0;
-        for (axis = 0; axis < AXES; axis++) {
-            double end = a->start[axis] + a->ramp_time[axis];
+    out[0] = whole(robot->odometry.x / TENTH_INCH);
+    out[1] = whole(robot->odometry.y / TENTH_INCH);
+    out[2] = angle(robot->odometry.heading);
+    out[3] = angle(robot->odometry.turret);
+    out[7] = 0;
+    for (axis = 0; axis < AXES; axis++) {
+        double end = a->start[axis] + a->ramp_time[axis];
 
-            end = end + a->cruise_time[axis] + a->brake_time[axis];
-            out[4 + axis] = unit[axis] > 0 ? whole(a->speed[axis] / unit[axis]) : 0;
-            if (end > robot->clock && !robot->limp[axis])
-                out[7] |= 1 << axis;
-        }
+        end = end + a->cruise_time[axis] + a->brake_time[axis];
+        out[4 + axis] = drive->unit[axis] > 0 ? whole(a->speed[axis] / drive->unit[axis]) : 0;
+        if (end > robot->clock && !robot->limp[axis])
+            out[7] |= 1 << axis;
+    }
+}
+
+/* The charge of a motor's or computer's battery after some time in the world. */
+static double charge(const struct supply *supply, int which, double time, double moved)
+{
+    double left = supply->start[which]
+        - (supply->power[which] * time + moved) / supply->capacity[which];
+
+    return left < 0 ? 0 : left;
+}
+
+static double motor_charge(const struct robot *robot, double time, const struct tables *tables)
+{
+    const struct supply *supply = &tables->kinds[(int)robot->kind].supply;
+
+    return charge(supply, 1, time,
+                  robot->battery < 0 ? 0 : tables->batteries[(int)robot->battery].used);
+}
+
+static void charges(const struct robot *robot, double time, const struct tables *tables,
+                    double *out)
+{
+    out[0] = charge(&tables->kinds[(int)robot->kind].supply, 0, time, 0);
+    out[1] = motor_charge(robot, time, tables);
+}
+
+int __crs_is_empty(const struct robot *robot, double time, const struct tables *tables)
+{
+    return motor_charge(robot, time, tables) < tables->kinds[(int)robot->kind].supply.least;
+}
+
+void __crs_charges(int count, const long long *rows, const double *times,
+                   const struct tables *tables, double *out)
+{
+    int i;
+
+    for (i = 0; i < count; i++)
+        charges(&tables->robots[rows ? rows[i] : i], times[i], tables, out + 2 * i);
+}
+
+void __crs_reports(int count, const long long *rows, const struct tables *tables, int *out)
+{
+    int i;
+
+    for (i = 0; i < count; i++) {
+        const struct robot *robot = &tables->robots[rows ? rows[i] : i];
+
+        report(robot, &tables->kinds[(int)robot->kind].drive, out + 8 * i);
+    }
+}
+
+static void state(const struct robot *robot, const struct drive *drive, int *out)
+{
+    int i;
+
+    for (i = 0; i < NUM_STATE; i++)
+        out[i] = 0;
+    out[SIM_SPEED] = REAL_TIME;
+    for (i = 0; i < SONARS; i++)
+        out[SONAR_0 + i] = inches(robot->echo[i]);
+    out[BUMPER] = robot->pressed;
+    report(robot, drive, &out[CONF_X]);
+}
+
+double __crs_board_ms(double time, double tick)
+{
+    double ticks = floor(time / tick + ROUNDING);
+
+    return fmod(floor(ticks * tick * 1e3 + ROUNDING), WRAP);
+}
+
+void __crs_replies(int count, const long long *rows, const double *times,
+                   const struct tables *tables, struct reply *out)
+{
+    int i;
+
+    for (i = 0; i < count; i++, out++) {
+        const struct robot *robot = &tables->robots[rows ? rows[i] : i];
+        const struct constants *own = &tables->kinds[(int)robot->kind];
+
+        state(robot, &own->drive, out->state);
+        charges(robot, times[i], tables, out->charge);
+        out->ms = __crs_board_ms(own->clock_start + times[i], own->clock_tick);
     }
 }

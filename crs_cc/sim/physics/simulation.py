@@ -83,6 +83,7 @@ class Physics:
         fastest_mps = float(limits_mps[scene.present].max(initial=0.0))
         self._fewest_substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
         self._inclines, self._ledges = None, None
+        self._slope: Incline | None = None  # in the current cycle
         if not world.surface.is_flat:
             self._inclines = Inclines(world, scene)
             self._ledges = Ledges(self._inclines.terrain, scene)
@@ -106,8 +107,30 @@ class Physics:
             self._catch_up()
         return self._spaces[0]
 
+    def passes(self, bodies: Bodies, way_m: FloatArray, facing_rad: FloatArray) -> bool:
+        """Return whether no contact is possible in this cycle, which is then over.
+
+        The robots are then to be moved as their wheels have turned. Otherwise call `step`.
+
+        Args:
+            bodies: the bodies at the start of the cycle.
+            way_m: the displacement of each robot by its wheels in it, (robots, 2).
+            facing_rad: their rolling directions, (robots,).
+        """
+        if self._cycles == REBUILD:
+            self.start_from(bodies)
+        self._slope = None
+        if self._inclines is not None:
+            self._slope = self._incline(bodies, facing_rad)
+        is_level = self._slope is None or self._slope.quiet
+        if not (is_level and self._nothing_near(bodies, way_m)):
+            return False
+        bodies.touching[:] = False
+        self._cycles += 1
+        return True
+
     def step(self, bodies: Bodies, pull: Pull) -> Contacts:
-        """Move bodies through one cycle.
+        """Move bodies through a cycle in which contacts are possible.
 
         Args:
             bodies: moved in place.
@@ -116,9 +139,10 @@ class Physics:
         Returns:
             the contacts of the robots.
         """
-        if self._cycles == REBUILD:
-            self.start_from(bodies)
-        contacts = self._step(bodies, pull)
+        follows = bool(self._ran) and self._ran[-1].cycle == self._cycles - 1
+        before = None if follows else bodies.copy()
+        contacts = self._run(bodies, pull, self._slope)
+        self._ran.append(Ran(self._cycles, pull, before))
         self._cycles += 1
         return contacts
 
@@ -171,24 +195,8 @@ class Physics:
         for ran in self._ran:
             if ran.bodies is not None:
                 bodies = ran.bodies.copy()
-            self._run(bodies, ran.pull, self._incline(bodies, ran.pull))
+            self._run(bodies, ran.pull, self._incline(bodies, ran.pull.facing_rad))
         self._room_m = room_m
-
-    def _step(self, bodies: Bodies, pull: Pull) -> Contacts:
-        robots, way_m = slice(self._robots), pull.way_m
-        free_m = bodies.position_m[robots] + way_m
-        wanted_mps = way_m / self._world.timestep_s
-        incline = self._incline(bodies, pull)
-        if (incline is None or incline.quiet) and self._nothing_near(bodies, way_m):
-            bodies.position_m[robots] = free_m
-            bodies.velocity_mps[robots] = wanted_mps
-            bodies.touching[:] = False
-            return NO_CONTACTS
-        follows = bool(self._ran) and self._ran[-1].cycle == self._cycles - 1
-        before = None if follows else bodies.copy()
-        contacts = self._run(bodies, pull, incline)
-        self._ran.append(Ran(self._cycles, pull, before))
-        return contacts
 
     def _run(self, bodies: Bodies, pull: Pull, incline: Incline | None) -> Contacts:
         """Step the space, which moves the bodies."""
@@ -211,13 +219,13 @@ class Physics:
         self._load.place(bodies, pull)
         return with_slipped(contacts, self._load, bodies)
 
-    def _incline(self, bodies: Bodies, pull: Pull) -> Incline | None:
+    def _incline(self, bodies: Bodies, facing_rad: FloatArray) -> Incline | None:
         """Return the slope under the bodies, None in a flat world."""
         if self._inclines is None or self._ledges is None:
             return None
         pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.object_kg])
         self._ledges.place(bodies.position_m, bodies.angle_rad)
-        return self._inclines.under(bodies.position_m, pull.facing_rad, pulled_kg)
+        return self._inclines.under(bodies.position_m, facing_rad, pulled_kg)
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
         """Return whether no contact is possible in this cycle, so that no step is needed.

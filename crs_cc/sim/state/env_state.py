@@ -195,7 +195,11 @@ class EnvState(_InRows):
         left, heat = place >= 0, np.zeros(len(now))
         heat[place[left]] = self.heat.left[left]
         self.heat.left = heat
+        slipping = self.bodies.slipping
         self.bodies = self.bodies.take(np.flatnonzero(left[: len(self.bodies.angle_rad)]))
+        if self._rows is not None:
+            self.bodies.slipping = slipping  # in the rows of robots
+            self._rows.replace_bodies(self)
         robot, thing = np.divmod(self.contacts_before, len(before))
         robot, thing = robot[left[thing]], place[thing[left[thing]]]
         self.contacts_before = np.sort(robot * len(now) + thing)

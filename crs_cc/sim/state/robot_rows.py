@@ -9,50 +9,70 @@ order is that of `struct robot` in `kernels/robot.h`.
 >>> state = EnvState.at_start(empty_world())
 >>> rows = state.rows
 >>> state.drive.clock_s[0] = 7.0
->>> 7.0 in rows.table[0], rows.table.shape == (1, ROW_SIZE)
+>>> 7.0 in rows.table[0], rows.table.shape == (1, ROBOT_SIZE)
 (True, True)
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from operator import attrgetter
-from typing import Any, Final
+from typing import Any, Final, NamedTuple, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.kernels.program import (
     ADVANCED,
-    ROBOT_BYTES,
+    BATTERY,
+    BATTERY_SIZE,
+    BODIES,
+    BODY_SIZE,
+    KIND,
+    KINDS,
+    ROBOT_SIZE,
     ROBOTS,
     ROBOTS_AT_ONCE,
     Kernels,
     kernels,
 )
 from crs_cc.sim.state.motion_profile import Axes
-from crs_cc.sim.state.rows import Rows, parts, take
+from crs_cc.sim.state.robot_kinds import RobotKinds
+from crs_cc.sim.state.rows import ALL, Rows, parts
 
-ROW_SIZE: Final = ROBOT_BYTES // 8
-"""Numbers in a row."""
+_Parts: TypeAlias = Sequence[tuple[str, Sequence[str]]]
 
-_PARTS: Final = (
+_NUMBER: Final = 8  # bytes
+_UNKNOWN: Final = -1.0
+_ROBOT: Final = (
     ("drive.axes", [each.name for each in fields(Axes)]),
     ("odometry", ["shaft", "told", "x_m", "y_m", "heading_rad", "turret_rad"]),
     ("drive", ["slice", "moved_m", "facing_rad", "turret_rad", "clock_s"]),
     ("drive", ["timeout_s", "deadline_s"]),
     ("timers", ["soonest_s"]),
-    ("devices.sonar", ["next_s", "heard_s", "listening"]),
+    ("devices.sonar", ["next_s", "heard_s", "echo_m", "listening"]),
+    ("drive", ["ramp"]),
+    ("", ["heading_rad", "mount_rad", "base_rad", "distance_m"]),
+    ("drive", ["command", "command_cycle"]),
+    ("", ["commands"]),
+    ("devices.bumper", ["pressed"]),
     ("drive", ["limp", "hindered"]),
+    ("bodies", ["slipping"]),
 )
+_BODY: Final = (("bodies", ["position_m", "velocity_mps", "angle_rad", "spin_radps"]),)
+_BATTERY: Final = (("devices.motor_battery", ["moved_j", "speed_mps"]),)
+_TABLES: Final = (_ROBOT, ROBOT_SIZE), (_BODY, BODY_SIZE), (_BATTERY, BATTERY_SIZE)
 
 
 class RobotRows:
-    """The rows of all robots of a state.
+    """The rows of all robots, bodies and batteries of a state.
 
     Attributes:
-        table: the rows, (robots, `ROW_SIZE`).
+        table: the rows of robots, (robots, `ROBOT_SIZE`).
+        bodies: those of the bodies, the robots first, (bodies, `BODY_SIZE`).
+        batteries: those of motor batteries, (batteries, `BATTERY_SIZE`).
     """
 
     def __init__(self, state: Any, before: RobotRows | None = None) -> None:
@@ -62,31 +82,24 @@ class RobotRows:
             state: the state, an `EnvState`.
             before: the rows of another state, which is not used any more.
         """
-        count = len(state.drive.clock_s)
         self._home: Kernels | None = None
-        self._drives: FloatArray | None = None  # in the kernels' memory
-        if count <= ROBOTS:
-            self._home = (before and before._home) or Kernels()
-        content = bytearray(count * ROBOT_BYTES) if self._home is None else self._home.robots
-        self.table: FloatArray = np.ndarray((count, ROW_SIZE), np.float64, content)
-        place = 0
-        for path, names in _PARTS:
-            part = attrgetter(path)(state)
-            for name in names:
-                place = self._move(part, name, place)
+        self._kinds: RobotKinds | None = None  # in the kernels' memory
+        if len(state.drive.clock_s) <= ROBOTS and len(state.bodies.angle_rad) <= BODIES:
+            self._home = (before and before._home) or Kernels(holds_world=True)
+        home = self._home
+        homes = (None,) * 3 if home is None else (home.robots, home.bodies, home.batteries)
+        self.table, self.bodies, self.batteries = (
+            _moved(state, parts, size, memory)
+            for (parts, size), memory in zip(_TABLES, homes, strict=True)
+        )
 
-    def _move(self, part: Any, name: str, place: int) -> int:
-        """Move an array into rows, from a byte on; return where the next one begins."""
-        array = getattr(part, name)
-        size, width = int(array.itemsize), int(math.prod(array.shape[1:]))
-        row = self.table.view(np.uint8)[:, place : place + size * width]
-        view = row.view(array.dtype).reshape(array.shape)
-        view[...] = array
-        setattr(part, name, view)
-        return place + size * width
+    def replace_bodies(self, state: Any) -> None:
+        """Move the bodies of a state, which are new and not more than before, into rows."""
+        memory = None if self._home is None else self._home.bodies
+        self.bodies = _moved(state, _BODY, BODY_SIZE, memory)
 
     def advance(
-        self, rows: Rows, to_s: FloatArray, last_s: float, drives: FloatArray, *, renews: bool
+        self, rows: Rows, to_s: FloatArray, last_s: float, kinds: RobotKinds, *, renews: bool
     ) -> int:
         """Advance the axes of robots as commanded, see `Kernels.advance`.
 
@@ -94,53 +107,210 @@ class RobotRows:
             rows: the robots, k of them.
             to_s: the time of each, (k,).
             last_s: the time up to which sensors matter.
-            drives: the constants of all robots, see `Drives.table`.
+            kinds: their constants.
             renews: whether their command timeouts begin anew.
 
         Returns:
             `ADVANCED`, or what happens to one of them; then some of the others may be advanced.
         """
-        if self._home is not None:
-            self._hold(drives)
-            return self._home.advance(_selected(rows), to_s, last_s, renews=renews)
-        own, found = kernels(), ADVANCED
-        for some, part in parts(rows, len(to_s), ROBOTS_AT_ONCE):
-            _copy(own, take(drives, some), take(self.table, some))
-            found = own.advance(None, to_s[part], last_s, renews=renews)
+        home = self._at_home(kinds)
+        if home is not None:
+            return home.advance(_selected(rows), to_s, last_s, renews=renews)
+        found = ADVANCED
+        for lent in self._lent(rows, len(to_s), kinds):
+            found = lent.own.advance(None, to_s[lent.part], last_s, renews=renews)
             if found != ADVANCED:
                 break
-            count = part.stop - part.start
-            self.table[some] = np.ndarray((count, ROW_SIZE), np.float64, own.robots)
+            self._take_back(lent)
         return found
 
-    def reports(self, rows: Rows, count: int, drives: FloatArray) -> Int32Array:
+    def set_speeds(
+        self,
+        rows: Rows,
+        speed: FloatArray,
+        kinds: RobotKinds,
+        *,
+        ramp: FloatArray | None = None,
+        which: BoolArray | None = None,
+    ) -> None:
+        """Ramp axes to speeds within their limits, from the time to which they were advanced.
+
+        Args:
+            rows: the robots, k of them.
+            speed: of each axis, (k, 3).
+            kinds: their constants.
+            ramp: the accelerations, (k, 3); by default those of commands.
+            which: the axes to change, (k, 3); by default all.
+        """
+        flags = None if which is None else which.astype(np.float64)
+        home = self._at_home(kinds)
+        if home is not None:
+            home.set_speeds(_selected(rows), speed, ramp, flags)
+            return
+        for lent in self._lent(rows, len(speed), kinds):
+            ramps, marks = (None if each is None else each[lent.part] for each in (ramp, flags))
+            lent.own.set_speeds(None, speed[lent.part], ramps, marks)
+            self._take_back(lent)
+
+    def reports(self, rows: Rows, count: int, kinds: RobotKinds) -> Int32Array:
         """Return what `State` says of the motions of robots, shape (k, 8), see `Kernels.reports`.
 
         Args:
             rows: the robots, k of them.
             count: their number.
-            drives: the constants of all robots, see `Drives.table`.
+            kinds: their constants.
         """
-        if self._home is not None:
-            self._hold(drives)
-            return self._home.reports(_selected(rows), count)
-        own, reports = kernels(), []
-        for some, part in parts(rows, count, ROBOTS_AT_ONCE):
-            _copy(own, take(drives, some), take(self.table, some))
-            reports.append(own.reports(None, part.stop - part.start))
-        return np.concatenate(reports)
+        home = self._at_home(kinds)
+        if home is not None:
+            return home.reports(_selected(rows), count)
+        lent = self._lent(rows, count, kinds)
+        return np.concatenate([each.own.reports(None, each.robots) for each in lent])
 
-    def _hold(self, drives: FloatArray) -> None:
-        if drives is not self._drives:
-            assert self._home is not None
-            self._home.drives[: drives.nbytes] = drives.tobytes()
-            self._drives = drives
+    def replies(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> Records:
+        """Return what replies tell of robots, (k,) of dtype `REPLY`.
+
+        Args:
+            rows: the robots, k of them.
+            for_s: the time for which each has been in the world, (k,).
+            kinds: their constants.
+        """
+        home = self._at_home(kinds)
+        if home is not None:
+            return home.replies(_selected(rows), for_s)
+        lent = self._lent(rows, len(for_s), kinds)
+        return np.concatenate([each.own.replies(None, for_s[each.part]) for each in lent])
+
+    def charges(self, rows: Rows, for_s: FloatArray, kinds: RobotKinds) -> FloatArray:
+        """Return the charges of the batteries of computers and motors, 0 to 1, (k, 2).
+
+        Args:
+            rows: the robots, k of them.
+            for_s: the time for which each has been in the world, (k,).
+            kinds: their constants.
+        """
+        home = self._at_home(kinds)
+        if home is not None:
+            return home.charges(_selected(rows), for_s)
+        lent = self._lent(rows, len(for_s), kinds)
+        return np.concatenate([each.own.charges(None, for_s[each.part]) for each in lent])
+
+    def finish(
+        self,
+        state: Any,
+        times_s: tuple[float, float],
+        before_m: FloatArray | None,
+        kinds: RobotKinds,
+    ) -> tuple[int, list[int]]:
+        """End a cycle of all robots, see `Kernels.finish`.
+
+        Args:
+            state: the state whose rows these are.
+            times_s: the length of the cycle, and its end.
+            before_m: where the robots were, if they have moved already, (robots, 2).
+            kinds: their constants.
+        """
+        joined_s, count = state.presence.joined_s, len(self.table)
+        home = self._at_home(kinds)
+        if home is not None:
+            cycle = *times_s, before_m is None, _UNKNOWN
+            return home.finish(count, cycle, joined_s, before_m)
+        # What is true of all is not known to a part of them; few enough to be free are one part.
+        works, found, empty = state.drive.slice.any() or state.bodies.slipping.any(), ADVANCED, []
+        for lent in self._lent(ALL, count, kinds):
+            part = lent.part
+            before = None if before_m is None else before_m[part]
+            cycle = *times_s, before is None, float(works)
+            found, some = lent.own.finish(lent.robots, cycle, joined_s[part], before)
+            empty += [part.start + each for each in some]
+            self._take_back(lent)
+        return found, empty
+
+    def _at_home(self, kinds: RobotKinds) -> Kernels | None:
+        """Return the kernels in whose memory the rows lie, with the constants; None if too many."""
+        home = self._home
+        if home is None or len(kinds.table) > KINDS:
+            return None
+        if kinds is not self._kinds:
+            _lay(home.kinds, kinds.table)
+            self.table[:, KIND], self.table[:, BATTERY] = kinds.kind, kinds.battery
+            self._kinds = kinds
+        return home
+
+    def _lent(self, rows: Rows, count: int, kinds: RobotKinds) -> Iterator[_Lent]:
+        """Yield this thread's kernels with copies of some rows, as often as needed for all."""
+        own = kernels()
+        for some, part in parts(rows, count, ROBOTS_AT_ONCE):
+            copies, numbers = self.table[some].copy(), kinds.battery[some]
+            has = numbers >= 0
+            copies[:, KIND] = np.arange(len(copies))
+            copies[:, BATTERY] = np.where(has, np.cumsum(has) - 1, -1)
+            _lay(own.kinds, kinds.table[kinds.kind[some]])
+            _lay(own.robots, copies)
+            _lay(own.bodies, self.bodies[: len(self.table)][some])
+            _lay(own.batteries, self.batteries[numbers[has]])
+            yield _Lent(own, some, part, numbers[has])
+
+    def _take_back(self, lent: _Lent) -> None:
+        """Copy rows back after a kernel has changed them."""
+        own, count, batteries = lent.own, lent.robots, len(lent.batteries)
+        self.table[lent.some] = _table(own.robots, count, ROBOT_SIZE)
+        self.bodies[: len(self.table)][lent.some] = _table(own.bodies, count, BODY_SIZE)
+        self.batteries[lent.batteries] = _table(own.batteries, batteries, BATTERY_SIZE)
+
+
+class _Lent(NamedTuple):
+    """Copies of rows in the memory of kernels.
+
+    Attributes:
+        own: the kernels.
+        some: the robots.
+        part: their places among those that are asked for.
+        batteries: the numbers of their batteries.
+    """
+
+    own: Kernels
+    some: Rows
+    part: slice
+    batteries: IndexArray
+
+    @property
+    def robots(self) -> int:
+        """Return the number of robots."""
+        return int(self.part.stop - self.part.start)
+
+
+def _table(memory: Any, count: int, size: int) -> FloatArray:
+    return np.ndarray((count, size), np.float64, memory)
+
+
+def _moved(state: Any, parts: _Parts, size: int, memory: Any) -> FloatArray:
+    """Return the rows of some columns of a state, to which these are moved.
+
+    Args:
+        state: the state.
+        parts: the columns, in order.
+        size: numbers in a row.
+        memory: where to lay the rows; None for memory of their own.
+    """
+    first = getattr(attrgetter(parts[0][0])(state), parts[0][1][0])
+    content = bytearray(len(first) * size * _NUMBER) if memory is None else memory
+    table, place = _table(content, len(first), size), 0
+    for path, names in parts:
+        part = attrgetter(path)(state) if path else state
+        for name in names:
+            array = getattr(part, name)
+            width = int(array.itemsize) * math.prod(array.shape[1:])
+            column = table.view(np.uint8)[:, place : place + width]
+            view = column.view(array.dtype).reshape(array.shape)
+            view[...] = array
+            setattr(part, name, view)
+            place += width
+    return table
 
 
 def _selected(rows: Rows) -> IndexArray | None:
     return None if isinstance(rows, slice) else rows
 
 
-def _copy(own: Kernels, drives: FloatArray, robots: FloatArray) -> None:
-    own.drives[: drives.nbytes] = drives.tobytes()
-    own.robots[: robots.nbytes] = robots.tobytes()
+def _lay(memory: Any, rows: FloatArray) -> None:
+    memory[: rows.nbytes] = rows.tobytes()

@@ -14,11 +14,12 @@ from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.kernels import program
-from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels.program import ADVANCED, Kernels
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state import motion_profile, robot_rows
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.motion_profile import ALL, Axes
+from tests.sim.kernels.numpy_profiles import plan_speed
 
 ROBOTS = 40
 TURN = 2 * math.pi
@@ -45,7 +46,7 @@ def moving(seed: int) -> tuple[EnvState, RobotConstants]:
     for step in range(3):
         fast = np.where(random.random(shape) < 0.6, random.uniform(-1, 1, shape), 0.0) * exists
         which = random.random(shape) < 0.5
-        motion_profile.plan_speed(axes, ALL, now_s, fast, ramp=0.7, which=which)
+        plan_speed(axes, ALL, now_s, fast, ramp=0.7, which=which)
         way = random.uniform(-1, 1, shape) * exists
         which = random.random(shape) < 0.3
         motion_profile.plan_move(axes, ALL, now_s, way, limit=0.4, ramp=0.9, which=which)
@@ -144,9 +145,9 @@ def test_the_checked_build_computes_the_same(monkeypatch: pytest.MonkeyPatch) ->
     state, constants = moving(2)
     to_s = state.drive.clock_s + 0.4
     drive.advance(state, constants, ALL, to_s)
-    checked = Kernels(checked=True)
-    monkeypatch.setattr(program._threads, "kernels", checked)
-    monkeypatch.setattr(robot_rows, "Kernels", lambda: checked)
+    checked = Kernels(holds_world=True, checked=True)
+    monkeypatch.setattr(program._threads, "kernels", Kernels(checked=True))
+    monkeypatch.setattr(robot_rows, "Kernels", lambda **_: checked)
     again, _ = moving(2)
     drive.advance(again, constants, ALL, to_s)
     assert values(state) == values(again)
@@ -163,6 +164,16 @@ def test_one_call_and_many_compute_the_same(most: int, monkeypatch: pytest.Monke
     again, _ = moving(4)
     drive.advance(again, constants, ALL, to_s)
     assert values(state) == values(again)
+    for each in (state, again):
+        each.rows.set_speeds(ALL, np.full((ROBOTS, 3), 0.2), constants.kinds)
+        found = each.rows.finish(each, (0.1, 3.0), each.bodies.position_m.copy(), constants.kinds)
+        assert found == (ADVANCED, [])
+    assert state.sha256() == again.sha256()
     rows = np.arange(ROBOTS)
+    told = [each.rows.replies(ALL, rows / 7, constants.kinds) for each in (state, again)]
+    for name in ("state", "charge", "board_ms"):
+        assert np.array_equal(told[0][name], told[1][name])
+    left = [each.rows.charges(ALL, rows / 7, constants.kinds) for each in (state, again)]
+    assert np.array_equal(left[0], left[1])
     reports = [vendor_state.report(each, constants, rows).tolist() for each in (state, again)]
     assert reports[0] == reports[1]

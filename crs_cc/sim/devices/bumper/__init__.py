@@ -108,8 +108,8 @@ class Bumpers:
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
         pressed = self.degraded(state, constants, pressed, end_s)
-        bumper_state(state).pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
+        before[:] = pressed
         if len(hit):
             bumper_state(state).hit.note(hit, end_s, configuration(state, constants, hit))
         return Contacts(

@@ -14,27 +14,24 @@ time for which a robot has been on is a parameter of its definition. No degradat
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.sim.kernels import exact
 
 if TYPE_CHECKING:
+    from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import WorldModel
-
-
-_WRAP: Final = 2.0**32
-_ROUNDING: Final = 1e-9  # ticks; a time that is on a tick but for rounding counts as on it
 
 
 class BoardClock:
     """The clocks of all robots of a world."""
 
     def __init__(self, world: WorldModel) -> None:
-        boards = [robot.model.board for robot in world.robots]
-        self._start_s = np.array([board.start_s for board in boards])
-        self._tick_s = np.array([board.tick_s for board in boards])
+        self._table = clock_table([robot.model for robot in world.robots])
 
     def ms(self, rows: IndexArray, since_s: FloatArray) -> FloatArray:
         """Return the clocks' times [ms], whole numbers from 0 to 2^32 - 1.
@@ -43,6 +40,11 @@ class BoardClock:
             rows: which robots, k of them.
             since_s: time that each has been in the world, shape (k,).
         """
-        tick_s = self._tick_s[rows]
-        ticks = np.floor((self._start_s[rows] + since_s) / tick_s + _ROUNDING)
-        return np.asarray(np.floor(ticks * tick_s * 1e3 + _ROUNDING) % _WRAP)
+        start_s, tick_s = self._table[rows].T
+        return np.asarray(exact.board_ms(start_s.T + since_s, tick_s.T))
+
+
+def clock_table(models: Sequence[RobotModel]) -> FloatArray:
+    """Return the initial time and the tick of robots' clocks [s], (robots, 2)."""
+    rows = [(model.board.start_s, model.board.tick_s) for model in models]
+    return np.array(rows, dtype=np.float64).reshape(-1, 2)

@@ -40,7 +40,7 @@ from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.kernels.program import ADVANCED, HELD_UP
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state import motion_profile
-from crs_cc.sim.state.rows import take
+from crs_cc.sim.state.rows import simplest, take
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import RequestContext
@@ -121,7 +121,7 @@ def advance_freely(
     """
     if not _are_simple(state, constants):
         return HELD_UP
-    return state.rows.advance(rows, to_s, last_s, constants.drives.table, renews=renews)
+    return state.rows.advance(rows, to_s, last_s, constants.kinds, renews=renews)
 
 
 def _are_simple(state: EnvState, constants: RobotConstants) -> bool:
@@ -177,17 +177,6 @@ def _turn(
     state.drive.facing_rad[rows] = facing_rad + turn_rad
     if constants.drives.turrets:
         state.drive.turret_rad[rows] += way[:, 2]
-
-
-def face(state: EnvState, constants: RobotConstants) -> None:
-    """End a cycle: set the robots' headings to where their axes were turned."""
-    state.heading_rad = state.drive.facing_rad % _TURN
-    if constants.drives.synchros:
-        state.base_rad = np.where(constants.drives.synchro, state.base_rad, state.heading_rad)
-        turret_rad = state.drive.turret_rad % _TURN
-        state.mount_rad = np.where(constants.drives.turret, turret_rad, state.base_rad)
-    else:
-        state.mount_rad = state.base_rad = state.heading_rad
 
 
 # -- commands --------------------------------------------------------------------------------------
@@ -361,10 +350,23 @@ def run_at(
         which: which axes, (k, 3).
     """
     _take_up(state, constants, rows, which)
-    limit = take(constants.drives.speed_limit, rows)
-    target = np.minimum(np.maximum(speed, -limit), limit)
-    ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
-    motion_profile.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
+    _set_speeds(state, constants, rows, speed, which=which)
+
+
+def _set_speeds(
+    state: EnvState,
+    constants: RobotConstants,
+    rows: IndexArray,
+    speed: FloatArray,
+    *,
+    which: BoolArray | bool,
+    ramp: FloatArray | None = None,
+) -> None:
+    """Ramp axes to speeds, see `RobotRows.set_speeds`."""
+    kinds = constants.kinds
+    some = simplest(rows, len(kinds.kind))
+    mask = None if which is True else np.broadcast_to(which, speed.shape)
+    state.rows.set_speeds(some, speed, kinds, ramp=ramp, which=mask)
 
 
 def _move(
@@ -390,9 +392,7 @@ def _stop(
     state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
     _take_up(state, constants, rows, which)
-    ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
-    standing = np.zeros_like(ramp)
-    motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
+    _set_speeds(state, constants, rows, np.zeros((len(rows), AXES)), which=which)
 
 
 def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: FloatArray) -> None:
@@ -429,9 +429,8 @@ def _let_go(
 ) -> None:
     rolls = constants.drives.rolls[rows] > 0.0
     roll_out_mps2 = constants.drives.roll_out_mps2[rows, None]
-    ramp, now_s = np.where(rolls, roll_out_mps2, state.drive.ramp[rows]), state.drive.clock_s[rows]
-    standing = np.zeros_like(ramp)
-    motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
+    ramp = np.where(rolls, roll_out_mps2, state.drive.ramp[rows])
+    _set_speeds(state, constants, rows, np.zeros_like(ramp), which=which, ramp=ramp)
     state.drive.limp[rows] |= rolls & which
 
 

@@ -57,6 +57,7 @@ class Drives:
         synchros: whether any robot has a synchro drive.
         turrets: whether any robot has a turret.
         table: what kernels need to know, see `kernels/robot.h`, (robots, `DRIVE_SIZE`).
+        more: the rest of that, (robots, 5).
     """
 
     unit: FloatArray
@@ -77,6 +78,7 @@ class Drives:
     synchros: bool
     turrets: bool
     table: FloatArray
+    more: FloatArray
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
@@ -103,9 +105,11 @@ class Drives:
         count = _rows([_counts(drive, wrong) for drive, wrong in both])
         turret = _flags([drive.turret is not None for drive in drives])
         unit = _rows([_units(drive) for drive in drives])
+        speed_limit = _rows([[axis.speed_limit for axis in three] for three in axes])
+        synchro = _flags([drive.steering is not None for drive in drives])
         return cls(
             unit=unit,
-            speed_limit=_rows([[axis.speed_limit for axis in three] for three in axes]),
+            speed_limit=speed_limit,
             ramp_limit=_rows([[axis.acceleration_limit for axis in three] for three in axes]),
             forward=forward,
             turn=turn,
@@ -117,11 +121,12 @@ class Drives:
             step_m=np.array([drive.step_m for drive in drives]),
             give_up_s=np.array([drive.give_up_s for drive in drives]),
             waits_forever=_flags([drive.waits_forever for drive in drives]),
-            synchro=_flags([drive.steering is not None for drive in drives]),
+            synchro=synchro,
             turret=turret,
-            synchros=any(drive.steering is not None for drive in drives),
+            synchros=bool(synchro.any()),
             turrets=bool(turret.any()),
             table=np.column_stack([turn, forward, true_turn, true_forward, count, turret, unit]),
+            more=np.column_stack([speed_limit, synchro, turret & synchro.any()]),
         )
 
 

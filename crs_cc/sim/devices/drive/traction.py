@@ -50,8 +50,12 @@ _ARRIVED_UNITS: Final = 2  # within this distance of its goal is complete; chose
 
 def pull(state: EnvState, constants: RobotConstants) -> Pull:
     """Return the drives' action in a cycle to whose end all axes have been turned."""
-    facing_rad = (state.heading_rad + state.drive.facing_rad) / 2
-    return Pull(state.drive.moved_m.copy(), facing_rad, is_limp(state, constants))
+    return Pull(state.drive.moved_m.copy(), facing_rad(state), is_limp(state, constants))
+
+
+def facing_rad(state: EnvState) -> FloatArray:
+    """Return the rolling directions of wheels in a cycle to whose end all axes were turned."""
+    return (state.heading_rad + state.drive.facing_rad) / 2
 
 
 def is_limp(state: EnvState, constants: RobotConstants) -> BoolArray:
@@ -146,17 +150,19 @@ def _arrive(state: EnvState, constants: RobotConstants, rows: IndexArray) -> Non
     motion_profile.end_here(axes, rows, np.asarray(rolls & arrived))
 
 
-def ways_m(constants: RobotConstants, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
-    """Return the distances that robots moved along the ground [m], (robots,).
+def uphill_ways_m(
+    constants: RobotConstants, before_m: FloatArray, went_m: FloatArray
+) -> FloatArray | None:
+    """Return the distances that robots moved along the ground [m], (robots,); None if it is flat.
 
     Args:
         constants: the robots' constants.
         before_m: their positions before, (robots, 2).
         went_m: their displacements, (robots, 2).
     """
-    way_m = exact.hypot(went_m[:, 0], went_m[:, 1])
     if constants.inclines is None:
-        return np.asarray(way_m)
+        return None
+    way_m = exact.hypot(went_m[:, 0], went_m[:, 1])
     direction = went_m / np.maximum(way_m, _SAME_M)[:, None]
     return np.asarray(way_m * constants.inclines.longer(before_m, direction))
 
@@ -169,12 +175,7 @@ def _give_up(
     tired = stalled_s >= constants.drives.give_up_s[rows] - _SAME_M
     state.drive.stalled_s[rows] = np.where(tired, 0.0, stalled_s)
     if tired.any():
-        stops, axes = rows[tired], state.drive.axes
-        axes.speed[stops] = 0.0
-        motion_profile.plan_speed(
-            axes,
-            stops,
-            state.drive.clock_s[stops],
-            np.zeros((len(stops), AXES)),
-            ramp=1.0,
-        )
+        stops = rows[tired]
+        state.drive.axes.speed[stops] = 0.0
+        at_once = np.ones((len(stops), AXES))
+        state.rows.set_speeds(stops, 0.0 * at_once, constants.kinds, ramp=at_once)
