@@ -163,6 +163,7 @@ class Fleet:
         self.slots, self.timing = records["slot"], records["timing"]
         self.codes, self._asks = self.slots["code"], self.timing["asks"]
         self._messages = self.slots["message"].view(_BYTES)
+        self.sizes = self.slots["message"]["size"]
 
     def _instantiate(self, executable: Executable) -> None:
         """Append a new program."""

@@ -119,9 +119,10 @@ class Hints:
         return np.asarray(np.maximum(end_s - at_s - _ROUNDING, 0.0))
 
     def _note_speeds(self, robots: IndexArray, messages: Records) -> None:
-        drives = self._environment.drives
+        asked, drives = messages["i"][:, :3], self._environment.drives
+        if not any_of(np.abs(asked) > drives.most_units[robots]):
+            return
         unit, limit = drives.unit[robots], drives.speed_limit[robots]
-        asked = messages["i"][:, :3]
         above = np.abs(asked * unit) > limit * (1.0 + _ROUNDING)
         if not any_of(above):
             return

@@ -441,9 +441,10 @@ class Session:
     def _send(self, robots: IndexArray, codes: Int32Array) -> None:
         """Send requests over the link."""
         state = self.state
-        sizes = self.fleet.slots["message"]["size"][robots]
+        sizes = self.fleet.sizes[robots]
         link_s = self.environment.link_s(codes, robots, sizes)
-        if not link_s.all():  # else endless requests would never reach the end of the cycle
+        # Endless requests that take no time would never reach the end of the cycle.
+        if np.count_nonzero(link_s) < len(link_s):
             self._charge_system_call(robots[link_s == 0.0])
         state.due_s[robots] = state.clock_s[robots] + link_s
 

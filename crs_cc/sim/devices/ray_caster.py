@@ -21,12 +21,14 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, IndexArray
+from crs_cc.sim.geometry.cell_list import are_few
 from crs_cc.sim.geometry.contact_mask import Pieces
 from crs_cc.sim.geometry.height_occlusion import Outlook, is_needed
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import NO_THING, Fan, nearest
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surfaces import Surfaces
+from crs_cc.sim.kernels.program import Shapes, kernels
 
 if TYPE_CHECKING:
     from crs_cc.sim.geometry.outline_query import Prospect
@@ -57,6 +59,7 @@ class RayCaster:
         self._outlook = Outlook(scene, self._obstacles, reach_m) if is_needed(scene) else None
         self._placed = -1
         self._places = b""
+        self._shapes: Shapes | None = None  # if they are few
 
     def forget(self) -> None:
         """Forget the poses of the last query: bodies may have moved within the cycle."""
@@ -74,7 +77,7 @@ class RayCaster:
         places = bodies.position_m.tobytes() + bodies.angle_rad.tobytes()
         if places == self._places:
             return
-        self._places = places
+        self._places, self._shapes = places, None
         self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
         self._pieces.place(bodies.position_m, bodies.angle_rad)
         if self._outlook is not None:
@@ -104,7 +107,14 @@ class RayCaster:
         """
         if self._outlook is not None:
             return self.seen(state, fan, poses, own)[0]
-        distance_m = nearest(fan, poses, self.obstacles(state), own=own)
+        obstacles = self.obstacles(state)
+        if are_few(len(poses), obstacles.count + len(self._pieces)):
+            if self._shapes is None:
+                self._shapes = Shapes.of(*obstacles.rows(), self._pieces.rows)
+            found_m = kernels().scan(fan.table, poses, own, self._shapes)
+            if found_m is not None:
+                return found_m
+        distance_m = nearest(fan, poses, obstacles, own=own)
         if self._pieces:
             distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m

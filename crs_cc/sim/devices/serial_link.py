@@ -32,21 +32,23 @@ class SerialLine:
         """Create the lines of a world's robots."""
         links = [robot.model.link for robot in world.robots]
         kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
-        self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
+        places = [kinds[link] * (_CODES + 1) for link in links]
+        self._first = np.array(places, dtype=np.intp)  # of each robot's link
         # By kind of link and code; one additional code stands for all others.
         shape = len(kinds), _CODES + 1
-        self._byte_count = np.zeros(shape, dtype=np.int64)
-        self._sends_data = np.zeros(shape, dtype=np.bool_)
-        self._network_s = np.zeros(shape)
+        byte_count, sends_data = np.zeros(shape, dtype=np.int64), np.zeros(shape, dtype=np.bool_)
+        network_s = np.zeros(shape)
         for link, kind in kinds.items():
             counts = {CODES[name]: count for name, count in link.byte_counts}
-            self._network_s[kind, DEVICE_CODES.start : DEVICE_CODES.stop] = link.network_s
+            network_s[kind, DEVICE_CODES.start : DEVICE_CODES.stop] = link.network_s
             for code, row in REQUESTS.items():
                 networked = row.link == "network" or (row.link == "serial" and not counts)
-                self._network_s[kind, code] = link.network_s if networked else 0.0
+                network_s[kind, code] = link.network_s if networked else 0.0
                 count = 0 if networked else counts.get(code, 0)
-                self._byte_count[kind, code] = count
-                self._sends_data[kind, code] = row.sends_data and count > 0
+                byte_count[kind, code] = count
+                sends_data[kind, code] = row.sends_data and count > 0
+        self._network_s, self._bits = network_s.ravel(), byte_count.ravel() * _BITS_PER_BYTE
+        self._sends_data = sends_data.ravel()
 
     def time_s(
         self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
@@ -62,12 +64,12 @@ class SerialLine:
         Returns:
             the times, in the broadcast shape of the three arguments.
         """
-        robot = np.asarray(robots)
-        place = self._kind[robot], np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
-        count, sends_data = self._byte_count[place], self._sends_data[place]
-        if any_of(sends_data):
-            count = count + np.where(sends_data, np.clip(sizes, 0, DATA_SIZE), 0)
-        return np.asarray(self._network_s[place] + count * _BITS_PER_BYTE / state.baud[robot])
+        place = self._first[robots] + np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
+        bits = self._bits[place]
+        if any_of(np.asarray(self._sends_data[place])):
+            data = np.clip(sizes, 0, DATA_SIZE) * _BITS_PER_BYTE
+            bits = bits + np.where(self._sends_data[place], data, 0)
+        return np.asarray(self._network_s[place] + bits / state.baud[robots])
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:

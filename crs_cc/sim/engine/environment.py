@@ -143,10 +143,10 @@ class Environment:
         if empty:
             drive.go_limp(state, data.constants, np.array(empty))
         # Contacts use the numbers of objects before robots join or leave below.
-        pressed_before = bumper_state(state).pressed.copy()
-        began = data.devices.bumpers.touch(state, data.constants, contacts, end_s)
         now, names = bumper_state(state).pressed, data.names
-        pressed, released = now & ~pressed_before, pressed_before & ~now
+        before = now.copy()
+        began = data.devices.bumpers.touch(state, data.constants, contacts, end_s)
+        changed = now ^ before
         # Degradations that begin are logged before the devices' work at the end of the cycle.
         cycle, served = state.cycle, tuple(self._dispatcher.served)
         if state.degradation.next_s < end_s:
@@ -168,8 +168,8 @@ class Environment:
             at_s=at_s,
             messages=messages,
             contacts=began,
-            pressed=pressed,
-            released=released,
+            pressed=changed & now,
+            released=changed & before,
             names=names,
             slices=slices,
             served=served,

@@ -75,7 +75,7 @@ class Pieces:
         self._half_width_m = np.array([piece.half_width_m for piece in pieces])
         slants = np.array([piece.slants for piece in pieces], dtype=np.complex128).reshape(-1, 2)
         slants_m = np.array([piece.slants_m for piece in pieces]).reshape(-1, 2)
-        self._rows = np.column_stack([
+        self.rows = np.column_stack([
             np.full(len(pieces), -1.0),
             self._objects,
             pairs(self._middle),
@@ -93,7 +93,7 @@ class Pieces:
         self._places = b""  # of the movable bodies
 
     def __len__(self) -> int:
-        return len(self._rows)
+        return len(self.rows)
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Update the poses of the movable bodies, as for `Scene.moving`."""
@@ -109,7 +109,7 @@ class Pieces:
         self._middle[self._fixed :] = x_m + 1j * y_m + off_m
         self._along[self._fixed :] = exact.product(facing, self._own_along[self._fixed :])
         self._cells = None
-        moving = self._rows[self._fixed :]
+        moving = self.rows[self._fixed :]
         moving[:, 2:4] = pairs(self._middle[self._fixed :])
         moving[:, 4:6] = pairs(self._along[self._fixed :])
 
@@ -125,8 +125,8 @@ class Pieces:
         Returns:
             shape (k, beams), in the order of the list that the fan was made from.
         """
-        if are_few(len(poses), len(self._rows)):
-            covers = kernels().covers(fan.table, poses, self._rows)
+        if are_few(len(poses), len(self.rows)):
+            covers = kernels().covers(fan.table, poses, self.rows)
         else:
             place = poses[:, 0] + 1j * poses[:, 1]
             covers = np.full((len(poses), len(fan)), _NO_THING)
@@ -141,7 +141,7 @@ class Pieces:
     def _rows_near(self, place: ComplexArray) -> FloatArray:
         """Return the rows of pieces near robots, each with its robot."""
         robots, shapes = self._near(place)
-        rows = self._rows.take(shapes, axis=0)
+        rows = self.rows.take(shapes, axis=0)
         rows[:, 0] = robots
         return rows
 

@@ -87,6 +87,22 @@ class Obstacles:
             counts = counts + self._cells_of_circles().counts(place.real, place.imag)
         return np.asarray(counts)
 
+    @property
+    def count(self) -> int:
+        """Return the number of all outlines."""
+        return sum(len(table) for table in self._tables())
+
+    def rows(self) -> tuple[FloatArray, FloatArray]:
+        """Return all segments and all circles, as `kernels/rays.c` reads them."""
+        segments, moving_segments, circles, moving_circles = self._tables()
+        return np.concatenate([segments, moving_segments]), np.concatenate(
+            [circles, moving_circles]
+        )
+
+    def _tables(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        fixed, moving = self._fixed, self._moving
+        return fixed.segment_rows, moving.segment_rows, fixed.circle_rows, moving.circle_rows
+
     def segments_near(
         self, place: ComplexArray
     ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:

@@ -6,7 +6,7 @@
 
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
-    CHARGES, FINISH };
+    CHARGES, FINISH, SCAN };
 
 static int arguments[10];
 static double memory[MEMORY];
@@ -81,6 +81,8 @@ int __crs_start(void)
                        arena + n[8]);
         else if (n[0] == COVERS)
             __crs_covers(n[1], n[2], n[4], arena, arena + n[6], arena + n[7], arena + n[8]);
+        else if (n[0] == SCAN)
+            __crs_scan(n[1], n[2], n[3], n[4], arena, arena + n[5], arena + n[6], arena + n[7]);
         else if (n[0] == PROFILES)
             __crs_profiles(n[1], arena);
         else if (n[0] == COUNTS)

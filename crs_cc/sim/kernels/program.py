@@ -14,7 +14,7 @@ import struct
 import threading
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, Self, TypeAlias
 
 import numpy as np
 
@@ -51,6 +51,8 @@ _SPEEDS: Final = 108
 _REPLIES: Final = 109
 _CHARGES: Final = 110
 _FINISH: Final = 111
+_SCAN: Final = struct.Struct("<8i")
+_SCAN_NUMBER: Final = 112
 ROBOTS_AT_ONCE: Final = 2048
 """Robots whose columns or rows are copied for a kernel at once."""
 
@@ -95,6 +97,25 @@ PING_SIZE: Final = 13
 """Numbers in a row of pings, see `echoes.c`."""
 RAY_BINS: Final = 256
 """Bins of directions in a turn, as in `kernels.h`."""
+
+
+class Shapes(NamedTuple):
+    """All shapes of a small world, for `Kernels.scan`.
+
+    Attributes:
+        counts: the numbers of segments, circles and pieces.
+        content: their rows, see `rays.c`, one after the other.
+    """
+
+    counts: tuple[int, int, int]
+    content: bytes
+
+    @classmethod
+    def of(cls, segments: FloatArray, circles: FloatArray, pieces: FloatArray) -> Self:
+        """Return shapes from their rows."""
+        tables = segments, circles, pieces
+        content = b"".join([table.tobytes() for table in tables])
+        return cls((len(segments), len(circles), len(pieces)), content)
 
 
 class Kernels:
@@ -225,6 +246,34 @@ class Kernels:
             pieces: a row for each piece, as of segments for `rays`.
         """
         return np.asarray(self._survey((_COVERS, 1, 1), fan, poses, 0, (pieces, pieces[:0]))[0])
+
+    def scan(
+        self, fan: FloatArray, poses: FloatArray, own: IndexArray, shapes: Shapes
+    ) -> FloatArray | None:
+        """Return the distance that each beam measures, 0 for a start in or on a piece, (k, beams).
+
+        None if the arena has no room for all.
+
+        Args:
+            fan: the beams.
+            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+            own: the number of each robot's own body, (k,).
+            shapes: all shapes.
+        """
+        count, beams, robots = len(poses), int(fan[0]), len(fan)
+        first = robots + _VIEWER * count
+        end, size = first + len(shapes.content) // _NUMBER, count * beams
+        if end + 2 * size > self.room:
+            return None
+        viewers = np.empty((count, _VIEWER))
+        viewers[:, :3], viewers[:, 4] = poses, own
+        joined = b"".join((fan.tobytes(), viewers.tobytes(), shapes.content))
+        self._bytes[: len(joined)] = joined
+        _SCAN.pack_into(
+            self._memory, self._place, _SCAN_NUMBER, count, *shapes.counts, robots, end, first
+        )
+        self._resume()
+        return self._arena[end : end + size].reshape(count, beams).copy()
 
     def _survey(
         self,

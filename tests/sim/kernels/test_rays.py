@@ -9,10 +9,12 @@ import pytest
 
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry import rays
+from crs_cc.sim.geometry.contact_mask import Pieces
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import Fan, nearest
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.kernels.program import Kernels
+from crs_cc.sim.kernels.program import Kernels, Shapes
+from crs_cc.sim.model.world import Box
 from tests.sim.geometry import numpy_rays
 from tests.sim.geometry.test_rays import RING, crowd
 
@@ -73,3 +75,23 @@ def test_one_call_and_many_measure_the_same(monkeypatch: pytest.MonkeyPatch) -> 
     _, found_m, found, _, _ = look(1, FANS["ring"])
     assert np.array_equal(found_m, together_m)
     assert np.array_equal(found, objects)
+
+
+@pytest.mark.parametrize("checked", [False, True])
+@pytest.mark.parametrize("fan", FANS.values(), ids=FANS.keys())
+def test_all_shapes_at_once_are_measured_as_those_near(fan: Fan, *, checked: bool) -> None:
+    poses, _, _, obstacles, own = look(0, fan)
+    scene = Scene(WORLDS[0])
+    pieces = Pieces(scene, fan.start_m)
+    solid = next(each for each in scene.fixed_solids if isinstance(each, Box))
+    poses[::3, :2] = solid.pose.x_m, solid.pose.y_m
+    found_m = nearest(fan, poses, obstacles, own=own)
+    covered = pieces.cover(fan, poses)
+    found_m[covered] = 0.0
+    assert covered.any()
+    own_kernels, shapes = Kernels(checked=checked), Shapes.of(*obstacles.rows(), pieces.rows)
+    together_m = own_kernels.scan(fan.table, poses, own, shapes)
+    assert together_m is not None
+    assert np.array_equal(together_m, found_m)
+    own_kernels.room = 100
+    assert own_kernels.scan(fan.table, poses, own, shapes) is None

@@ -94,7 +94,7 @@ class Bumpers:
         """
         robot = contacts.robot
         before = bumper_state(state).pressed
-        quiet = not len(robot) and not before.any() and not len(state.contacts_before)
+        quiet = not (len(robot) or len(state.contacts_before) or np.count_nonzero(before))
         if quiet and not constants.degradations.concern(state, "bumper"):
             return contacts
         keys = robot * len(constants.scene.names) + contacts.other

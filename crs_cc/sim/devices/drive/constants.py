@@ -41,6 +41,7 @@ class Drives:
         unit: size of the vendor's unit of each axis, 0.1 in [m] or 0.1 deg [rad]; 0 for a
             missing axis, so that every command to it means 0.
         speed_limit: maximum speed of an axis; 1 for a missing one.
+        most_units: the same in the vendor's units; infinite for a missing one.
         ramp_limit: maximum acceleration of an axis; 1 for a missing one.
         forward: distance of the robot per unit of each axis' motion.
         turn: turn of the wheels' direction per unit of each axis' motion [rad].
@@ -62,6 +63,7 @@ class Drives:
 
     unit: FloatArray
     speed_limit: FloatArray
+    most_units: FloatArray
     ramp_limit: FloatArray
     forward: FloatArray
     turn: FloatArray
@@ -110,6 +112,9 @@ class Drives:
         return cls(
             unit=unit,
             speed_limit=speed_limit,
+            most_units=np.divide(
+                speed_limit, unit, out=np.full_like(unit, np.inf), where=unit > 0.0
+            ),
             ramp_limit=_rows([[axis.acceleration_limit for axis in three] for three in axes]),
             forward=forward,
             turn=turn,

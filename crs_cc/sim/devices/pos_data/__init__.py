@@ -51,6 +51,8 @@ def keep(
         rows: the robots, k of them.
         kinds: the kinds of sensors whose readings the reply carries, as the vendor's bits.
     """
+    if not len(state.pos_data.told):
+        return
     wanted = state.mask[rows, POS_DATA] & kinds
     if not np.count_nonzero(wanted):
         return
