@@ -252,6 +252,7 @@ class Member:
         packed: whether it has no alignment.
         spread: the number of bytes, from `offset` on, of a bit-field for which there is no
             storage unit of its type in the struct; else 0.
+        place: the front end's description of an offset that only the running program knows.
     """
 
     name: str | None
@@ -263,6 +264,7 @@ class Member:
     natural: int = 0
     packed: bool = False
     spread: int = 0
+    place: Hashable = None
 
 
 @dataclass(slots=True, eq=False)
@@ -279,6 +281,7 @@ class Record:
             from the start of the whole.
         size: the size [bytes].
         align: the alignment [bytes].
+        extent: the front end's description of a size that only the running program knows.
     """
 
     kind: Literal["struct", "union"]
@@ -290,6 +293,7 @@ class Record:
     named: dict[str, Member] = field(default_factory=dict)
     size: int = 0
     align: int = 1
+    extent: Hashable = None
 
     def complete(self, members: Iterable[Member], align: int = 1, pack: int = 0) -> None:
         """Set the members and lay them out.
@@ -430,12 +434,12 @@ def is_complete(ctype: CType) -> bool:
 
 
 def is_variably_modified(ctype: CType) -> bool:
-    """Return whether the type contains a variable length array."""
+    """Return whether the size of the type, or of what it points to, is computed at run time."""
     while isinstance(ctype, PointerType | ArrayType):
         if isinstance(ctype, ArrayType) and ctype.extent is not None:
             return True
         ctype = ctype.target if isinstance(ctype, PointerType) else ctype.element
-    return False
+    return isinstance(ctype, RecordType) and ctype.record.extent is not None
 
 
 def spell(ctype: CType, declarator: str = "") -> str:

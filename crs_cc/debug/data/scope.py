@@ -19,7 +19,14 @@ from crs_cc.frontend.check.vla import EXTENT
 from crs_cc.ir.instruction import Register, Variable
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Data, Program
-from crs_cc.ir.types import ArrayType, CType, PointerType, is_variably_modified
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    PointerType,
+    Record,
+    RecordType,
+    is_variably_modified,
+)
 from crs_cc.runtime.compiled import Compiled, FunctionInfo
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.layout import NULL_SIZE, RESUME
@@ -230,6 +237,8 @@ def concrete(ctype: CType, sizes: Mapping[Location, int]) -> CType | None:
     if isinstance(ctype, PointerType):
         target = concrete(ctype.target, sizes)
         return None if target is None else replace(ctype, target=target)
+    if isinstance(ctype, RecordType):
+        return _concrete_record(ctype, sizes)
     assert isinstance(ctype, ArrayType)
     element = concrete(ctype.element, sizes)
     if element is None or ctype.extent is None:
@@ -237,3 +246,21 @@ def concrete(ctype: CType, sizes: Mapping[Location, int]) -> CType | None:
     assert isinstance(ctype.extent, ObjectSymbol)
     size = sizes.get(ctype.extent.location)
     return None if size is None else ArrayType(element, size // max(1, element.size))
+
+
+def _concrete_record(ctype: RecordType, sizes: Mapping[Location, int]) -> RecordType | None:
+    """Return a struct with members of variable length as it is in the running program."""
+    record = Record(ctype.record.kind, ctype.record.tag, ctype.record.alias)
+    members = []
+    for member in ctype.record.members or []:
+        target = member.type.target if isinstance(member.type, PointerType) else None
+        known: CType | None
+        if isinstance(target, RecordType) and target.record is ctype.record:
+            known = PointerType(replace(target, record=record))
+        else:
+            known = concrete(member.type, sizes)
+        if known is None:
+            return None
+        members.append(replace(member, type=known, place=None))
+    record.complete(members, ctype.record.align)
+    return replace(ctype, record=record)

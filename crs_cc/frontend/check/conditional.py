@@ -5,7 +5,7 @@ from __future__ import annotations
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import tree
+from crs_cc.frontend.check import tree, variable_record, vla
 from crs_cc.frontend.check.checker import CheckError, Unit, checks
 from crs_cc.frontend.check.complex_numbers import truth
 from crs_cc.frontend.check.conversion import (
@@ -45,6 +45,8 @@ def conditional(unit: Unit, node: Node) -> Expression:
     if is_number(then.type) and is_number(otherwise.type):
         then, otherwise = usual(then, otherwise)
     ctype = _conditional_type(unit, then, otherwise)
+    if vla.is_variable(ctype):
+        return variable_record.choice(condition, then, otherwise)
     if ctype != VOID:
         then, otherwise = convert(then, ctype), convert(otherwise, ctype)
     if isinstance(condition, tree.Literal):

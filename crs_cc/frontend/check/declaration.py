@@ -68,13 +68,14 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     Raises:
         CheckError: it has an error.
     """
-    if node.name is None:
-        _declare_tag(unit, node)
+    with vla.effects(unit) as effects:
+        ctype = None if node.name is None else declared_or_broken(unit, node)
+        if ctype is None:
+            _declare_tag(unit, node)
+    _do(effects, out)
+    if ctype is None:
         return
     storage = node.storage or []
-    with vla.effects(unit) as effects:
-        ctype = declared_or_broken(unit, node)
-    _do(effects, out)
     location = unit.at_name(node)
     if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
         raise CheckError(location, f"multiple storage classes in the declaration of '{node.name}'")

@@ -208,6 +208,8 @@ def _function(unit: Unit, node: Node) -> CType:
     if isinstance(result, ArrayType | FunctionType):
         what = "an array" if isinstance(result, ArrayType) else "a function"
         raise CheckError(location, f"function cannot return {what} of type '{result}'")
+    if vla.is_variable(result):
+        raise CheckError(location, f"function cannot return '{result}', whose size is variable")
     result = unqualified(result)
     if node.args is None:
         return FunctionType(result, () if is_c23(unit.standard) else None)
@@ -255,6 +257,9 @@ def parameter_type(unit: Unit, node: Node) -> CType:
         return PointerType(ctype.element)
     if isinstance(ctype, FunctionType):
         return PointerType(ctype)
+    if vla.is_variable(ctype):
+        text = f"'{ctype}', whose size is variable, cannot be passed by value"
+        raise CheckError(unit.at(node), text, "pass a pointer to it")
     return ctype
 
 

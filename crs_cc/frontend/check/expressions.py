@@ -7,7 +7,7 @@ from typing import Final
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import complex_numbers, conversion, fold, tree, vla
+from crs_cc.frontend.check import complex_numbers, conversion, fold, tree, variable_record, vla
 from crs_cc.frontend.check.alignment import natural_alignment
 from crs_cc.frontend.check.checker import CheckError, Unit, checks, expression
 from crs_cc.frontend.check.declarator import type_name
@@ -150,6 +150,8 @@ def member(unit: Unit, node: Node) -> Expression:
 def access(record: Expression, found: Member) -> Expression:
     """Return the access of a member, with the qualifiers of the whole (C17 6.5.2.3p3)."""
     ctype = qualify(found.type, record.type.const, record.type.volatile)
+    if found.place is not None:
+        return variable_record.access(record, found, ctype)
     return tree.MemberAccess(ctype, record.location, record, found)
 
 

@@ -72,11 +72,12 @@ def declare_local(
 def _declare_variable(
     unit: Unit, node: Node, symbol: ObjectSymbol, out: list[tree.Statement] | None
 ) -> None:
-    """Declare an array of variable length, or a pointer to one."""
+    """Declare an array or a struct of variable length, or a pointer to one."""
     is_static = symbol.link_name is not None
     if vla.is_variable(symbol.type) and (is_static or node.init is not None):
         what = "be static" if is_static else "be initialized"
-        text = f"variable length array '{node.name}' cannot {what}"
+        kind = "array" if isinstance(symbol.type, ArrayType) else "struct"
+        text = f"variable length {kind} '{node.name}' cannot {what}"
         raise CheckError(symbol.location, text)
     vla.declare(unit, symbol, symbol.type, out)
 

@@ -33,6 +33,7 @@ from crs_cc.ir.types import (
     CType,
     FunctionType,
     PointerType,
+    RecordType,
     VoidType,
 )
 
@@ -86,12 +87,17 @@ def enter(unit: Unit, state: FunctionState, location: Location) -> None:
 
 
 def _extents(ctype: CType) -> list[ObjectSymbol]:
-    """Return the hidden variables with the sizes of variable length arrays in a type."""
-    found = []
+    """Return the hidden variables with the sizes and offsets of what is variable in a type."""
+    found: list[ObjectSymbol] = []
     while isinstance(ctype, PointerType | ArrayType):
         if isinstance(ctype, ArrayType) and isinstance(ctype.extent, ObjectSymbol):
             found.append(ctype.extent)
         ctype = ctype.target if isinstance(ctype, PointerType) else ctype.element
+    if isinstance(ctype, RecordType) and isinstance(ctype.record.extent, ObjectSymbol):
+        found.append(ctype.record.extent)
+        for member in ctype.record.members or []:
+            found += [member.place] if isinstance(member.place, ObjectSymbol) else []
+            found += _extents(member.type)
     return found
 
 

@@ -8,7 +8,7 @@ from typing import Final
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import complex_numbers, fold, tree, vla
+from crs_cc.frontend.check import complex_numbers, fold, tree, variable_record, vla
 from crs_cc.frontend.check.checker import CheckError, Unit, checks, expression
 from crs_cc.frontend.check.complex_numbers import Arithmetic, truth
 from crs_cc.frontend.check.conversion import (
@@ -398,6 +398,8 @@ def assignment(unit: Unit, node: Node) -> Expression:
     place = unit.at(node)
     if node.op == "=":
         value = assigned(unit, value, target.type, "assign")
+        if vla.is_variable(target.type):
+            return variable_record.copy(target, value, place)
         return tree.Assign(unqualified(target.type), place, target, value)
     return _compound(unit, node.op[:-1], target, value, place)
 

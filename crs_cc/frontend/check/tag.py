@@ -7,7 +7,7 @@ from typing import Literal
 from pycparser import c_ast
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import constant
+from crs_cc.frontend.check import constant, variable_record, vla
 from crs_cc.frontend.check.alignment import (
     alignment,
     attribute_alignment,
@@ -39,7 +39,6 @@ from crs_cc.ir.types import (
     Record,
     RecordType,
     is_complete,
-    is_variably_modified,
     qualify,
     unqualified,
 )
@@ -95,6 +94,9 @@ def _define(unit: Unit, record: Record, node: Node, tag: Tag | None) -> None:
     _check_names(unit, members, node)
     align = attribute_alignment(unit, attributes(node))
     record.is_transparent = has_attribute(node, "transparent_union")
+    if any(vla.is_variable(each.type) for each in members):
+        variable_record.complete(unit, record, members, max(1, align), location)
+        return
     record.complete(members, max(1, align), pack(node))
     if record.size > LARGEST_OBJECT:
         raise CheckError(location, f"'{record.kind} {node.name or '<anonymous>'}' is too large")
@@ -110,9 +112,6 @@ def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     is_flexible = is_last and isinstance(ctype, ArrayType) and ctype.length is None
     if not is_complete(ctype) and not is_flexible:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
-    if is_variably_modified(ctype):
-        text = f"member '{node.name}' must have a constant size"
-        raise CheckError(location, text, "declare the array by itself, and keep a pointer to it")
     natural = natural_alignment(unit, node)
     packed = in_packed or is_packed(node)
     member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)

@@ -28,6 +28,8 @@ from crs_cc.ir.types import (
     CType,
     FunctionType,
     PointerType,
+    Record,
+    RecordType,
 )
 
 _BYTES: Final = PointerType(CHAR)
@@ -41,15 +43,24 @@ AUTOMATIC_COUNT: Final = "__crs_automatic_count"
 
 
 def is_variable(ctype: CType) -> bool:
-    """Return whether a type is a variable length array."""
-    return isinstance(ctype, ArrayType) and ctype.extent is not None
+    """Return whether a type is a variable length array, or a struct with one in it."""
+    return _extent(ctype) is not None
+
+
+def _extent(ctype: CType) -> ObjectSymbol | None:
+    """Return the variable with the size of a type, if that is variable."""
+    found = ctype.record if isinstance(ctype, RecordType) else ctype
+    if not isinstance(found, ArrayType | Record) or found.extent is None:
+        return None
+    assert isinstance(found.extent, ObjectSymbol)
+    return found.extent
 
 
 def size(ctype: CType, location: Location) -> Expression:
     """Return the size of a type as an expression of type `unsigned int`."""
-    if isinstance(ctype, ArrayType) and ctype.extent is not None:
-        assert isinstance(ctype.extent, ObjectSymbol)
-        return tree.ObjectName(UINT, location, ctype.extent)
+    extent = _extent(ctype)
+    if extent is not None:
+        return tree.ObjectName(UINT, location, extent)
     return tree.integer(ctype.size, UINT, location)
 
 
@@ -70,11 +81,12 @@ def array(unit: Unit, element: CType, length: Expression) -> ArrayType:
             )
         operands = [convert(decay(length), LLONG), size(element, location)]
         computed = tree.Intrinsic(UINT, location, "__crs_array_size", operands)
-        unit.function.effects.append(_set(extent, computed))
+        unit.function.effects.append(set_extent(extent, computed))
     return ArrayType(element, None, extent)
 
 
-def _set(symbol: ObjectSymbol, value: Expression) -> Expression:
+def set_extent(symbol: ObjectSymbol, value: Expression) -> Expression:
+    """Return the assignment of a value to a hidden variable."""
     target = tree.ObjectName(symbol.type, value.location, symbol)
     return tree.Assign(symbol.type, value.location, target, value)
 
@@ -160,7 +172,7 @@ def declare(
         out.append(_statement(_take_mark(mark)))
         got = allocate(size(ctype, location), symbol.name, location)
         out.append(tree.Declare(location, symbol, None))
-        out.append(_statement(_set(symbol, convert(got, symbol.type))))
+        out.append(_statement(set_extent(symbol, convert(got, symbol.type))))
     state.automatics.append(Automatic(symbol.name, location, mark))
 
 
@@ -174,7 +186,7 @@ def _new_mark(location: Location) -> ObjectSymbol:
 
 def _take_mark(mark: ObjectSymbol) -> Expression:
     count = ObjectSymbol(AUTOMATIC_COUNT, INT, mark.location, AUTOMATIC_COUNT)
-    return _set(mark, tree.ObjectName(INT, mark.location, count))
+    return set_extent(mark, tree.ObjectName(INT, mark.location, count))
 
 
 def _call(name: str, ctype: FunctionType, arguments: list[Expression], at: Location) -> Expression:

@@ -318,8 +318,10 @@ static int depth(int left) { static int calls = 10; calls++; int own = left;
 static double sum(int n, int m, double table[n][m])
 {
     double all[n], grid[n][2 * m];
+    struct part { int values[m]; int last; struct part *self; } part;
     int *numbers = malloc(n * sizeof *numbers);
     for (int i = 0; i < n; i++) { all[i] = i; grid[i][0] = 10 * i; numbers[i] = i * i; }
+    part.last = 8; part.self = &part; part.values[2] = 9;
     return all[1] + grid[1][0] + table[1][0] + numbers[1] + pairs[0].a; /* VLA */
 }
 extern int other(void);
@@ -343,6 +345,8 @@ def special(tmp_path_factory: pytest.TempPathFactory) -> Stopping:
         ("all", "{0.0, 1.0}"),
         ("all[1] + 0.5", "1.5"),
         ("sizeof all", "16"),
+        ("part.last + part.values[2] + part.self->last", "25"),
+        ("sizeof part", "20"),
         ("sizeof grid[0]", "48"),
         ("grid[1][0]", "10.0"),
         ("grid[1]", "{10.0, ?, ?, ?, ?, ?}"),
@@ -375,7 +379,7 @@ def test_elements_of_slices_have_array_indices(special: Stopping) -> None:
     place = evaluator.place("pairs[1..2]")
     assert (place.address, place.size) == (parts[0][1].address, 16)
     assert [each.name for each in evaluator.variables()] == [
-        "all", "grid", "numbers", "n", "m", "table",
+        "all", "grid", "part", "numbers", "n", "m", "table",
     ]  # fmt: skip
     assert {each.name: str(each.value.type) for each in evaluator.variables()}["grid"] == (
         "double[2][6]"

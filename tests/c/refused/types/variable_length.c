@@ -12,7 +12,13 @@ static int inside(int m)
     static int kept[m]; // error: variable length array 'kept' cannot be static
     int filled[m] = {1, 2}; // error: variable length array 'filled' cannot be initialized
     extern int far[m]; // error: object 'far' with variably modified type must have no linkage
-    struct member { int v[m]; }; // error: member 'v' must have a constant size
+    struct member { int v[m]; int w; };
+    struct filled { int v[m]; } f = {{1}}; // error: variable length struct 'f' cannot be initialized
+    struct bits { int v[m]; int b : 3; }; // error: bit-field beside a member of variable length
+    struct unnamed { struct { int v[m]; }; }; // error: anonymous member beside a member of variable
+    static struct member s; // error: variable length struct 's' cannot be static
+    int passed(struct member t) { return t.w; } // error: 'struct member', whose size is variable
+    struct member result(void); // error: function cannot return 'struct member', whose size is
     int *p = (int[m]){1}; // error: compound literal cannot be of variable length array type
     int star[*]; // error: star modifier used outside of a function prototype
     int wrong[2.5 * m]; // error: size of array has non-integer type 'double'
