@@ -18,6 +18,7 @@ from crs_cc.cli.run_plot import in_world_m
 from crs_cc.plot.picture import PlotDrawing
 from crs_cc.plot.raster import Raster, blank, draw, flat, palette, save_film, smaller
 from crs_cc.recording import topics
+from crs_cc.recording.marks import at_time, marked_in
 from crs_cc.recording.mcap_records import NS
 
 if TYPE_CHECKING:
@@ -30,6 +31,9 @@ MAX_PICTURES: Final = 200
 PER_SECOND: Final = 10
 MAX_ROBOTS: Final = 40_000
 """Robots drawn in all pictures together."""
+
+MAX_MARKS: Final = 1000
+"""Of those that programs drew, the last ones are shown."""
 
 _LONG_SIDE_PX: Final = 520.0
 _HOLD_MS: Final = 1500  # the last picture
@@ -79,6 +83,7 @@ class _Film:
         self._shown: FloatArray | None = None  # what odometry believed in the last picture
         self._dashes = 0
         self._palette: Raster | None = None
+        self._marked = marked_in(recording)
 
     def pictures(self) -> Iterator[Raster]:
         """Yield the pictures."""
@@ -143,6 +148,7 @@ class _Film:
         roster = self._recording.roster_at(frame.time_ns)
         image = canvas.copy()
         with self._drawing.layer() as page:
+            self._drawing.marks(at_time(self._marked, at_s)[-MAX_MARKS:])
             robots = len(roster.robots)
             for thing, _ in things_at(self._world, roster.objects, frame, robots):
                 self._drawing.standing(thing)
@@ -161,6 +167,7 @@ class _Film:
         image = canvas.copy()
         with self._drawing.layer() as page:
             self._drawing.contact(*self._drawing.low.tolist())
+            self._drawing.marks([each.drawing for each in self._marked[-MAX_MARKS:]])
             for thing in self._drawing.movable():
                 self._drawing.standing(thing)
         draw(page, image)

@@ -134,7 +134,7 @@ class PlotDrawing:
         self.page.rectangle((0, 0), (self.width, self.height), fill="#ffffff")
         with self._style():
             self._scenery(is_still=False)
-            self._strokes()
+            self.marks(self.picture.drawings)
             self._starts()
             self._paths()
             self._believed()
@@ -284,13 +284,13 @@ class PlotDrawing:
             *ends, stroke=paint, stroke_width=width_px + wider_px, stroke_linecap="round"
         )
 
-    def _strokes(self) -> None:
+    def marks(self, drawings: Sequence[Drawing]) -> None:
         """Draw what the programs drew."""
-        if not self.picture.drawings:
+        if not drawings:
             return
         style: dict[str, str | float] = {"fill": "none", "stroke_width": 1.2}
         with self.page.clipped((_LEFT_PX, _HEAD_PX), self.size), self.page.group(**style):
-            for drawing in self.picture.drawings:
+            for drawing in drawings:
                 for stroke in _strokes_m(self.picture, drawing):
                     points = [self.view.point(*place) for place in stroke.tolist()]
                     self.page.polyline(points, stroke=HEX[drawing.colour])

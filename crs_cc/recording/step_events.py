@@ -9,6 +9,7 @@ import numpy as np
 
 from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.engine.server.drawing import ERASING
 from crs_cc.sim.engine.step import reply_values
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Served, Step
 
 _DECIMALS = 6
+_DRAW, _REFRESH = CODES["DRAW"], CODES["REFRESH"]
 _FATES = [fate.name.lower() for fate in Fate]
 
 
@@ -28,8 +30,25 @@ def events_of(step: Step) -> Iterator[dict[str, Any]]:
             "time_s": event.time_s, "kind": event.kind, "robot": event.robot, "text": event.text
         }  # fmt: skip
     for served in step.served:
-        if served.code == CODES["DRAW"]:
+        if served.code == _DRAW:
             yield from _marks(served)
+        elif served.code == _REFRESH:
+            yield from _erasures(served)
+
+
+def _erasures(served: Served) -> Iterator[dict[str, Any]]:
+    """Yield what erased all that programs had drawn."""
+    rows = zip(
+        served.robots.tolist(),
+        served.clock_s.tolist(),
+        served.arguments[:, 0].tolist(),
+        strict=True,
+    )
+    for robot, clock_s, part in rows:
+        if part in ERASING and np.isfinite(clock_s):
+            yield {
+                "time_s": clock_s, "kind": "erasing", "robot": robot, "text": "erased all marks"
+            }  # fmt: skip
 
 
 def _collisions(step: Step) -> Iterator[dict[str, Any]]:
@@ -52,7 +71,7 @@ def _collisions(step: Step) -> Iterator[dict[str, Any]]:
 
 
 def _marks(served: Served) -> Iterator[dict[str, Any]]:
-    """Yield the marks that programs drew; erasures are no events."""
+    """Yield the marks that programs drew."""
     rows = zip(
         served.robots.tolist(),
         served.clock_s.tolist(),

@@ -20,7 +20,7 @@ from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.shapes import robot_data
 from crs_cc.workbench.messages import plain_text
-from crs_cc.workbench.recorded_content import events_in, frame_blocks, output_in
+from crs_cc.workbench.recorded_content import events_in, frame_blocks, marks_in, output_in
 from crs_cc.workbench.static_files import FOLDER, MODULES, STYLES, html
 from crs_cc.workbench.world_data import world_data
 
@@ -76,9 +76,12 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
         raise recording.mcap.error("no frames: there is nothing to show")
     events, lost_events = events_in(recording)
     output, lost_output = output_in(recording)
+    radius_m = world.robots[0].model.radius_m if world.robots else 0.0
+    marks, lost_marks = marks_in(recording, radius_m)
     left_out = [f"every frame but each {stride}th"] if stride > 1 else []
     left_out += [f"{lost_events} events"] if lost_events else []
     left_out += [f"{lost_output} pieces of output"] if lost_output else []
+    left_out += [f"{lost_marks} marks of programs"] if lost_marks else []
     run = recording.description
     names = ", ".join(Path(source).name for source in run.sources) or "programs"
     where = Path(run.world).name or "an empty world"
@@ -96,6 +99,7 @@ def html_page(recording: Recording, world: WorldModel, most_bytes: int = MAX_BYT
         ],
         "world": world_data(world, recording.rosters[-1].robots),
         "paths": _paths(recording, world),
+        "marks": marks or None,
         "events": events,
         "output": output,
         "blocks": [[*span, b64encode(block).decode("ascii")] for *span, block in blocks],

@@ -13,11 +13,12 @@ from crs_cc.recording.mcap_records import NS
 from crs_cc.sim.comms.message_log import Fate
 from crs_cc.workbench.feed import rounded
 from crs_cc.workbench.message_log import recorded_rows
-from crs_cc.workbench.recorded_content import events_in, frame_blocks, output_in
+from crs_cc.workbench.recorded_content import events_in, frame_blocks, marks_in, output_in
 from crs_cc.workbench.robot_table import MAX_ROBOTS
 from crs_cc.workbench.run import Halt
 
 if TYPE_CHECKING:
+    from crs_cc.recording.readings import Readings
     from crs_cc.recording.recording import Recording
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.feed import Feed
@@ -26,6 +27,7 @@ MAX_BYTES: Final = 256 * 2**20
 """Of frames that are kept in memory; chosen by us."""
 
 _BACK_NS: Final = 2 * NS
+_AHEAD_NS: Final = 5 * NS  # readings are decoded ahead: a message has up to half a minute of them
 _SPEED_NS: Final = NS // 5
 _SONARS, _BUMPERS = slice(17, 33), 33  # of `State` (vendor header Nclient.h 1.29)
 _NO_ECHO: Final = 255
@@ -51,6 +53,8 @@ class Playback:
         self.timestep_s = recording.description.frame_s
         self.time_s = 0.0
         self._recording, self._world = recording, world
+        self._rows: list[Readings] = []
+        self._read_ns = 0, -1  # what they were read for
         self.end_s = feed.end_s = recording.end_ns / NS
         self.robot = 0
         blocks, _ = frame_blocks(recording, MAX_BYTES)
@@ -64,6 +68,8 @@ class Playback:
         for _, data in recording.data(topics.MESSAGE.topic):
             with recording.errors():
                 feed.messages.add(recorded_rows(data, fates))
+        radius_m = world.robots[0].model.radius_m if world.robots else 0.0
+        feed.description["marks"] = marks_in(recording, radius_m)[0] or None
         feed.fill(events_in(recording)[0], output_in(recording)[0])
 
     @property
@@ -136,9 +142,14 @@ class Playback:
     def _states(self, now_ns: int) -> dict[int, Any]:
         """Return the last `State` of each robot that was asked for lately."""
         found: dict[int, Any] = {}
-        for rows in self._recording.readings(max(0, now_ns - _BACK_NS), now_ns):
-            columns = zip(rows.robots.tolist(), rows.clock_s, rows.states, strict=True)
-            found |= {robot: state for robot, at_s, state in columns if at_s * NS <= now_ns}
+        begin_ns, end_ns = self._read_ns
+        if not begin_ns <= now_ns <= end_ns:
+            self._read_ns = now_ns, now_ns + _AHEAD_NS
+            since_ns = max(0, now_ns - _BACK_NS)
+            self._rows = list(self._recording.readings(since_ns, now_ns + _AHEAD_NS))
+        for rows in self._rows:
+            is_due = (rows.clock_s * NS > now_ns - _BACK_NS) & (rows.clock_s * NS <= now_ns)
+            found |= zip(rows.robots[is_due].tolist(), rows.states[is_due], strict=True)
         return found
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from crs_cc.plot.x11_colours import HEX
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
+from crs_cc.recording.marks import marked_in
 from crs_cc.recording.mcap_records import NS
 from crs_cc.workbench.frame_blocks import packed
 
@@ -16,6 +19,7 @@ if TYPE_CHECKING:
     from crs_cc.recording.recording import Frame, Recording
 
 MAX_EVENTS: Final = 20_000
+MAX_MARKS: Final = 5_000
 MAX_OUTPUT: Final = 4 * 2**20
 
 _ARROWS: Final = {"sent": "sent", "delivered": "arrived", "corrupted": "corrupted"}
@@ -72,7 +76,7 @@ def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
     found: list[list[Any]] = []
     lost = 0
     for time_ns, data in recording.data(topics.EVENT.topic):
-        if data.get("kind") == "drawing":
+        if data.get("kind") in ("drawing", "erasing"):
             continue
         if len(found) >= MAX_EVENTS:
             lost += 1
@@ -88,6 +92,23 @@ def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
         lost += max(0, len(found) + len(rows) - MAX_EVENTS)
         found += rows[: MAX_EVENTS - len(found)]
     return sorted(found, key=lambda each: float(each[0])), lost
+
+
+def marks_in(recording: Recording, radius_m: float) -> tuple[list[list[Any]], int]:
+    """Return the strokes of the last marks that programs drew, and how many marks are left out.
+
+    Args:
+        recording: the recording.
+        radius_m: of a robot, which programs can draw.
+    """
+    marked = marked_in(recording)
+    shown, found = marked[-MAX_MARKS:], list[list[Any]]()
+    for each in shown:
+        until_s = each.until_s if math.isfinite(each.until_s) else None
+        for stroke in each.drawing.strokes_m(radius_m):
+            points = stroke.round(3).tolist()
+            found.append([each.since_s, until_s, HEX[each.drawing.colour], points])
+    return found, len(marked) - len(shown)
 
 
 def _messages(data: dict[str, Any], robots: tuple[str, ...]) -> Iterator[list[Any]]:

@@ -39,8 +39,8 @@ def rewritten(source: Path, target: Path, *, run: dict[str, str] | None = None) 
     reader.close()
 
 
-def rewritten_input(source: Path, target: Path, values: dict[str, object]) -> None:
-    """Copy a recording with other values in changes of a program."""
+def rewritten_event(source: Path, target: Path, values: dict[str, object]) -> None:
+    """Copy a recording with other values in what programs drew, and in changes of them."""
     reader = McapReader(source)
     with target.open("wb") as file:
         writer = McapWriter(file)
@@ -51,8 +51,10 @@ def rewritten_input(source: Path, target: Path, values: dict[str, object]) -> No
         for chunk in reader.chunks:
             for message in reader.messages(chunk):
                 data = message.data
-                if message.topic == "/crs/input" and json.loads(data).get("patches"):
-                    data = json.dumps({**json.loads(data), **values}).encode()
+                if message.topic in ("/crs/input", "/crs/event"):
+                    content = json.loads(data)
+                    if content.get("patches") or "mark" in content:
+                        data = json.dumps({**content, **values}).encode()
                 writer.add(TOPICS[message.topic], message.time_ns, data)
         writer.finish()
     reader.close()
@@ -288,10 +290,10 @@ def test_what_was_changed_by_hand_is_recorded_and_done_again(
     said = capfd.readouterr()
     assert said.err == ""
     assert main(["replay", str(again), "--verify"]) == 0
-    rewritten_input(path, again, {"robot": 9})
+    rewritten_event(path, again, {"robot": 9})
     assert main(["replay", str(again), "--verify"]) == 125
     assert "memory of a robot that does not exist" in capfd.readouterr().err
     assert main(["debug", "--batch", str(again), "--at", "3"]) == 0
     assert "a change by hand cannot be made again" in capfd.readouterr().err
-    rewritten_input(path, again, {"position": [1, 2]})
+    rewritten_event(path, again, {"position": [1, 2]})
     assert main(["replay", str(again), "--verify"]) == 120

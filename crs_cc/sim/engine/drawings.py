@@ -45,6 +45,7 @@ COLOURS: Final = (
 """The colours of the vendor's header, the first of which is colour 1."""
 
 _COPY: Final = {ROBOT: 3, LINE: 1, ARC: 1, ARROW: 3}
+_WITH_ARROW: Final = 2  # the mode of a robot with an arrow
 _LAST_BLACK: Final = {ROBOT: 3, LINE: 2, ARC: 2, ARROW: 3}
 _TURN: Final = 3600
 _POINTS: Final = 48  # of a full turn
@@ -106,6 +107,18 @@ class Drawing:
 def is_mode(kind: int, mode: int) -> bool:
     """Return whether a shape can be drawn in a mode."""
     return kind in (ROBOT, LINE, ARC) and 1 <= mode <= _LAST_BLACK[kind] + len(COLOURS)
+
+
+def marks_of(mark: Sequence[int]) -> list[tuple[int, ...]]:
+    """Return the marks that a valid request DRAW adds: its own, and perhaps an arrow.
+
+    >>> marks_of([ROBOT, 10, 20, 900, 0, 0, 0, 2])
+    [(0, 10, 20, 900, 0, 0, 0, 2), (3, 10, 20, 900, 0, 0, 0, 3)]
+    """
+    own = tuple(mark)
+    if (mark[0], mark[-1]) != (ROBOT, _WITH_ARROW):
+        return [own]
+    return [own, (ARROW, *own[1:-1], _COPY[ARROW])]
 
 
 def is_xor(kind: int, mode: int) -> bool:

@@ -16,6 +16,7 @@ const ECHO_S = 0.8; // how long contacts are marked [s]
 export const PARTS = [
   { name: "trails", title: "Trails", on: true, draw: trails },
   { name: "paths", title: "Whole paths, and believed ones", on: true, only: "paths", draw: paths },
+  { name: "marks", title: "What programs draw", on: true, only: "marks", draw: marks },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
   { name: "laser", title: "Laser", on: true, draw: laser },
   { name: "degraded", title: "Degraded parts", on: true, draw: degraded },
@@ -153,6 +154,19 @@ function paths(o) {
   }
   pen.setLineDash([]);
   pen.globalAlpha = 1;
+}
+
+/** What programs had drawn up to the time that is shown. */
+function marks(o) {
+  const { pen } = o;
+  pen.lineWidth = 1.5;
+  for (const [since, until, colour, points] of o.look.model.run.marks ?? []) {
+    if (since > o.look.time || (until !== null && until <= o.look.time)) continue;
+    pen.strokeStyle = colour === "#000000" ? o.look.colours.text : colour; // on a dark floor, too
+    pen.beginPath();
+    o.path(points.map(([x, y]) => [x, y, o.scene.ground.height(x, y) + 0.01]));
+    pen.stroke();
+  }
 }
 
 function sonar(o) {

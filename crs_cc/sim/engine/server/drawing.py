@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, Int32Array
-from crs_cc.sim.engine.drawings import ARROW, ROBOT, is_mode, is_xor
+from crs_cc.sim.engine.drawings import is_mode, is_xor, marks_of
 from crs_cc.sim.state.drawings import DrawingState
 
 if TYPE_CHECKING:
@@ -28,10 +28,10 @@ MAX_ALL: Final = 50_000
 """Maximum number of marks of all programs together."""
 
 _MARK: Final = ("shape", "x1", "y1", "x2", "y2", "angle1", "angle2", "mode")
-_WITH_ARROW: Final = 2
-_ARROW_MODE: Final = 3
 _REFRESH_ALL: Final = 0
 _REFRESH_CLIENT_GRAPHICS: Final = 9
+ERASING: Final = (_REFRESH_ALL, _REFRESH_CLIENT_GRAPHICS)
+"""The parts of the window which hold what programs have drawn."""
 
 
 def draw(context: RequestContext) -> BoolArray:
@@ -39,22 +39,17 @@ def draw(context: RequestContext) -> BoolArray:
     drawings = context.state.drawings
     good = np.zeros(len(context), dtype=np.bool_)
     for row, robot in enumerate(context.rows.tolist()):
-        mark = context.columns(*_MARK)[row].copy()
-        kind, mode = int(mark[0]), int(mark[-1])
-        good[row] = is_mode(kind, mode)
-        if not good[row]:
-            continue
-        _put(drawings, robot, mark, xor=is_xor(kind, mode))
-        if kind == ROBOT and mode == _WITH_ARROW:
-            mark[0], mark[-1] = ARROW, _ARROW_MODE
-            _put(drawings, robot, mark, xor=False)
+        mark = context.columns(*_MARK)[row].tolist()
+        good[row] = is_mode(mark[0], mark[-1])
+        for each in marks_of(mark) if good[row] else ():
+            _put(drawings, robot, np.array(each, np.int32), xor=is_xor(each[0], each[-1]))
     return good
 
 
 def refresh(context: RequestContext) -> BoolArray:
     """Answer REFRESH: erase the requested marks of programs."""
     part = context["part"]
-    if np.isin(part, (_REFRESH_ALL, _REFRESH_CLIENT_GRAPHICS)).any():
+    if np.isin(part, ERASING).any():
         context.state.drawings = DrawingState.at_start()
     return np.asarray((part >= _REFRESH_ALL) & (part <= _REFRESH_CLIENT_GRAPHICS))
 
