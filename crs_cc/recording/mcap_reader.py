@@ -19,7 +19,15 @@ import zstandard
 
 from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Location
-from crs_cc.recording.mcap_records import CHUNK_HEAD, MAGIC, MESSAGE_HEAD, PREFIX, Message, Op
+from crs_cc.recording.mcap_records import (
+    CHUNK_HEAD,
+    MAGIC,
+    MESSAGE_HEAD,
+    PREFIX,
+    SCHEMA,
+    Message,
+    Op,
+)
 
 MAX_CHUNK_BYTES: Final = 64 * 2**20
 """Of a chunk when uncompressed: a second of 200,000 robots has half of it."""
@@ -76,6 +84,7 @@ class McapReader:
         is_complete: whether the file ends as it should.
         intact_bytes: how much of the file can be read.
         size: the size of the file.
+        schemas: the names of the schemas of topics, in the chunks that have been read.
     """
 
     def __init__(self, path: Path) -> None:
@@ -91,6 +100,7 @@ class McapReader:
         self.metadata: dict[str, dict[str, str]] = {}
         self.is_complete = False
         self.intact_bytes = 0
+        self.schemas: dict[str, str] = {}
         self._topics: dict[int, str] = {}
         self._file: BinaryIO = path.open("rb")
         try:
@@ -164,6 +174,8 @@ class McapReader:
                 number = cursor.number("<H")
                 cursor.number("<H")
                 self._topics[number] = cursor.text()
+                cursor.text()
+                self.schemas[self._topics[number]] = cursor.text_map().get(SCHEMA, "")
             at += size
 
     def _content(self, chunk: Chunk) -> bytes:

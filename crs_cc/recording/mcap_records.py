@@ -27,6 +27,9 @@ MESSAGE_HEAD: Final = struct.Struct("<HIQQ")
 CHUNK_HEAD: Final = struct.Struct("<QQQI")
 """First and last log time [ns], size and CRC of the records of a chunk when uncompressed."""
 
+SCHEMA: Final = "schema"
+"""What the metadata of a channel call the name of its schema: it may be in a chunk that is lost."""
+
 NS: Final = 1_000_000_000
 
 

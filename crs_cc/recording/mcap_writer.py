@@ -27,6 +27,7 @@ from crs_cc.recording.mcap_records import (
     MAGIC,
     MESSAGE_HEAD,
     PREFIX,
+    SCHEMA,
     Channel,
     Op,
     count_map,
@@ -200,8 +201,7 @@ class McapWriter:
             body += struct.pack("<I", len(channel.schema_data)) + channel.schema_data
             self._schemas[number] = record(Op.SCHEMA, body)
         body = struct.pack("<HH", number, schema) + text(channel.topic) + text(channel.encoding)
-        named = {} if schema else {"schema": channel.schema}
-        self._channels[number] = record(Op.CHANNEL, body + text_map(named))
+        self._channels[number] = record(Op.CHANNEL, body + text_map({SCHEMA: channel.schema}))
         self._numbers[channel.topic] = number
         self._counts[number] = 0
         return number

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crs_cc.core.errors import RecordingError
+from crs_cc.recording.foxglove.messages import known_channel
 from crs_cc.recording.mcap_records import NS
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.topics import TOPICS
@@ -58,7 +59,9 @@ def recover(recording: Recording, target: Path) -> Recovered:
                 damaged += 1
                 continue
             for message in found:
-                channel = TOPICS.get(message.topic)
+                channel = TOPICS.get(message.topic) or known_channel(
+                    message.topic, source.schemas.get(message.topic, "")
+                )
                 if channel is not None:
                     writer.add(channel, message.time_ns, message.data)
                     end_ns = max(end_ns, message.time_ns)

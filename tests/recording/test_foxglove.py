@@ -13,16 +13,18 @@ import pytest
 from mcap.reader import make_reader
 
 from crs_cc.cli.main import main
+from crs_cc.recording import recorder
 from crs_cc.recording.foxglove.messages import POINTS, FoxgloveView
 from crs_cc.recording.recording import Recording
 from crs_cc.sim.files.world_xml import empty_world
 
 
 def test_scenes_and_logs_are_valid_and_are_those_of_the_frames(
-    recorded: Path, tmp_path: Path
+    recorded: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "fox.mcap"
-    options = ["-ex", "goto 2", "--record", str(path), "--foxglove"]
+    options = ["-ex", "goto 3", "--record", str(path), "--foxglove"]
+    monkeypatch.setattr(recorder, "BLOCK_S", 2.0)
     assert main(["debug", "--batch", str(recorded), *options]) == 0
     found: dict[str, list[dict[str, object]]] = {"/scene": [], "/log": []}
     with path.open("rb") as file:
@@ -36,6 +38,16 @@ def test_scenes_and_logs_are_valid_and_are_those_of_the_frames(
     frames = list(recording.frames())
     recording.close()
     assert len(frames) == len(found["/scene"])
+    damaged, mended = tmp_path / "damaged.mcap", tmp_path / "mended.mcap"
+    content = bytearray(path.read_bytes())
+    content[recording.mcap.chunks[0].place.at + 60] ^= 255
+    damaged.write_bytes(content)
+    assert main(["replay", str(damaged), "--recover", str(mended)]) == 0
+    with mended.open("rb") as file:
+        rows = list(make_reader(file).iter_messages(topics=["/scene", "/log"]))
+    assert {channel.topic for _, channel, _ in rows} == set(found)
+    assert all(schema.name.startswith("foxglove.") for schema, _, _ in rows if schema)
+    assert json.loads(rows[-1][2].data) == found[rows[-1][1].topic][-1]
     for frame, scene in zip(frames, found["/scene"], strict=True):
         entities = {each["id"]: each for each in scene["entities"]}  # type: ignore[attr-defined]
         place = entities["robot robot0"]["cylinders"][0]["pose"]["position"]

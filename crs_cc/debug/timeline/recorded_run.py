@@ -92,6 +92,7 @@ class RecordedRun:
         self.interrupted = False
         self._step: Step | None = None
         self._marks = StopRequest()
+        self._armed: set[int] = set()  # robots whose programs may have marks or watched objects
         self._stopped: dict[int, Stopped] = {}  # by robot, until the run moves
         self.is_off_timeline = False
         self.session = Session(
@@ -165,13 +166,16 @@ class RecordedRun:
         """
         self._marks = marks
         self._stopped.clear()  # a program may move to another build
-        for robot, watches in enumerate(self._watches):
-            watches.arm(marks.watched.get(robot, ()))
-        for robot, own in enumerate(self.session.fleet.marks[: len(self.programs)]):
+        count, before = len(self.programs), self._armed
+        self._armed = {*marks.watched, *marks.statements}
+        for robot in sorted(before | self._armed):
+            if robot >= count:  # it was added, and may be so again
+                self._armed.add(robot)
+                continue
+            self._watches[robot].arm(marks.watched.get(robot, ()))
+            own = self.session.fleet.marks[robot]
             own[: self._statements(robot)] = 0
-            wanted = marks.statements.get(robot)
-            if wanted:
-                own[list(wanted)] = 1
+            own[list(marks.statements.get(robot, ()))] = 1
         self._set_slots()
 
     def _set_slots(self) -> None:

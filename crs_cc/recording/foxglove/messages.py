@@ -10,6 +10,7 @@ import json
 import math
 from base64 import b64encode
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -26,6 +27,7 @@ MAX_SCENE: Final = 200
 """Robots in a scene; more are points. A thousand as a scene take 12 ms each frame."""
 
 _HERE: Final = Path(__file__).parent
+_NAMES: Final = ("SceneUpdate", "PointCloud", "Log", "LaserScan", "RawImage")
 _FRAME: Final = "world"
 _ROBOT_M: Final = 0.35  # high
 _LEVELS: Final = {1: 2, 2: 3}  # stdout: INFO, stderr: WARNING
@@ -37,6 +39,17 @@ def channel_of(topic: str, name: str) -> Channel:
     """Return a channel of messages by one of the schemas."""
     schema = (_HERE / f"{name}.json").read_bytes()
     return Channel(topic, "json", f"foxglove.{name}", "jsonschema", schema)
+
+
+@lru_cache(maxsize=1000)
+def known_channel(topic: str, schema: str) -> Channel | None:
+    """Return a channel of messages by the name of its schema; None if it is not one of them.
+
+    >>> known_channel("/log", "foxglove.Log").schema, known_channel("/log", "foxglove.../x")
+    ('foxglove.Log', None)
+    """
+    family, _, name = schema.partition(".")
+    return channel_of(topic, name) if family == "foxglove" and name in _NAMES else None
 
 
 SCENE: Final = channel_of("/scene", "SceneUpdate")
