@@ -176,16 +176,7 @@ class RecordedRun:
             own = self.session.fleet.marks[robot]
             own[: self._statements(robot)] = 0
             own[list(marks.statements.get(robot, ()))] = 1
-        self._set_slots()
-
-    def _set_slots(self) -> None:
-        slots = self.session.fleet.slots
-        slots["stop_before_all"] = 0
-        slots["stop_from"] = 0
-        for robot in self._marks.all:
-            slots["stop_before_all"][robot : robot + 1] = 1  # a robot that was added may be gone
-        for robot, statements in self._marks.since.items():
-            slots["stop_from"][robot : robot + 1] = statements
+        self._marks.enter(self.session.fleet.slots)
 
     def _statements(self, robot: int) -> int:
         return len(self.programs[robot].executable.detail().compiled.statements)
@@ -279,7 +270,7 @@ class RecordedRun:
             session.fleet.restore(robot, program)
         state = session.state
         state.timesteps, state.rounds, state.halted = begin.timestep, begin.round, kept.halted
-        self._set_slots()
+        self._marks.enter(self.session.fleet.slots)
         self._look_anew()
 
     def _again(self, limit: Position) -> RunEvent | None:
@@ -397,7 +388,7 @@ class RecordedRun:
         self.session.restore(kept.session)
         self._know(kept.session.added)
         self.console.restore(kept.console)
-        self._set_slots()
+        self._marks.enter(self.session.fleet.slots)
         self._look_anew()
 
     def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:

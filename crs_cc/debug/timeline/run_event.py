@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from crs_cc.core.arrays import Records
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.watch import MemoryAccess, WatchedObject
 from crs_cc.sim.engine.step import Step
@@ -29,6 +30,15 @@ class StopRequest:
     since: Mapping[int, int] = field(default_factory=dict)
     watched: Mapping[int, Sequence[WatchedObject]] = field(default_factory=dict)
     at_once: bool = False
+
+    def enter(self, slots: Records) -> None:
+        """Set in the slots of the programs what is not said by their marks."""
+        slots["stop_before_all"] = 0
+        slots["stop_from"] = 0
+        for robot in self.all:
+            slots["stop_before_all"][robot : robot + 1] = 1  # a robot that was added may be gone
+        for robot, statements in self.since.items():
+            slots["stop_from"][robot : robot + 1] = statements
 
 
 @dataclass(frozen=True, slots=True)
