@@ -51,7 +51,7 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     row = page.locator("#robot-row-1")
     page.wait_for_selector("#robot-row-1 .code:has-text('go.c')")
     assert row.locator("span").nth(0).inner_text() == "bob"
-    assert row.locator("span").nth(5).inner_text() == "2.500"
+    assert row.locator("span").nth(4).inner_text() == "1.000, 2.500 m, 0°"
     row.click()
     wait(page, "crs.model.state.robot === 1")
     assert debugger.view.robot == 1

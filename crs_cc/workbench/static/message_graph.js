@@ -69,7 +69,7 @@ function arrow(link, [x0, y0], [x1, y1], { most, seconds, meaning, names, select
   const reasons = [...link.reasons].map(([fate, count]) => `${count} ${meaning(fate)}`).join(", ");
   const text = `${names[link.sender]} to ${names[link.receiver]}: ${link.arrived} arrived${reasons ? `, ${reasons}` : ""}`;
   const share = link.lost / all;
-  const group = svg("g", { class: `link${share > 0 ? " lossy" : ""}${share === 1 ? " dead" : ""}${selected === key ? " chosen" : ""}`,
+  const group = svg("g", { class: `link${share > 0 ? " lossy" : ""}${share > 0.9 ? " dead" : ""}${selected === key ? " chosen" : ""}`,
     tabindex: 0, role: "button", "aria-label": text }, svg("title", {}, text));
   group.append(svg("path", { d: `M${sx} ${sy}Q${mx} ${my} ${ex} ${ey}`, "stroke-width": 1 + (4 * all) / most }));
   const [tx, ty] = [ex - mx, ey - my];

@@ -2,7 +2,7 @@
 import { button, el, fill } from "crs/dom.js";
 import { change, changeOrSay, choice, entry, field, setOptions, typed } from "crs/change.js";
 
-const TITLES = { onset: "from", duration: "for", recovery: "then fading for" };
+const TITLES = { onset: "from", duration: "for", recovery: "fading for" };
 const HINTS = {
   gain: "times", bias: "plus", noise: "standard deviation", step: "rounded to", stuck: "always this", delay: "late by",
   dropouts: "share that is missing, 0 to 1", onset: "now", duration: "ever", recovery: "0",
@@ -32,7 +32,7 @@ export const faults = {
       const { id, number } = model.selected;
       if (!root.offsetParent || !id || asked === id) return;
       asked = id;
-      title.textContent = `Degrade ${id}`;
+      title.textContent = `Faults of ${id}`;
       const answer = await model.ask("faults", { robot: number });
       if (answer && asked === id) make(answer);
     };

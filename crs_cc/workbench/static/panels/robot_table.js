@@ -1,9 +1,10 @@
 /** The table of robots: what each does, where, how fast, and what fails. Only rows in view are made. */
 import { el, fill } from "crs/dom.js";
+import { angleText } from "crs/units.js";
 
 const ROW = 30; // pixels
 const SPARE = 6; // rows beyond those in view
-const COLUMNS = ["robot", "kind", "program", "stands at", "x [m]", "y [m]", "heading", "speed", "battery", "bumper", "state", "what fails"];
+const COLUMNS = ["robot", "kind", "program", "stands at", "pose", "speed", "battery", "bumper", "state", "what fails"];
 const OUTCOMES = { exited: "ended", failed: "error", left: "left" };
 
 /** @type {import("./index.js").Panel} */
@@ -55,23 +56,22 @@ export const robotTable = {
       const dot = el("i.dot");
       dot.style.background = model.run.world.robots[number]?.colour ?? "#888888";
       const made = el("div.row", { role: "row", id: `robot-row-${number}`, "aria-selected": String(number === model.state.robot), onclick: () => model.select(number) },
-        el("span", { role: "rowheader" }, dot, id), ...cells(data).map(([text, kind]) => el(`span${kind}`, { role: "gridcell", title: text.length > 12 ? text : undefined }, text)));
+        el("span", { role: "rowheader" }, dot, id), ...cells(data, number).map(([text, kind]) => el(`span${kind}`, { role: "gridcell", title: text.length > 12 ? text : undefined }, text)));
       made.style.top = `${place * ROW}px`;
       return made;
     };
 
-    const cells = (data) => {
+    const cells = (data, number) => {
       if (!data) return COLUMNS.slice(1).map(() => ["", ""]);
-      const [x, y, heading] = data.pose ?? [NaN, NaN, NaN];
-      const number = (value, digits) => [Number.isFinite(value) && data.present ? value.toFixed(digits) : "–", ".number"];
+      const body = data.pose ? null : model.scene?.body(number);
+      const [x, y, heading] = data.pose ?? [body?.x, body?.y, body?.heading];
       const bumpers = [...Array(20).keys()].filter((bit) => (data.bumper >> bit) & 1);
       const isBad = data.outcome === "failed";
       const state = OUTCOMES[data.outcome] ?? (data.present ? data.does : "absent");
       return [
         [data.kind, ""], [data.program, ""],
         [data.line ? `${data.file}:${data.line} ${data.function}` : "", ".code"],
-        number(x, 3), number(y, 3),
-        [Number.isFinite(heading) ? `${((((heading * 180) / Math.PI) % 360) + 360).toFixed(0) % 360}°` : "–", ".number"],
+        [data.present && Number.isFinite(x) ? `${x.toFixed(3)}, ${y.toFixed(3)} m, ${angleText(heading)}` : "–", ".number"],
         [data.present ? `${data.speed.toFixed(2)} m/s` : "–", ".number"],
         [data.battery === null ? "–" : `${(100 * data.battery).toFixed(0)} %`, ".number"],
         [bumpers.length ? bumpers.join(", ") : "–", bumpers.length ? ".bad" : ""],
