@@ -90,8 +90,8 @@ def vector_env(
         processes: whether each runs in a process of its own.
         options: those of `Env`; with processes they must be picklable.
     """
-    if not isinstance(seeds, Sequence) or not seeds:
-        raise ValueError(f"seeds must be a list with a seed for each environment, not {seeds!r}")
+    if not seeds:
+        raise ValueError("no seeds: there is an environment for each of them")
     makers: list[Callable[[], gymnasium.Env[Any, Any]]] = [
         partial(GymEnv, *arguments, **{**options, "seed": int(seed)}) for seed in seeds
     ]

@@ -66,7 +66,8 @@ class RobotView:
     @property
     def position_m(self) -> FloatArray:
         """Its x and y [m], (2,)."""
-        return self._environment.last_state.bodies.position_m[self.number].copy()
+        place: FloatArray = self._environment.last_state.bodies.position_m[self.number].copy()
+        return place
 
     @property
     def heading_rad(self) -> float:

@@ -147,6 +147,9 @@ def run(**options: Any) -> int:
     --max-time counts as 0.
     """
     run_options = RunOptions(**options)
+    for path in run_options.inputs.sources:
+        if path.suffix.lower() == ".mcap":
+            raise click.UsageError(f"{path} is a recording: crs view, replay and debug show it.")
     if run_options.plot is not None:
         check_plot_path(run_options.plot)
         if run_options.plot_sensors and is_animation(run_options.plot):

@@ -15,6 +15,7 @@ from crs_cc.cli.grading.refused_calls import refused_call, refused_codes
 from crs_cc.cli.grading.source_tokens import tokens_of
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.load import Loaded, load
+from crs_cc.cli.messages import printable
 from crs_cc.cli.run_options import RunOptions
 from crs_cc.cli.run_plot import RunPlot
 from crs_cc.cli.start_recording import start_recording
@@ -27,6 +28,7 @@ from crs_cc.sim.engine.step import Step
 from crs_cc.sim.state.goals import OPEN
 
 _ROUNDING_S: Final = 1e-9
+_SHOWN: Final = 2000  # bytes
 
 
 def graded_run(job: Job, compiled: Callable[[], None]) -> GradedRun:
@@ -69,6 +71,11 @@ def _roots(job: Job) -> dict[Path, str]:
     return roots
 
 
+def _readable(content: bytes) -> str:
+    """Return lines that were printed without control characters."""
+    return "\n".join(map(printable, content.decode("utf-8", "replace").split("\n")))
+
+
 def _compile_error(error: CompileError, mark: str) -> GradedRun:
     """Return the grade of a program with errors: the first of them."""
     first = next(each for each in error.diagnostics if each.severity == "error")
@@ -99,6 +106,7 @@ class _ProgramRun:
         self._seed = job.seed if job.seed is not None else loaded.world.seed or 0
         self._end_s = job.limits.max_time_s or loaded.world.duration_s or DEFAULT_TIME_S
         self._printed = 0
+        self._shown = bytearray()
         self._refused = ""
         self._plot = RunPlot()
         self._recorder = (
@@ -143,7 +151,7 @@ class _ProgramRun:
         picture = self._plot.picture(session, finished, programs, sensors=False)
         return GradedRun(
             result, text, place.file, place.line, done.goals, round(done.simulated_s, 9),
-            picture.decode(), mark,
+            picture.decode(), mark, _readable(self._shown),
         )  # fmt: skip
 
     def _step_to_end(self) -> None:
@@ -189,6 +197,7 @@ class _ProgramRun:
     def _write(self, robot: int, stream: int, content: bytes) -> None:
         if robot in self._mine:
             self._printed += len(content)
+            self._shown += content[: _SHOWN - len(self._shown)]
         if self._recorder is not None and self._printed <= self._job.limits.max_output:
             self._recorder.write(robot, stream, content)
 

@@ -148,6 +148,7 @@ class GradedRun:
         simulated_s: how long it ran [s].
         picture: the plot, SVG; empty if it has not been run.
         fingerprint: equal for equal programs; empty if it could not be found out.
+        printed: the first lines that its programs printed.
     """
 
     result: Result
@@ -158,6 +159,7 @@ class GradedRun:
     simulated_s: float = 0.0
     picture: str = ""
     fingerprint: str = ""
+    printed: str = ""
 
     @property
     def text(self) -> str:

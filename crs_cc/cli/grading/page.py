@@ -109,8 +109,14 @@ def _figure(name: str, run: GradedRun, recording: str) -> str:
         f'<figure><img alt="the world from above with the path of the robot" loading="lazy"'
         f' src="data:image/svg+xml;base64,{picture}"><figcaption>{_text(name)},'
         f" {run.simulated_s:.2f} s: {run.result}{link}"
-        f"<table><tbody>{rows}</tbody></table></figcaption></figure>"
+        f"<table><tbody>{rows}</tbody></table>{_printed(run)}</figcaption></figure>"
     )
+
+
+def _printed(run: GradedRun) -> str:
+    if not run.printed:
+        return ""
+    return f"<details><summary>printed</summary><pre>{escape(run.printed)}</pre></details>"
 
 
 def _goal_row(run: GradedRun, goal: GoalResult) -> str:

@@ -158,6 +158,7 @@ def test_nothing_of_a_submission_is_more_than_text_in_the_page(graded: Path) -> 
         assert (attributes["src"] or "").startswith("data:image/svg+xml;base64,")
     for _, attributes in page.elements:
         assert not any(name.startswith("on") for name in attributes)
+    assert "0\n1\n2\n" in page.text  # printed by prints.c
     for text in ("<img src=x onerror=alert(1)>.c", "#error <script>alert(1)</script>", "ö-gustav"):
         assert text in page.text
     policy = next(a["content"] for tag, a in page.elements if "http-equiv" in a) or ""
