@@ -151,7 +151,7 @@ class _ProgramRun:
         picture = self._plot.picture(session, finished, programs, sensors=False)
         return GradedRun(
             result, text, place.file, place.line, done.goals, round(done.simulated_s, 9),
-            picture.decode(), mark, _readable(self._shown),
+            picture.decode(), mark, _readable(bytes(self._shown)),
         )  # fmt: skip
 
     def _step_to_end(self) -> None:
