@@ -221,6 +221,7 @@ def main() -> None:
     parser.add_argument("robots", type=int, nargs="*", default=[100, 1000, 10_000])
     parser.add_argument("--no-browser", action="store_true")
     options = parser.parse_args()
+    options.no_browser |= shutil.which("chromium") is None
     print(f"{'robots':>8} {'frame bytes':>12} {'server %':>12}", end="")
     print(
         ""

@@ -166,6 +166,7 @@ export class Timeline {
     if (!model.can("seek")) model.clock.held = Math.min(bounded, model.state.end);
     else {
       model.clock.held = null;
+      if (model.state.busy) model.ask("pause"); // what runs to another time is in vain
       model.ask("seek", { time_s: bounded });
     }
     this.isStale = true;

@@ -70,5 +70,12 @@ export const robots = {
     };
 
     for (const kind of ["hello", "status", "look", "roster"]) model.on(kind, () => model.run && draw());
+    let described = -1; // the time that the numbers are of
+    model.on("tick", () => {
+      const time = look.model.scene?.time ?? -1;
+      if (model.state.playing || time === described) return;
+      described = time;
+      describe();
+    });
   },
 };
