@@ -5,7 +5,7 @@ A page is drawn by a browser without a graphics card: the time to its first pict
 picture that of the page's scripts besides the call that draws it, and the processor time of all
 processes of the browser.
 
-    python bench/workbench.py [ROBOTS...]
+    python bench/workbench.py [--pages N] [--seconds S] [ROBOTS...]
 
 `--no-browser` leaves the page out.
 """
@@ -35,9 +35,7 @@ from crs_cc.workbench.screen import Screen
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-PAGES = 50
 RATE_HZ = 20
-SECONDS = 5.0
 SPACING_M = 1.0
 
 READER = """
@@ -127,26 +125,25 @@ def play(screen: Screen, run: Circles, seconds: float) -> tuple[float, float]:
     return time.process_time() - cpu_s, computing_s
 
 
-def server(robots: int) -> str:
+def server(robots: int, pages: int, seconds: float) -> str:
     """Measure the server with many pages."""
     with shown(robots) as (screen, run):
-        words = [str(screen.server.port), screen.server.tokens["view"], str(PAGES)]
+        words = [str(screen.server.port), screen.server.tokens["view"], str(pages)]
         reader = subprocess.Popen([sys.executable, "-c", READER, *words], stdin=subprocess.PIPE)
-        while screen.server.count < PAGES:
+        while screen.server.count < pages:
             time.sleep(0.05)
-        play(screen, run, 1.0)
-        sizes: list[int] = []
-        cpu_s, computing_s = play(screen, run, SECONDS)
+        play(screen, run, min(1.0, seconds))
+        cpu_s, computing_s = play(screen, run, seconds)
         assert reader.stdin is not None
         reader.stdin.close()
         reader.wait(10)
         last = screen.server._last
-        sizes.append(len(last.change or b"") if last else 0)
-    share = 100 * (cpu_s - computing_s) / SECONDS
-    return f"{sizes[0]:>12,} {share:>12.1f}"
+        size = len(last.change or b"") if last else 0
+    share = 100 * (cpu_s - computing_s) / seconds
+    return f"{size:>12,} {share:>12.1f}"
 
 
-def page(robots: int) -> str:
+def page(robots: int, seconds: float) -> str:
     """Measure a page: to its first picture, and for each picture."""
     from playwright.sync_api import sync_playwright
 
@@ -164,12 +161,12 @@ def page(robots: int) -> str:
         first_s = time.monotonic() - begin_s
         made.evaluate(MEASURE)
         before_s = browser_cpu_s()
-        play(screen, run, SECONDS)
+        play(screen, run, seconds)
         scripts, draws = made.evaluate("[window.scripts, window.pictures]")
         cpu_s = (browser_cpu_s() - before_s) / max(1, draws)
         browser.close()
     script_ms = statistics.median(scripts) if scripts else 0.0
-    return f"{first_s:>10.1f} {script_ms:>10.1f} {cpu_s:>10.2f} {draws / SECONDS:>10.1f}"
+    return f"{first_s:>10.1f} {script_ms:>10.1f} {cpu_s:>10.2f} {draws / seconds:>10.1f}"
 
 
 def browser_cpu_s() -> float:
@@ -220,6 +217,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("robots", type=int, nargs="*", default=[100, 1000, 10_000])
     parser.add_argument("--no-browser", action="store_true")
+    parser.add_argument("--pages", type=int, default=50)
+    parser.add_argument("--seconds", type=float, default=5.0)
     options = parser.parse_args()
     options.no_browser |= shutil.which("chromium") is None
     print(f"{'robots':>8} {'frame bytes':>12} {'server %':>12}", end="")
@@ -229,8 +228,8 @@ def main() -> None:
         else f" {'first s':>10} {'scripts ms':>10} {'cpu s':>10} {'pictures/s':>10}"
     )
     for robots in options.robots:
-        row = f"{robots:>8,} {server(robots)}"
-        print(row if options.no_browser else f"{row} {page(robots)}", flush=True)
+        row = f"{robots:>8,} {server(robots, options.pages, options.seconds)}"
+        print(row if options.no_browser else f"{row} {page(robots, options.seconds)}", flush=True)
 
 
 if __name__ == "__main__":

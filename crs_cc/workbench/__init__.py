@@ -3,17 +3,19 @@
 It is one more screen of the debug engine, beside prompt, full screen and editors: what a user does
 is an engine command, and part of the run's history.
 
-- `run` is what it shows: a `debugged_run`, or another that has the same methods. `player` decides
-  when it goes on, in the thread of the run.
+- `run` is what it shows: a `debugged_run`, a `debugged_recording` (a `playback`, whose programs run
+  again as they are asked for), or another that has the same methods. `player` decides when it goes
+  on, in the thread of the run.
 - `feed` keeps what is known of the run (frames, events, output) and passes on what is new; a
   `watcher` tells it what happens in a session. `frame_store` holds frames in blocks, `world_data`
-  describes the world, `robot_table` the robots, `sources` where a program stands.
+  describes the world, `robot_table` the robots, `devices_in_view` what is drawn of their devices,
+  `sources` where a program stands, `values` its variables, `stops` where the run stops.
 - `screen` connects them with the pages: it checks commands in the thread of the `server` and
   carries them out in that of the run. `messages` is the form of the channel, `clients` what waits
   for each page.
 - `page` writes a recorded run as one HTML file, with the same modules.
 - `static/` has these modules: plain ES modules, no build step. `app.js` starts, `model.js` is what
-  the page knows, `views.js` draws, `panels/` are at the sides.
+  the page knows, `views.js` draws, `panels/` are at the sides, `debug/` has the parts of the debugger.
 
 How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
 `needs`, `make`), and its name in `static/panels/index.js`. `make(root, model, look, page)` fills
