@@ -15,7 +15,8 @@ is an engine command, and part of the run's history.
   for each page.
 - `page` writes a recorded run as one HTML file, with the same modules.
 - `static/` has these modules: plain ES modules, no build step. `app.js` starts, `model.js` is what
-  the page knows, `views.js` draws, `panels/` are at the sides, `debug/` has the parts of the debugger.
+  the page knows, `views.js` draws, `panels/` are at the sides, `debug/` has the parts of the
+  debugger.
 
 How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
 `needs`, `make`), and its name in `static/panels/index.js`. `make(root, model, look, page)` fills

@@ -23,7 +23,7 @@ function table(page) {
     { keys: ["End"], text: "to the latest time", does: () => (model.can("seek") ? timeline.seek(model.state.end) : timeline.release()) },
     { keys: ["+", "="], text: "faster", does: () => timeline.faster(1) },
     { keys: ["-"], text: "slower", does: () => timeline.faster(-1) },
-    { keys: ["g"], text: "go to a time, or by so many seconds", does: () => timeline.enter() },
+    { keys: ["."], text: "go to a time, or by so many seconds", does: () => timeline.enter() },
     { keys: ["["], text: "repeat from here on", does: () => timeline.bound(0) },
     { keys: ["]"], text: "repeat up to here", does: () => timeline.bound(1) },
     { keys: ["l"], text: "repeat the last seconds", does: () => timeline.loop() },

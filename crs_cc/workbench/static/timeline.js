@@ -24,7 +24,7 @@ export class Timeline {
     this.kind = "any";
     this.askedAt = 0;
     this.clock = el("output", { "aria-label": "simulated time" });
-    this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to type one to go to (G)", onclick: () => this.enter() }, this.clock);
+    this.clockButton = el("button.clock", { type: "button", title: "Simulated time: click to type one to go to (.)", onclick: () => this.enter() }, this.clock);
     this.wanted = el("input.clock", { type: "text", hidden: true, "aria-label": "time to go to, in seconds, or by so many: -10", onkeydown: (event) => this.take(event), onblur: () => this.leave() });
     this.rate = el("span.rate", { title: "simulated by real time, measured" });
     this.playButton = button({ icon: "play", title: "Play or pause", key: "Space", className: "primary", onclick: () => this.toggle() });
