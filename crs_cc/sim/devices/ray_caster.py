@@ -83,6 +83,11 @@ class RayCaster:
         if self._outlook is not None:
             self._outlook.place(bodies.position_m)
 
+    @property
+    def all_alike(self) -> bool:
+        """Whether beams can hit the same things at all heights."""
+        return self._outlook is None
+
     def prospect(
         self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float
     ) -> Prospect:

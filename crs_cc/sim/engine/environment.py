@@ -86,6 +86,7 @@ class Environment:
         self._quiet_until, self._is_untouched = None, False
         if self._skipped:
             skipped, self._skipped = self._skipped, 0
+            self._running.is_weary = True  # charges fall meanwhile
             catch_up(self._running, skipped)
 
     # -- requests and time ---------------------------------------------------------------------
@@ -209,10 +210,13 @@ class Environment:
         state, constants, handling = data.state, data.constants, data.devices.handling
         before_m = state.bodies.position_m[: len(state.heading_rad)].copy()
         slices, contacts, found = NO_SLICES, NO_CONTACTS, HELD_UP
+        times_s = data.timestep_s, end_s
         if data.physics.passes(state.bodies, state.drive.moved_m, traction.facing_rad(state)):
             if tells_slices:
                 slices = slices_of(state, data.axes, data.timestep_s)
-            found, empty = state.rows.finish(state, (data.timestep_s, end_s), None, constants.kinds)
+            found, empty, data.is_weary = state.rows.finish(
+                state, (data.timestep_s, end_s), None, constants.kinds
+            )
         else:
             pull = handling.pull(state, constants, traction.pull(state, constants), end_s)
             contacts = data.physics.step(state.bodies, pull)
@@ -225,8 +229,7 @@ class Environment:
             log_falls(constants, data.log, end_s, before_m, went_m)
             uphill_m = traction.uphill_ways_m(constants, before_m, went_m)
             way_m = None if uphill_m is None else state.distance_m + uphill_m
-            times_s = data.timestep_s, end_s
-            _, empty = state.rows.finish(state, times_s, before_m, constants.kinds)
+            _, empty, data.is_weary = state.rows.finish(state, times_s, before_m, constants.kinds)
             if way_m is not None:
                 state.distance_m[:] = way_m
         # Hands grasp what is there now; held objects change the bodies.

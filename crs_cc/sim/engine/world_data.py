@@ -84,6 +84,7 @@ class WorldData:
         physics: moves the bodies.
         rays: casts the rays of all sensors.
         goals: judges the goals.
+        is_weary: whether a motor battery may be empty before the end of this cycle.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -101,6 +102,7 @@ class WorldData:
         self._seed = seed
         self.log = EventLog()
         self._packed: Packed | None = None
+        self.is_weary = True
         self._floor = Floor(world)
         self.state = EnvState.at_start(world)
         self._equip(world)
@@ -231,6 +233,7 @@ class WorldData:
             ValueError: the battery is unlimited, or the robot is not in the world.
         """
         self._demand_presence(number)
+        self.is_weary = True
         batteries = self.devices.sensor_board.batteries
         batteries.charge(self.state, self.constants, number, at_s=self.time_s, share=share)
 
@@ -250,6 +253,7 @@ class WorldData:
         Robots that had been added before the snapshot are present again, later ones are not.
         """
         before, self.state = self.state, snapshot.state.state()
+        self.is_weary = True
         self.state.replace(before)
         if snapshot.world is not self.world:
             self._equip(snapshot.world)
@@ -283,7 +287,7 @@ class WorldData:
     def let_go_if_empty(self, rows: IndexArray, at_s: FloatArray) -> None:
         """Make the axes of robots with empty batteries limp."""
         batteries = self.devices.sensor_board.batteries
-        if batteries.last or not len(rows):
+        if not (self.is_weary and len(rows)) or batteries.last:
             return
         empty = rows[batteries.empty(self.state, self.constants, rows, at_s)]
         if len(empty):
@@ -305,7 +309,7 @@ class WorldData:
 
     def _equip(self, world: WorldModel) -> None:
         """Build all that is derived from the set of robots."""
-        self.world = world
+        self.world, self.is_weary = world, True
         self.constants = RobotConstants.of(world, self._seed)
         self.rolling = RollingNoise(world, self._seed)
         self.devices = DeviceBoard(world, self._seed, self.log)
@@ -355,6 +359,7 @@ class WorldData:
 
     def come_and_go(self) -> None:
         """Remove and add the robots whose time to leave or to join has come."""
+        self.is_weary = True
         now_s = self.time_s
         self._timetable.leave(self.state, now_s, self.log)
         joined = self._timetable.join(self.state, self.constants, now_s, self.log)

@@ -50,11 +50,12 @@ class Obstacles:
         flat = np.zeros(len(fixed.segments))
         self._segment_grid = Grid(fixed.segments, flat, reach_m, behind_m=start_m)
         self._circle_grid = Grid(circles[:, [0, 1, 0, 1]], circles[:, 2], reach_m)
+        self._moving = _Places(moving)
         self.place(moving)
 
     def place(self, moving: Outlines) -> None:
         """Update the movable outlines."""
-        self._moving = _Places(moving)
+        self._moving.move(moving)
         self._owners, self._segment_owners = moving.owners, moving.segment_owners
         self._segment_cells: CellList | None = None
         self._circle_cells: CellList | None = None
@@ -214,6 +215,9 @@ class Obstacles:
         return others.take(near), movers.take(near)
 
 
+_DERIVED: Final = "start", "end", "length_m", "middle", "radius_m"
+
+
 class _Places:
     """Outlines as rows for kernels, and with points as complex numbers.
 
@@ -224,12 +228,22 @@ class _Places:
 
     def __init__(self, outlines: Outlines) -> None:
         segments, circles = outlines.segments, outlines.circles
+        self._segments = segments
         self.segment_rows = np.empty((len(segments), 7))
         self.segment_rows[:, 0], self.segment_rows[:, 1] = -1.0, outlines.segment_owners
         self.segment_rows[:, 2:] = segments
         self.circle_rows = np.empty((len(circles), 5))
         self.circle_rows[:, 0], self.circle_rows[:, 1] = -1.0, outlines.owners
         self.circle_rows[:, 2:] = circles
+
+    def move(self, outlines: Outlines) -> None:
+        """Update the places of the same outlines."""
+        if outlines.segments is not self._segments:
+            self._segments = outlines.segments
+            self.segment_rows[:, 2:] = outlines.segments
+        self.circle_rows[:, 2:] = outlines.circles
+        for name in _DERIVED:
+            self.__dict__.pop(name, None)
 
     @cached_property
     def start(self) -> ComplexArray:

@@ -114,7 +114,8 @@ class Scene:
             position_m: their positions, shape (bodies, 2).
             angle_rad: their headings, shape (bodies,).
         """
-        circles = np.column_stack([position_m[self._round_bodies], self._radii_m])
+        circles = np.empty((len(self._radii_m), 3))
+        circles[:, :2], circles[:, 2] = position_m[self._round_bodies], self._radii_m
         segments = self._sides.segments(position_m, angle_rad)
         return Outlines(segments, circles, self._round_bodies, self._sides.bodies)
 

@@ -94,7 +94,7 @@ int __crs_finish(int count, const struct cycle *cycle, const double *joined, dou
     struct robot *robot = tables->robots;
     int i, axis, drains = cycle->drains < 0 ? work_is_done(count, robot) : (int)cycle->drains;
 
-    *empty = 0;
+    empty[0] = empty[1] = 0;
     if (cycle->is_free && glide(count, cycle->timestep, robot, tables->bodies, before) > SAME)
         return HELD_UP;
     for (i = 0; i < count; i++, robot++) {
@@ -102,7 +102,9 @@ int __crs_finish(int count, const struct cycle *cycle, const double *joined, dou
 
         face(robot, constants, &tables->bodies[i], before + 2 * i);
         if (drains && robot->battery >= 0 && tire(robot, constants, cycle, joined[i], tables))
-            empty[++*empty] = i;
+            empty[2 + empty[0]++] = i;
+        if (__crs_is_empty(robot, cycle->end + cycle->timestep - joined[i], tables))
+            empty[1] = 1;
         robot->moved[0] = robot->moved[1] = 0;
         for (axis = 0; axis < AXES; axis++)
             robot->slice[axis] = 0;

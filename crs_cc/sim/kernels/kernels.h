@@ -65,7 +65,8 @@ struct cycle {
     double drains;                      /* whether any wheel turned or was held; negative: find out */
 };
 
-/* End a cycle of all robots, see cycle.c. `empty` gets how many robots' batteries ran empty, and which.
+/* End a cycle of all robots, see cycle.c. `empty` gets how many robots' batteries ran empty, whether any
+   is empty at the end of the next cycle, and which ran empty.
    `before` is where they were; if they move freely that is set here, too. If rounding errors of their
    places are too large, they have moved, but nothing else is done: then return HELD_UP. */
 int __crs_finish(int count, const struct cycle *cycle, const double *joined, double *before,

@@ -400,7 +400,7 @@ class Kernels:
         cycle: tuple[float, float, bool, float],
         joined_s: FloatArray,
         before_m: FloatArray | None,
-    ) -> tuple[int, list[int]]:
+    ) -> tuple[int, list[int], bool]:
         """End a cycle of the first robots, see `cycle.c`.
 
         Args:
@@ -412,12 +412,14 @@ class Kernels:
 
         Returns:
             `ADVANCED`, or `HELD_UP` if they have moved, but for rounding errors nothing else was
-            done; and the robots whose batteries are empty.
+            done; the robots whose batteries are empty now; and whether any is by the end of the
+            next cycle.
         """
         before = b"" if before_m is None else before_m.tobytes()
         self._select(_FINISH, count, None, _CYCLE.pack(*cycle) + joined_s.tobytes() + before)
-        empty = self._second[1 : 1 + self._second[0]].tolist() if self._second[0] else []
-        return _RESULT.unpack_from(self._memory, self._place)[0], empty
+        found = self._second
+        empty = found[2 : 2 + found[0]].tolist() if found[0] else []
+        return _RESULT.unpack_from(self._memory, self._place)[0], empty, bool(found[1])
 
     def _select(
         self,

@@ -200,7 +200,7 @@ class RobotRows:
         times_s: tuple[float, float],
         before_m: FloatArray | None,
         kinds: RobotKinds,
-    ) -> tuple[int, list[int]]:
+    ) -> tuple[int, list[int], bool]:
         """End a cycle of all robots, see `Kernels.finish`.
 
         Args:
@@ -215,15 +215,17 @@ class RobotRows:
             cycle = *times_s, before_m is None, _UNKNOWN
             return home.finish(count, cycle, joined_s, before_m)
         # What is true of all is not known to a part of them; few enough to be free are one part.
-        works, found, empty = state.drive.slice.any() or state.bodies.slipping.any(), ADVANCED, []
+        works, is_weary = state.drive.slice.any() or state.bodies.slipping.any(), False
+        found, empty = ADVANCED, list[int]()
         for lent in self._lent(ALL, count, kinds):
             part = lent.part
             before = None if before_m is None else before_m[part]
             cycle = *times_s, before is None, float(works)
-            found, some = lent.own.finish(lent.robots, cycle, joined_s[part], before)
+            found, some, weary = lent.own.finish(lent.robots, cycle, joined_s[part], before)
+            is_weary |= weary
             empty += [part.start + each for each in some]
             self._take_back(lent)
-        return found, empty
+        return found, empty, is_weary
 
     def _at_home(self, kinds: RobotKinds) -> Kernels | None:
         """Return the kernels in whose memory the rows lie, with the constants; None if too many."""

@@ -94,7 +94,7 @@ def test_the_end_of_a_cycle_is_that_of_numpy(seed: int) -> None:
     before_m = state.bodies.position_m - 0.1
     empty = finish(wanted, constants, before_m)
     found = state.rows.finish(state, (STEP_S, END_S), before_m, constants.kinds)
-    assert found == (ADVANCED, empty)
+    assert found == (ADVANCED, empty, True)
     assert 3 < len(empty) < ROBOTS - 3
     assert state.sha256() == wanted.sha256()
 
@@ -106,7 +106,7 @@ def test_free_robots_move_as_their_wheels_do() -> None:
     wanted.bodies.velocity_mps[:] = moved_m / STEP_S
     empty = finish(wanted, constants, before_m)
     found = state.rows.finish(state, (STEP_S, END_S), None, constants.kinds)
-    assert found == (ADVANCED, empty)
+    assert found == (ADVANCED, empty, True)
     assert state.sha256() == wanted.sha256()
 
 
@@ -115,7 +115,7 @@ def test_a_robot_that_was_held_up_is_only_moved() -> None:
     state.drive.hindered[5] = True
     moved_m = state.bodies.position_m + state.drive.moved_m
     found = state.rows.finish(state, (STEP_S, END_S), None, constants.kinds)
-    assert found == (HELD_UP, [])
+    assert found[:2] == (HELD_UP, [])
     assert np.array_equal(state.bodies.position_m, moved_m)
     assert state.drive.moved_m.any()
 
@@ -177,3 +177,15 @@ def test_replies_are_those_of_numpy(monkeypatch: pytest.MonkeyPatch, *, checked:
         for name in ("state", "charge", "board_ms"):
             assert np.array_equal(found[name], told[name]), name
     assert np.array_equal(state.rows.charges(ALL, for_s, constants.kinds), wanted["charge"])
+
+
+def test_batteries_that_last_another_cycle_are_known() -> None:
+    state, constants = tired(5)
+    motors_of(state).moved_j[:] = 0.0
+    before_m = state.bodies.position_m.copy()
+    found = state.rows.finish(state, (STEP_S, END_S), before_m, constants.kinds)
+    assert found == (ADVANCED, [], False)
+    motors_of(state).moved_j[0] = 1e9
+    state.bodies.slipping[:] = False  # with wheels at rest nobody works, and none is found empty
+    found = state.rows.finish(state, (STEP_S, END_S), before_m, constants.kinds)
+    assert found == (ADVANCED, [], True)

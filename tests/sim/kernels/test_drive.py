@@ -167,7 +167,7 @@ def test_one_call_and_many_compute_the_same(most: int, monkeypatch: pytest.Monke
     for each in (state, again):
         each.rows.set_speeds(ALL, np.full((ROBOTS, 3), 0.2), constants.kinds)
         found = each.rows.finish(each, (0.1, 3.0), each.bodies.position_m.copy(), constants.kinds)
-        assert found == (ADVANCED, [])
+        assert found == (ADVANCED, [], False)
     assert state.sha256() == again.sha256()
     rows = np.arange(ROBOTS)
     told = [each.rows.replies(ALL, rows / 7, constants.kinds) for each in (state, again)]

@@ -18,8 +18,9 @@ MOTORS: Final = 12.85 / 5
 """Factors of the voltages on the sensor board (vendor source `Ndirect.c` 2.7)."""
 
 _FACTORS: Final = COMPUTERS, MOTORS
-_BOTH: Final = np.arange(2)
 _STEPS: Final = 1_000  # of charge, in the tables
+_SIZE: Final = _STEPS + 1
+_BOTH: Final = np.array([0, _SIZE])
 
 START, POWER, CAPACITY, LEAST = 0, 2, 4, 6
 """Places in a row of `supply_table`: of numbers for computers and motors; of the least charge."""
@@ -64,7 +65,7 @@ class Voltages:
         curves_v = [each.curve_v for each in every]
         self._curves_v = list(zip(curves_v[::2], curves_v[1::2], strict=True))
         tables = [_bytes(curve_v, _FACTORS[place % 2]) for place, curve_v in enumerate(curves_v)]
-        self._bytes = np.array(tables, np.int32).reshape(-1, 2, _STEPS + 1)
+        self._bytes = np.array(tables, np.int32).ravel()
         self.full_bytes: Int32Array | None = None
         if all(np.isinf(each.capacity_j) for each in every):
             start = np.array([each.charge for each in every]).reshape(-1, 2)
@@ -73,7 +74,7 @@ class Voltages:
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:
         """Return the bytes that are sent for states of charge."""
         steps = (charge * _STEPS + 0.5).astype(np.intp)
-        return np.asarray(self._bytes[kinds[:, None], _BOTH, steps])
+        return self._bytes.take(steps + _BOTH + kinds[:, None] * (2 * _SIZE))
 
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
         """Return the voltages at states of charge."""

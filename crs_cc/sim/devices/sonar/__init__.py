@@ -305,8 +305,7 @@ class SonarRing:
         pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, before)
-        confused = np.flatnonzero(self._errors.confused(rows, sonar.mode[rows], deviates))
-        voices = None
+        voices, confused = None, self._errors.confused(rows, sonar.mode[rows], deviates)
         if len(confused):
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
@@ -388,6 +387,8 @@ class SonarRing:
         self, state: EnvState, rays: RayCaster, pings: Pings, number: IndexArray
     ) -> Prospect:
         """Return what pings of the sonars with these numbers can hit."""
+        if rays.all_alike:
+            return rays.obstacles(state)
         z_m = self._beams.z_m(pings.own, number)
         return rays.prospect(state, z_m, exact.tan(pings.half_rad))
 

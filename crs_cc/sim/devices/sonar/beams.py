@@ -54,20 +54,22 @@ class Beams:
         first = np.cumsum([0, *counts])[[different.index(model) for model in models]]
         self._first = first.astype(np.intp)
         shape = (len(kinds), MAX_SONARS)
-        self._offset = np.zeros(shape, dtype=np.complex128)
-        self._axis = np.ones(shape, dtype=np.complex128)
+        self._mounts = np.ones((2, *shape), dtype=np.complex128)  # places, and directions
+        self._mounts[0] = 0.0
         self._half_rad = np.full(shape, _THIN_RAD)
         self._range_m = np.zeros(shape)
         self._z_m = np.zeros(shape)
         for kind, mode in enumerate(kinds):
             for sonar in mode.sonars:
                 place = kind, sonar.id
-                self._offset[place] = complex(sonar.x_m, sonar.y_m)
-                self._axis[place] = exact.turn(sonar.direction_rad)
+                self._mounts[:, kind, sonar.id] = (
+                    complex(sonar.x_m, sonar.y_m),
+                    exact.turn(sonar.direction_rad),
+                )
                 self._half_rad[place] = max(sonar.half_angle_rad, _THIN_RAD)
                 self._range_m[place] = sonar.range_m
                 self._z_m[place] = sonar.z_m
-        self.start_m = float(exact.magnitude(self._offset).max(initial=0.0))
+        self.start_m = float(exact.magnitude(self._mounts[0]).max(initial=0.0))
         boards = [mode.board for mode in kinds]
         self.reach_m = self.start_m + float(self._range_m.max(initial=0.0))
         lobes = [board.lobe_rad for board in boards]
@@ -97,10 +99,11 @@ class Beams:
         """
         kind = self._first[rows] + mode
         beam = kind, number
+        offset, axis = exact.product(self._mounts[:, kind, number], turn)
         return Pings(
             place,
-            place + exact.product(self._offset[beam], turn),
-            exact.product(self._axis[beam], turn),
+            place + offset,
+            axis,
             self._half_rad[beam],
             self._range_m[beam],
             self._falloff[kind],

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.core.arrays import FloatArray, IndexArray, Int64Array
 from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.kernels import exact
 from crs_cc.sim.state.random_streams import Noise
@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 
 _ERROR, _DROPOUT, _CROSSTALK = range(3)
 _DEVIATES: Final = 3
+
+
+_NOBODY: Final = np.zeros(0, dtype=np.intp)
 
 
 class SonarErrors:
@@ -65,9 +68,12 @@ class SonarErrors:
             return np.zeros((len(rows), _DEVIATES))
         return np.asarray(self._noise.rows(rows, numbers))
 
-    def confused(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
-        """Return which robots mistake other robots' pings for their own in this firing."""
-        return np.asarray(deviates[:, _CROSSTALK] < self._mistakes[self._first[rows] + mode])
+    def confused(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> IndexArray:
+        """Return which of some robots mistake others' pings for their own in this firing."""
+        if self._noise is None:
+            return _NOBODY
+        mistakes = self._mistakes[self._first[rows] + mode]
+        return np.flatnonzero(deviates[:, _CROSSTALK] < mistakes)
 
     def reported_m(
         self, rows: IndexArray, mode: IndexArray, distance_m: FloatArray, deviates: FloatArray
