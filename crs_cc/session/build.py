@@ -8,7 +8,7 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.gc_pause import without_collector
@@ -29,13 +29,10 @@ from crs_cc.toolchain import cache
 
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess.options import Dialect, Options
-    from crs_cc.ir.program import Data, Function, Program
+    from crs_cc.ir.program import Program
 
 _Names: TypeAlias = tuple[str, str]  # the program's name and command, see `Executable`
 _Lines: TypeAlias = dict[str, list[str]]
-
-_KNOWN: Final[dict[str, Function | Data]] = {}
-"""The library's definitions that programs of this process have been linked with."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,13 +43,11 @@ class _Linked:
         digests: of every file that the compiler looked for, see `Diagnostics`.
         content: the pickled program and source lines, without the library's definitions, see
             `_pack`; builds whose code is cached need them only for messages and debuggers.
-        library: the pickled definitions of the library, by name.
         warnings: the compiler's warnings.
     """
 
     digests: dict[str, str]
     content: bytes
-    library: bytes
     warnings: tuple[Diagnostic, ...]
 
 
@@ -122,7 +117,7 @@ def build_executable(
             options = replace(options, dialect=dialect or dialect_of(paths, options))
             program, lines = _compile(paths, options, own)
             executable = make_executable(program, names[0], command=names[1], lines=lines, **flags)
-            entry = _Linked(own.digests, *_pack(program, lines), tuple(own.messages))
+            entry = _Linked(own.digests, _pack(program, lines), tuple(own.messages))
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
@@ -243,34 +238,28 @@ def _reload(entry: _Linked, flags: dict[str, bool]) -> Callable[[], Detail]:
     return detail
 
 
-def _pack(program: Program, lines: _Lines) -> tuple[bytes, bytes]:
-    """Pickle a program and its lines, with None for the library's definitions; and pickle those."""
+def _pack(program: Program, lines: _Lines) -> bytes:
+    """Pickle a program and its lines, with None for the library's definitions."""
     from crs_cc.session.library import library
 
-    tables: tuple[dict[str, Any], ...] = (program.functions, program.data)
-    theirs: dict[str, Any] = {
-        name: each
-        for table in tables
-        for name, each in table.items()
-        if in_library(each.location) and library().find(name) is each
-    }
-    _KNOWN.update(theirs)
-    own = [{name: None if name in theirs else table[name] for name in table} for table in tables]
-    packed = (*own, lines), theirs
-    content, library_part = (pickle.dumps(each, pickle.HIGHEST_PROTOCOL) for each in packed)
-    return content, library_part
+    find = library().find
+    own = [
+        {
+            name: None if in_library(each.location) and find(name) is each else each
+            for name, each in table.items()
+        }
+        for table in (program.functions, program.data)
+    ]
+    return pickle.dumps((*own, lines), pickle.HIGHEST_PROTOCOL)
 
 
 def _unpack(entry: _Linked) -> tuple[Program, _Lines]:
     """Return what `_pack` packed; programs of one process share the library's definitions."""
     from crs_cc.ir.program import Program
+    from crs_cc.session.library import library
 
     functions, data, lines = pickle.loads(entry.content)  # noqa: S301 - see `crs_cc.toolchain.cache`
-    missing = {name for each in (functions, data) for name, found in each.items() if found is None}
-    theirs = _KNOWN
-    if not missing <= theirs.keys():
-        theirs = pickle.loads(entry.library)  # noqa: S301
     for definitions in (functions, data):
         for name, each in definitions.items():
-            definitions[name] = each or theirs[name]
+            definitions[name] = each or library().find(name)
     return Program(functions, data), lines

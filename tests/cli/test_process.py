@@ -62,7 +62,7 @@ SLOW = {
 def crs(
     folder: Path, code: str, *arguments: str, **variables: str
 ) -> subprocess.CompletedProcess[str]:
-    """Run Python code with arguments, with a cache of its own."""
+    """Run Python code with arguments, by default with a cache of its own."""
     return subprocess.run(
         [sys.executable, "-c", code, *arguments],
         capture_output=True,
@@ -73,34 +73,52 @@ def crs(
     )
 
 
-def loaded(folder: Path, *arguments: str) -> set[str]:
+@pytest.fixture(scope="module")
+def programs_cache(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """Return the cache of tests that need no world from it; the library is compiled once."""
+    return str(tmp_path_factory.mktemp("programs"))
+
+
+@pytest.fixture(scope="module")
+def worlds_cache(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """Return the cache of tests each of which puts a world of its own into it."""
+    return str(tmp_path_factory.mktemp("worlds"))
+
+
+def loaded(folder: Path, cache: str, *arguments: str) -> set[str]:
     """Return the modules that a run loads for what is in the cache."""
     (folder / "hello.c").write_text(HELLO)
     (folder / "room.xml").write_text(ROOM)
     for _ in range(2):
-        done = crs(folder, LOADED, "run", "hello.c", *arguments)
+        done = crs(folder, LOADED, "run", "hello.c", *arguments, CRS_CACHE=cache)
         assert (done.returncode, done.stdout) == (0, "hello\n"), done.stderr
     return set(done.stderr.split())
 
 
-def test_a_known_program_in_no_world_loads_only_what_it_runs_with(tmp_path: Path) -> None:
-    modules = loaded(tmp_path)
+def test_a_known_program_in_no_world_loads_only_what_it_runs_with(
+    tmp_path: Path, programs_cache: str
+) -> None:
+    modules = loaded(tmp_path, programs_cache)
     assert not modules & (COMPILES | READS_WORLDS | SLOW | {"pymunk"})
     assert "wasmtime" in modules
 
 
-def test_a_known_program_in_a_room_without_contact_needs_no_pymunk(tmp_path: Path) -> None:
-    modules = loaded(tmp_path, "room.xml")
+def test_a_known_program_in_a_room_without_contact_needs_no_pymunk(
+    tmp_path: Path, programs_cache: str
+) -> None:
+    modules = loaded(tmp_path, programs_cache, "room.xml")
     assert not modules & (COMPILES | {"pymunk"})
     assert modules > READS_WORLDS
 
 
 @pytest.mark.parametrize("robot", [[], ["--robot", "pioneer2dx"], ["--setup", "noisy"]], ids=str)
 def test_the_empty_world_from_the_cache_is_the_one_that_was_read(
-    robot: list[str], tmp_path: Path
+    robot: list[str], tmp_path: Path, worlds_cache: str
 ) -> None:
     (tmp_path / "noise.c").write_text(NOISE)
-    first, second = (crs(tmp_path, START, "run", *robot, "noise.c") for _ in range(2))
+    first, second = (
+        crs(tmp_path, START, "run", *robot, "noise.c", CRS_CACHE=worlds_cache) for _ in range(2)
+    )
     assert first.stdout == second.stdout
     assert first.stdout.count("\n") == 16
 

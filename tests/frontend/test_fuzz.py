@@ -17,15 +17,11 @@ def test_deep_nesting_is_compiled_or_refused(name: str) -> None:
 
 @pytest.mark.parametrize("name", NESTED)
 def test_very_deep_nesting_is_compiled_or_refused(name: str) -> None:
-    assert survive(nested(name, 3000)) == ""
-
-
-def test_a_damaged_source_is_compiled_or_refused() -> None:
-    for source in islice(sources(seed=7), 60):
-        assert survive(source) == "", source
+    assert survive(nested(name, 1500)) == ""
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_many_damaged_sources_are_compiled_or_refused(seed: int) -> None:
-    for source in islice(sources(seed), 200):
+def test_damaged_sources_are_compiled_or_refused(seed: int) -> None:
+    """A sample that is the same in every run; `make fuzz-frontend` tries thousands of new ones."""
+    for source in islice(sources(seed), 60):
         assert survive(source) == "", source

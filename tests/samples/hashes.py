@@ -1,5 +1,7 @@
 """Write the state hash of the beginning of each sample run, one line for each."""
 
+from crs_cc.runtime import executable
+from tests.conftest import fast_settings
 from tests.samples.test_samples import RUNS
 
 LONGEST_S = 4.0
@@ -7,6 +9,7 @@ LONGEST_S = 4.0
 NOISY = ("wander", "follow_wall", "localise", "push")
 
 if __name__ == "__main__":
+    executable.settings = fast_settings  # those of the tests, which keep the programs in the cache
     for run in RUNS:
         print(run.name, run.drive(longest_s=LONGEST_S).state_hash)
         if run.sample in NOISY:

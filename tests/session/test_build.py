@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import functools
 import hashlib
 import os
 import pickle
@@ -18,6 +19,7 @@ from crs_cc.core.source import Diagnostics, Location
 from crs_cc.ir.program import Function
 from crs_cc.runtime import executable as executable_module
 from crs_cc.session import build as build_module
+from crs_cc.session import library as session_library
 from crs_cc.session.build import build_executable
 from crs_cc.toolchain import cache
 from crs_cc.toolchain import library as library_module
@@ -173,7 +175,8 @@ def test_a_build_of_a_cached_program_equals_one_from_its_sources(
     monkeypatch.setenv("CRS_CACHE", str(tmp_path / "two"))
     build_executable([program], Diagnostics())
     if not linked_here:  # as in another process
-        monkeypatch.setattr(build_module, "_KNOWN", {})
+        another = functools.cache(session_library.library.__wrapped__)
+        monkeypatch.setattr(session_library, "library", another)
     two = build_executable([program], cached, debug=True)
     assert two.wat() == one.wat()
     assert two.machine_code == one.machine_code

@@ -80,7 +80,7 @@ def shown(compiled: Compiled) -> tuple[Any, ...]:
         for info in compiled.functions
     ]
     return (
-        compiled.module.to_text(), compiled.module.to_binary(), compiled.module.data,
+        compiled.module.to_binary(), compiled.module.data,
         compiled.sites, compiled.call_sites, compiled.statements, infos, compiled.addresses,
     )  # fmt: skip
 
