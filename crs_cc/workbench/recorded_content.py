@@ -85,7 +85,10 @@ def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
         numbers = [each if isinstance(each, float | int) else None for each in place]
         with recording.errors():
             kind, text = str(data.get("kind"))[:40], str(data.get("text"))[:400]
-            found.append([time_ns / NS, kind, int(data.get("robot", -1)), text, *numbers])
+            robot, robots = int(data.get("robot", -1)), recording.roster_at(time_ns).robots
+            if 0 <= robot < len(robots) and robots[robot] not in text:
+                text = f"{robots[robot]}{' ' if kind == 'collision' else ': '}{text}"
+            found.append([time_ns / NS, kind, robot, text, *numbers])
     for time_ns, data in recording.data(topics.MESSAGE.topic):
         with recording.errors():
             rows = list(_messages(data, recording.roster_at(time_ns).robots))

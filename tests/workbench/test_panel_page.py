@@ -53,7 +53,7 @@ def the_table_has_a_row_for_each_robot(page: Any, debugger: Debugger) -> None:
     assert row.locator("span").nth(0).inner_text() == "bob"
     assert row.locator("span").nth(4).inner_text() == "1.000, 2.500 m, 0°"
     row.click()
-    wait(page, "crs.model.state.robot === 1")
+    wait(page, "crs.model.where.robot === 1")
     assert debugger.view.robot == 1
     page.keyboard.press("9")
 

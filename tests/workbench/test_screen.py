@@ -192,6 +192,7 @@ def test_a_recording_is_played_by_the_same_channel(recorded: Path, replayed: Scr
     with page_of(replayed) as page:
         hello = page.told["hello"]
         assert [event[1] for event in hello["events"]] == ["collision", "exited"]
+        assert hello["events"][0][3] == "robot0 touched crate"
         page.ask("seek", time_s=2.0)
         page.take_until(lambda: page.told["status"]["t"] == pytest.approx(2.0))
         row, sensors = page.told["status"]["robots"][0], page.told["status"]["sensors"]

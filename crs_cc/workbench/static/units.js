@@ -9,5 +9,12 @@ export function gridStep(least) {
 /** A length for people. @param {number} metres */
 export const lengthText = (metres) => (metres < 1 ? `${+(metres * 100).toPrecision(3)} cm` : `${+metres.toPrecision(4)} m`);
 
+/** Where something on a robot looks. @param {number} radians counter-clockwise from ahead */
+export function sideText(radians) {
+  const degrees = Math.round((Math.atan2(Math.sin(radians), Math.cos(radians)) * 180) / Math.PI);
+  if (!degrees) return "ahead";
+  return Math.abs(degrees) === 180 ? "behind" : `${Math.abs(degrees)}° ${degrees > 0 ? "left" : "right"}`;
+}
+
 /** A direction for people. @param {number} radians */
 export const angleText = (radians) => `${((Math.round((radians * 180) / Math.PI) % 360) + 360) % 360}°`;

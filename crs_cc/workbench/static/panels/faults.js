@@ -1,6 +1,7 @@
 /** Faults: degrade any element of any sensor or actuator of the selected robot; what is in force; heal. */
-import { button, el, fill } from "crs/dom.js";
 import { change, changeOrSay, choice, entry, field, setOptions, typed } from "crs/change.js";
+import { button, el, fill } from "crs/dom.js";
+import { sideText } from "crs/units.js";
 
 const TITLES = { onset: "from", duration: "for", recovery: "fading for" };
 const HINTS = {
@@ -68,7 +69,10 @@ export const faults = {
 
     const elements = () => {
       const { title: text, nothing, elements: all } = chosen();
-      const named = all.map(([number, name]) => [String(number), name === String(number) ? name : `${number} (${name})`]);
+      const kind = model.scene.body(model.selected.number)?.kind;
+      const sides = { sonar: kind?.sonars.map((each) => each.direction), bumper: kind?.bumpers.map((each) => each.bearing) }[chosen().name];
+      const about = (number, name) => (sides?.[number] !== undefined ? sideText(sides[number]) : name === String(number) ? "" : name);
+      const named = all.map(([number, name]) => [String(number), about(number, name) ? `${number} (${about(number, name)})` : name]);
       setOptions(parts.element, all.length > 1 ? [["", "all"], ...named] : named);
       parts.what.textContent = `${text[0].toUpperCase()}${text.slice(1)}. Dead or dropped: ${nothing}.`;
       units();
