@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.api.program_choice import Program, executable_of
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.edits import edit
+from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.runtime.executable import Executable
 from crs_cc.sim.engine.inject import inject
 from crs_cc.sim.model.degradation import Degradation, degradables, element_of
@@ -90,7 +90,7 @@ class Edits:
             what has changed, in words.
         """
         try:
-            return edit(self.inner.environment, text)
+            return edit_run(self.inner, text)
         except DebugError as error:
             raise ValueError(str(error)) from None
 

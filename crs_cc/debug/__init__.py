@@ -15,7 +15,8 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.
 - `uploads`: programs that users bring into a run.
 - `data/`: C expressions, and values by their types.
-- `world/`: displays of the world, its events, and changes to it.
+- `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
+  that a user brings to a run, for robots that join.
 
 User interfaces use the engine, not vice versa: `commands/` has the table of commands, `repl/`
 is a prompt, `tui/` the full screen, `dap/` serves editors.

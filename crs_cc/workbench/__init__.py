@@ -13,13 +13,15 @@ is an engine command, and part of the run's history.
 - `screen` connects them with the pages: it checks commands in the thread of the `server` and
   carries them out in that of the run. `messages` is the form of the channel, `clients` what waits
   for each page.
+- `control` changes the run for the control panel, and writes changes out; `instruments` reads
+  robots, `message_log` keeps what became of messages; `panel_commands` has their commands.
 - `page` writes a recorded run as one HTML file, with the same modules.
 - `static/` has these modules: plain ES modules, no build step. `app.js` starts, `model.js` is what
   the page knows, `views.js` draws, `panels/` are at the sides, `debug/` has the parts of the
   debugger.
 
 How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
-`needs`, `make`), and its name in `static/panels/index.js`. `make(root, model, look, page)` fills
+`needs`, `make`; below the view also a `key` and a `summary`), and its name in `static/panels/index.js`. `make(root, model, look, page)` fills
 its element; it listens by `model.on("status", draw)` (the kinds stand in `model.js`) and acts by
 `await model.ask("name", {field: value})`. What it asks for is a row of the table in `commands.py`:
 name, summary, function, fields, and whether it needs the token for control. What it must be told
