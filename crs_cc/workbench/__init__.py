@@ -22,11 +22,11 @@ is an engine command, and part of the run's history.
 
 How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
 `needs`, `make`; below the view also a `key` and a `summary`), and its name in
-`static/panels/index.js`. `make(root, model, look, page)` fills its element; it listens by `model.on("status", draw)` (the kinds stand in `model.js`) and acts by
-`await model.ask("name", {field: value})`. What it asks for is a row of the table in `commands.py`:
-name, summary, function, fields, and whether it needs the token for control. What it must be told
-besides is a message, `screen.server.broadcast_latest("kind", message("kind", ...))`, which the
-model hands on when it has a method `hear_kind`. A key is a row in `static/keys.js`, a picture over
-the world a row in `static/overlay.js`. A command of the debugger needs no row:
-`page.console(line)`.
+`static/panels/index.js`. `make(root, model, look, page)` fills its element; it listens by
+`model.on("status", draw)` (the kinds stand in `model.js`) and acts by `await model.ask("name",
+{field: value})`. What it asks for is a row of the table in `commands.py`: name, summary, function,
+fields, and whether it needs the token for control. What it must be told besides is a message,
+`screen.server.broadcast_latest("kind", message("kind", ...))`, which the model hands on when it has
+a method `hear_kind`. A key is a row in `static/keys.js`, a picture over the world a row in
+`static/overlay.js`. A command of the debugger needs no row: `page.console(line)`.
 """
