@@ -1,9 +1,9 @@
-"""Which tests quick runs take: all cheap ones, and of the others as many as the time allows.
+"""Which tests quick runs take: as many as the time allows, some of every file first.
 
-Times come from the table in `times.txt`; what it does not list is cheap or new, and always runs.
+Times come from the table in `times.txt`; what it does not list is cheap or new.
 Every file is represented, if need be by its cheapest test, unless that takes very long. Then one
 case of each function comes, and of one whose cases lie in folders (`valid/arrays/bounds`) one of
-each folder: first those that stand for many others and cost little.
+each folder, the cheap ones before, in turn of each file.
 """
 
 from __future__ import annotations
@@ -14,11 +14,13 @@ from typing import Final
 
 from tests.times import function_of
 
-BUDGET_S: Final = 14.0
-"""Processor time of the listed tests that are taken. To be changed, after `make times`, when quick
-runs take too long: those that the table does not list take about as much again."""
+BUDGET_S: Final = 18.0
+"""Processor time of the tests that are taken. To be changed when quick runs take too long."""
 
-TOO_LONG_S: Final = 2.0
+UNLISTED_S: Final = 0.015
+"""Processor time of a test that the table does not list, in the mean."""
+
+TOO_LONG_S: Final = 0.3
 """A file whose cheapest test takes longer than this is not represented."""
 
 
@@ -48,30 +50,31 @@ def chosen(
         times_s: the table, see `times.read`.
         budget_s: the processor time for those that the table lists.
     """
-    costs_s = {test: times_s.get(test, times_s.get(function_of(test), 0.0)) for test in tests}
-    taken = {test for test in tests if not costs_s[test]}
+    costs_s = {
+        test: times_s.get(test, times_s.get(function_of(test), UNLISTED_S)) for test in tests
+    }
+    taken: set[str] = set()
     left_s = budget_s
-    files = {file_of(test) for test in taken}
+    files: set[str] = set()
     for test in sorted(costs_s, key=costs_s.__getitem__):
         if file_of(test) not in files and costs_s[test] < TOO_LONG_S:
             files.add(file_of(test))
             taken.add(test)
             left_s -= costs_s[test]
-    for test in _in_rounds(tests, taken, costs_s):
+    for test in _in_rounds(taken, costs_s):
         if costs_s[test] <= left_s:
             taken.add(test)
             left_s -= costs_s[test]
     return taken
 
 
-def _in_rounds(
-    tests: Sequence[str], taken: set[str], costs_s: Mapping[str, float]
-) -> Iterable[str]:
-    """Return the other tests, first one of each group, then the next ones."""
-    sizes, seen = Counter(map(group_of, tests)), Counter(map(group_of, taken))
+def _in_rounds(taken: set[str], costs_s: Mapping[str, float]) -> Iterable[str]:
+    """Return the other tests: first one of each group, of equal cost in turn of each file."""
+    groups, files = Counter(map(group_of, taken)), Counter(map(file_of, taken))
     rounds = {}
-    for test in sorted(tests, key=costs_s.__getitem__):
+    for test in sorted(costs_s, key=costs_s.__getitem__):
         if test not in taken:
-            rounds[test] = seen[group_of(test)]
-            seen[group_of(test)] += 1
-    return sorted(rounds, key=lambda test: (rounds[test], costs_s[test] / sizes[group_of(test)]))
+            rounds[test] = groups[group_of(test)], files[file_of(test)]
+            groups[group_of(test)] += 1
+            files[file_of(test)] += 1
+    return sorted(rounds, key=lambda test: (rounds[test][0], costs_s[test], rounds[test][1]))

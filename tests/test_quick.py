@@ -11,12 +11,18 @@ from tests import quick, times
 pytest_plugins = ["pytester"]
 
 
-def test_what_the_table_does_not_list_runs() -> None:
+def test_what_the_table_does_not_list_is_cheap() -> None:
     assert quick.chosen(["a.py::new", "a.py::slow"], {"a.py::slow": 9.0}, 1.0) == {"a.py::new"}
 
 
+def test_each_file_has_its_turn() -> None:
+    tests = [f"{file}.py::{test}" for file in "ab" for test in ("u", "v", "w")]
+    two_more = 4.5 * quick.UNLISTED_S
+    assert quick.chosen(tests, {}, two_more) == {"a.py::u", "a.py::v", "b.py::u", "b.py::v"}
+
+
 def test_every_file_is_represented_by_its_cheapest_test_that_ends_soon() -> None:
-    table = {"a.py::x": 3.0, "a.py::y": 1.0, "b.py::z": 30.0, "b.py::z[1]": 1.5, "c.py::z": 10.0}
+    table = {"a.py::x": 3.0, "a.py::y": 0.2, "b.py::z": 30.0, "b.py::z[1]": 0.2, "c.py::z": 10.0}
     tests = ["a.py::x", "a.py::y", "b.py::z[0]", "b.py::z[1]", "c.py::z"]
     assert quick.chosen(tests, table, 0.0) == {"a.py::y", "b.py::z[1]"}
 
@@ -26,8 +32,9 @@ def test_one_of_each_function_and_folder_comes_before_a_second_one() -> None:
     tests += ["a.py::g[1]", "a.py::g[2]", "a.py::free"]
     table = {"a.py::f": 0.25, "a.py::g": 0.5}
     first = {"a.py::free", "a.py::f[valid/x/1]", "a.py::f[valid/y/1]", "a.py::g[1]"}
-    assert quick.chosen(tests, table, 1.0) == first
-    assert quick.chosen(tests, table, 1.25) == first | {"a.py::f[valid/x/2]"}
+    used_s = 1.01 + quick.UNLISTED_S
+    assert quick.chosen(tests, table, used_s) == first
+    assert quick.chosen(tests, table, used_s + 0.25) == first | {"a.py::f[valid/x/2]"}
 
 
 def test_classes_are_kept_while_they_fit() -> None:

@@ -77,23 +77,13 @@ class CachedLibrary:
         if unit is None or unit not in self._known:
             return None
         if unit not in self._units:
-            self._units[unit] = self._load(unit)
+            self._units[unit] = _unit(unit, self._headers, self._added.get(unit))
         found = self._units[unit]
         return found.functions.get(name) or found.data.get(name)
 
     def names(self) -> Sequence[str]:
         """Return the public names."""
         return [name for name in self._index if not name.startswith("__")]
-
-    def _load(self, unit: str) -> Program:
-        """Load a unit from the cache, or compile and cache it."""
-        added = self._added.get(unit)
-        entry = cache.key("library", unit, added.state if added else "")
-        program = cache.load(entry, Program)
-        if program is None:
-            program = _compile(unit, self._headers, added)
-            cache.store(entry, program)
-        return program
 
 
 def index_of_sources(headers: tuple[tuple[str, str], ...]) -> str:
@@ -108,7 +98,7 @@ def index_of_sources(headers: tuple[tuple[str, str], ...]) -> str:
     lines, known = [], dict[str, str]()
     for path in sorted(SOURCES.rglob("*.c")):
         unit = path.relative_to(SOURCES).as_posix()
-        program = _compile(unit, headers, None)
+        program = _unit(unit, headers, None)
         names = [name for name in (*program.functions, *program.data) if ":" not in name]
         for name in names:
             if name in known:
@@ -117,6 +107,16 @@ def index_of_sources(headers: tuple[tuple[str, str], ...]) -> str:
             known[name] = unit
         lines.append(f"{unit}: {' '.join(names)}\n")
     return "".join(lines)
+
+
+def _unit(unit: str, headers: tuple[tuple[str, str], ...], added: AddedUnit | None) -> Program:
+    """Load a unit from the cache, or compile and cache it."""
+    entry = cache.key("library", unit, added.state if added else "")
+    program = cache.load(entry, Program)
+    if program is None:
+        program = _compile(unit, headers, added)
+        cache.store(entry, program)
+    return program
 
 
 def _compile(unit: str, headers: tuple[tuple[str, str], ...], added: AddedUnit | None) -> Program:

@@ -28,10 +28,11 @@ import crs_cc
 WORLD = b'''<world version="1"><area length="3m" width="3m"/>
 <robot setup="noisy" x="1m" y="1m"/><robot x="2m" y="2m"/></world>'''
 
-def run(cache):
+def run(cache=None):
     from crs_cc.runtime import fleet
     from crs_cc.sim.files.world_xml import parse_world
-    os.environ["CRS_CACHE"] = cache  # empty: everything is compiled
+    if cache:
+        os.environ["CRS_CACHE"] = cache  # empty: everything is compiled
     fleet.PARALLEL_S = -1.0  # threads for every round
     programs = [crs_cc.compile_c("drive.c")] * 2
     session = crs_cc.Session(parse_world(WORLD, "room"), programs, seed=3, threads=2)
@@ -40,9 +41,12 @@ def run(cache):
     return session.state_hash()
 
 if __name__ == "__main__":
-    ours = run("cache of parent")
-    with multiprocessing.get_context(sys.argv[1]).Pool(1) as pool:
-        assert pool.apply_async(run, ("cache of child",)).get(timeout=100) == ours
+    method = sys.argv[1]
+    forked = method == "fork"  # with whatever the compiler has started
+    ours = run("cache of parent" if forked else None)
+    with multiprocessing.get_context(method).Pool(1) as pool:
+        child = pool.apply_async(run, ("cache of child" if forked else None,))
+        assert child.get(timeout=100) == ours
 """
 
 

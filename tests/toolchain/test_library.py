@@ -40,6 +40,8 @@ def test_only_the_units_that_are_needed_are_compiled(
 def test_a_name_defined_twice_in_the_library_is_an_internal_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    cache.version()  # which the cache holds, too
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "cache"))
     monkeypatch.setattr(library_module, "SOURCES", tmp_path)
     for unit in ("a.c", "b.c"):
         (tmp_path / unit).write_text("int twice;\n" if unit == "a.c" else "int twice = 2;\n")
