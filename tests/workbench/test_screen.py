@@ -133,6 +133,21 @@ def test_the_console_has_no_command_that_touches_files_or_ends_the_run(
         assert page.error("console", line=line).endswith("is not available in the browser")
 
 
+def test_commands_at_a_breakpoint_touch_no_files_either(live: Screen) -> None:
+    point = {"line": 9, "condition": "", "log": "", "robot": -1, "ignore": 0, "enabled": True}
+    with page_of(live) as page:
+        page.take_until(lambda: "where" in page.told)
+        point["file"] = page.told["where"]["file"]
+        for line in ("source x", "info world\nsave breakpoints x", "shell ls"):
+            said = page.error("breakpoint", commands=line, **point)
+            assert said.endswith("is not available in the browser")
+        page.take_until(lambda: page.told["where"]["breakpoints"] == [])
+        page.ask("breakpoint", commands="silent\nprint i", **point)
+        page.take_until(lambda: len(page.told["where"]["breakpoints"]) == 1)
+        assert page.told["where"]["breakpoints"][0]["commands"] == "silent\nprint i"
+        page.ask("break", file=point["file"], line=9)
+
+
 def test_stepping_seeking_and_frames_agree(live: Screen) -> None:
     with page_of(live) as page:
         page.ask("step", timesteps=40)
