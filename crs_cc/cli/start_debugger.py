@@ -48,7 +48,7 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     make = functools.partial(_made, loaded, options, recorded=recorded, waiting=waiting)
     if on_screen:
         debugger = full_screen.show(options, make, read)
-        _record(debugger, loaded, options, waiting)
+        record_at_end(debugger, loaded, options, waiting)
         return 0 if _save_files(debugger, options) else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
@@ -56,13 +56,13 @@ def debug_programs(options: DebugOptions, recorded: RecordedRunCheck | None = No
     debugger = make(terminal.program, read or _typed_input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
-    _record(debugger, loaded, options, waiting)
+    record_at_end(debugger, loaded, options, waiting)
     if not _save_files(debugger, options):
         return SYSTEM
     return int(bool(failed)) if options.batch else 0
 
 
-def _record(
+def record_at_end(
     debugger: Debugger, loaded: Loaded, options: DebugOptions, waiting: WaitingAfter
 ) -> None:
     """Record the run as it stands when the debugger ends, if requested."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.make_debugger import make_debugger
 from crs_cc.cli.messages import say, show_before_run
-from crs_cc.cli.start_debugger import given_input
+from crs_cc.cli.start_debugger import given_input, record_at_end
 from crs_cc.cli.view_address import announced
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.host import no_input
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from crs_cc.cli.debug_options import DebugOptions
+    from crs_cc.debug.timeline.console import WaitingAfter
     from crs_cc.sim.model.world import WorldModel
 
 FRAME_S = 0.05
@@ -39,10 +40,12 @@ def view_programs(options: DebugOptions, port: int, *, opens: bool, plays: bool)
         CrsError: the programs cannot be loaded.
         OSError: the port is in use, or the input cannot be read.
     """
-    screen = screen_of(options, port)
+    screen, loaded, waiting = _opened(options, port)
     if plays:
         screen.player.play()
-    return serve(screen, opens=opens)
+    status = serve(screen, opens=opens)
+    record_at_end(screen.run.debugger(), loaded, options, waiting)
+    return status
 
 
 def screen_of(options: DebugOptions, port: int) -> Screen:
@@ -52,6 +55,11 @@ def screen_of(options: DebugOptions, port: int) -> Screen:
         CrsError: the programs cannot be loaded.
         OSError: the port is in use, or the input cannot be read.
     """
+    return _opened(options, port)[0]
+
+
+def _opened(options: DebugOptions, port: int) -> tuple[Screen, Loaded, WaitingAfter]:
+    """Return the screen, what is loaded, and what is known of the programs' input."""
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics, debug=True)
     if not options.quiet:
@@ -68,7 +76,8 @@ def screen_of(options: DebugOptions, port: int) -> Screen:
     )
     watcher.begin(debugger.session)
     debugger.start()
-    return Screen(DebuggedRun(debugger, watcher), feed, Player(world.timestep_s), port)
+    run = DebuggedRun(debugger, watcher)
+    return Screen(run, feed, Player(world.timestep_s), port), loaded, waiting
 
 
 def describe(

@@ -8,8 +8,10 @@ from typing import Any, Final
 
 import click
 
+from crs_cc.cli.inputs import check_recording_path
 from crs_cc.cli.messages import say
 from crs_cc.cli.program_options import WithProgramArguments, program_options
+from crs_cc.cli.record_options import record_options
 from crs_cc.cli.view_address import address_of, is_address
 
 _ADDRESSES: Final = "crs_cc.addresses"
@@ -67,6 +69,7 @@ class _View(WithProgramArguments):
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     help="File to use as the programs' standard input. Default: none.",
 )
+@record_options
 @click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")
 @functools.partial(program_options, needs_files=False)
 def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
@@ -75,7 +78,8 @@ def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
     The page shows the world, the robots and the lines at which their programs stand. It plays,
     pauses, goes back to any instant and steps through the program in either direction. It is served
     to this machine only; who has the printed address may steer the run. Ctrl-C ends it. A run that
-    goes on anyway shows itself by crs run --view.
+    goes on anyway shows itself by crs run --view. With --record, the run as it stands when it ends
+    is recorded, with all that was changed by hand.
     """
     from crs_cc.cli.debug_options import DebugOptions  # not needed for other commands
     from crs_cc.cli.start_view import view_programs
@@ -84,6 +88,8 @@ def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
     wanted = DebugOptions(**options)
     for address in click.get_current_context().meta[_ADDRESSES]:
         return _open(address_of(address), opens=opens)
+    if wanted.record is not None:
+        check_recording_path(wanted.record)
     sources = wanted.inputs.sources
     if not sources and wanted.inputs.world is None:
         raise click.UsageError("no C file or recording to view.")

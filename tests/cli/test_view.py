@@ -5,14 +5,19 @@ from __future__ import annotations
 import json
 import re
 import threading
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 from websockets.sync.client import connect
 
+from crs_cc.cli import start_view
+from crs_cc.cli.changed_run import recorded_changes
 from crs_cc.cli.main import main
 from crs_cc.cli.view_address import address_of, announced
+from crs_cc.recording.recording import Recording
 from crs_cc.workbench.clients import Client
+from crs_cc.workbench.screen import Screen
 from crs_cc.workbench.server import Server
 
 PROGRAM = """\
@@ -110,3 +115,23 @@ def test_a_recording_is_viewed_alone_and_something_must_be(
     assert main(["view"]) == 2
     assert "no C file or recording to view" in capfd.readouterr().err
     assert main(["view", program, "run.mcap"]) == 2
+
+
+def test_a_run_that_was_viewed_is_recorded_with_its_changes(
+    program: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    def changed(screen: Screen, *, opens: bool) -> int:
+        debugger = screen.run.debugger()
+        debugger.goto_timestep(3)
+        debugger.edit_world("drive robot0 0.1")
+        debugger.goto_timestep(20)
+        screen.server.close()
+        return 0
+
+    monkeypatch.setattr(start_view, "serve", changed)
+    run = tmp_path / "run.mcap"
+    assert main(["view", program, "--no-open", "-q", "--record", str(run)]) == 0
+    with closing(Recording(run)) as recording:
+        assert [each.text for each in recorded_changes(recording)] == ["drive robot0 0.1"]
+    assert main(["replay", str(run), "--verify"]) == 0
+    capfd.readouterr()
