@@ -64,12 +64,13 @@ class SerialLine:
         Returns:
             the times, in the broadcast shape of the three arguments.
         """
-        place = self._first[robots] + np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
+        robot = np.asarray(robots)
+        place = self._first[robot] + np.minimum(np.asarray(codes).astype(np.uint32), _CODES)
         bits = self._bits[place]
         if any_of(np.asarray(self._sends_data[place])):
             data = np.clip(sizes, 0, DATA_SIZE) * _BITS_PER_BYTE
             bits = bits + np.where(self._sends_data[place], data, 0)
-        return np.asarray(self._network_s[place] + bits / state.baud[robots])
+        return np.asarray(self._network_s[place] + bits / state.baud[robot])
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:

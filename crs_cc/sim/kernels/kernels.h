@@ -81,11 +81,6 @@ void __crs_echoes(int count, int hushed, const double *pings, double *faces, dou
 void __crs_rays(int count, int segments, int circles, int is_first, int wants_objects,
                 const double *fan, double *robots, double *out, const double *shapes);
 
-/* The distances that beams measure, 0 where they start in or on a piece: all shapes at once. `out` has
-   room for the objects, too. */
-void __crs_scan(int count, int segments, int circles, int pieces, const double *fan,
-                double *robots, double *out, const double *shapes);
-
 /* The object that each beam of each robot starts in or on, -1 for none, see rays.c. */
 void __crs_covers(int count, int pieces, int is_first, const double *fan, double *robots,
                   double *out, const double *shapes);

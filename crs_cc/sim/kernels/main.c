@@ -4,6 +4,9 @@
 #include "kernels.h"
 #include "robot.h"
 
+#define SEGMENT_SIZE 7          /* numbers in a row, see rays.c */
+#define CIRCLE_SIZE 5
+
 /* Other numbers are those of elementwise functions. */
 enum { SETUP = 99, ECHOES, RAYS, PROFILES, COUNTS, ADVANCE, REPORTS, COVERS, RENEW, SPEEDS, REPLIES,
     CHARGES, FINISH, SCAN };
@@ -63,6 +66,30 @@ static void run_on_robots(int *n)
     }
 }
 
+/* Cast rays, find what covers their starts, or both: each is called at one place, where it is inlined.
+   Both is for all shapes at once, and makes distances from covered starts 0. */
+static void cast(int *n)
+{
+    int count = n[1], beams = count * (int)arena[0], is_scan = n[0] == SCAN, pieces = n[2], i;
+    double *robot = arena + n[6], *out = arena + n[7], *shapes = arena + n[8], *covers = out;
+
+    if (n[0] != COVERS)
+        __crs_rays(count, n[2], n[3], n[4], n[5], arena, robot, out, shapes);
+    if (n[0] == RAYS)
+        return;
+    if (is_scan) {
+        pieces = n[9];
+        shapes += n[2] * SEGMENT_SIZE + n[3] * CIRCLE_SIZE;
+        covers = out + beams;
+        for (i = 0; i < beams; i++)
+            covers[i] = -1;
+    }
+    __crs_covers(count, pieces, is_scan ? 0 : n[4], arena, robot, covers, shapes);
+    for (i = 0; is_scan && i < beams; i++)
+        if (covers[i] >= 0)
+            out[i] = 0;
+}
+
 int __crs_start(void)
 {
     static struct __crs_message message;
@@ -76,13 +103,8 @@ int __crs_start(void)
         else if (n[0] == ECHOES)
             __crs_echoes(n[1], n[2], arena, arena + n[3], arena + n[4], arena + n[5],
                          arena + n[6]);
-        else if (n[0] == RAYS)
-            __crs_rays(n[1], n[2], n[3], n[4], n[5], arena, arena + n[6], arena + n[7],
-                       arena + n[8]);
-        else if (n[0] == COVERS)
-            __crs_covers(n[1], n[2], n[4], arena, arena + n[6], arena + n[7], arena + n[8]);
-        else if (n[0] == SCAN)
-            __crs_scan(n[1], n[2], n[3], n[4], arena, arena + n[5], arena + n[6], arena + n[7]);
+        else if (n[0] == RAYS || n[0] == COVERS || n[0] == SCAN)
+            cast(n);
         else if (n[0] == PROFILES)
             __crs_profiles(n[1], arena);
         else if (n[0] == COUNTS)

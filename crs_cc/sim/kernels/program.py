@@ -51,7 +51,7 @@ _SPEEDS: Final = 108
 _REPLIES: Final = 109
 _CHARGES: Final = 110
 _FINISH: Final = 111
-_SCAN: Final = struct.Struct("<8i")
+_SCAN: Final = struct.Struct("<10i")
 _SCAN_NUMBER: Final = 112
 ROBOTS_AT_ONCE: Final = 2048
 """Robots whose columns or rows are copied for a kernel at once."""
@@ -269,9 +269,11 @@ class Kernels:
         viewers[:, :3], viewers[:, 4] = poses, own
         joined = b"".join((fan.tobytes(), viewers.tobytes(), shapes.content))
         self._bytes[: len(joined)] = joined
+        segments, circles, pieces = shapes.counts
         _SCAN.pack_into(
-            self._memory, self._place, _SCAN_NUMBER, count, *shapes.counts, robots, end, first
-        )
+            self._memory, self._place, _SCAN_NUMBER, count, segments, circles, True, False, robots,
+            end, first, pieces,
+        )  # fmt: skip
         self._resume()
         return self._arena[end : end + size].reshape(count, beams).copy()
 

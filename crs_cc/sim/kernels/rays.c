@@ -335,22 +335,6 @@ void __crs_rays(int count, int segments, int circles, int is_first, int wants_ob
             try_circle(i, circle, wants_objects);
 }
 
-void __crs_scan(int count, int segments, int circles, int pieces, const double *fan_table,
-                double *robot_table, double *out, const double *shapes)
-{
-    const double *rest = shapes + segments * (sizeof(struct segment) / sizeof(double))
-        + circles * (sizeof(struct circle) / sizeof(double));
-    int i;
-
-    __crs_rays(count, segments, circles, 1, 0, fan_table, robot_table, out, shapes);
-    for (i = 0; i < count * beam_count; i++)
-        objects[i] = -1;
-    __crs_covers(count, pieces, 0, fan_table, robot_table, objects, rest);
-    for (i = 0; i < count * beam_count; i++)
-        if (objects[i] >= 0)
-            distances[i] = 0;
-}
-
 void __crs_covers(int count, int pieces, int is_first, const double *fan_table,
                   double *robot_table, double *out, const double *shapes)
 {

@@ -74,7 +74,8 @@ class Voltages:
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:
         """Return the bytes that are sent for states of charge."""
         steps = (charge * _STEPS + 0.5).astype(np.intp)
-        return self._bytes.take(steps + _BOTH + kinds[:, None] * (2 * _SIZE))
+        places = steps + _BOTH + kinds[:, None] * (2 * _SIZE)
+        return np.asarray(self._bytes.take(places))
 
     def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
         """Return the voltages at states of charge."""
