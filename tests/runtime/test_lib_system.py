@@ -366,3 +366,27 @@ def test_a_program_knows_its_name_before_main() -> None:
     }
     """
     assert lines(source) == ["program.c program.c program.c", "turn 0"]
+
+
+def test_the_end_of_the_data_segment_moves() -> None:
+    source = r"""
+    #include <errno.h>
+    int main(void)
+    {
+        char *first = sbrk(0), *got = sbrk(100);
+        int i, zero = 1;
+        for (i = 0; i < 100; i++)
+            zero &= got[i] == 0;
+        memset(got, 'a', 100);
+        printf("%d %d ", got == first, zero);
+        got = sbrk(50);
+        printf("%d %d ", got - first, brk(first + 10));
+        got = sbrk(-10);
+        printf("%d %d\n", got - first, (char *)sbrk(0) - first);
+        printf("%d ", sbrk(-1) == (void *)-1);
+        printf("%d ", errno == ENOMEM);
+        printf("%d %d\n", brk(first + 0x300000), sbrk(0) == first);
+        return 0;
+    }
+    """
+    assert lines(source) == ["1 1 100 0 10 0", "1 1 -1 1"]

@@ -58,6 +58,8 @@ char *getcwd(char *text, size_t size);
 int chown(const char *name, uid_t owner, gid_t group);
 int pipe(int descriptors[2]);
 int getpagesize(void);
+void *sbrk(int increment);
+int brk(void *end);
 int getdtablesize(void);
 long sysconf(int name);
 
