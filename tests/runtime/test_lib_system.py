@@ -390,3 +390,16 @@ def test_the_end_of_the_data_segment_moves() -> None:
     }
     """
     assert lines(source) == ["1 1 100 0 10 0", "1 1 -1 1"]
+
+
+def test_select_h_alone_has_the_times_of_its_functions() -> None:
+    source = r"""#include <sys/select.h>
+    int main(void)
+    {
+        struct timespec short_time = {0, 1000};
+        struct timeval longer = {0, 10};
+        return pselect(0, 0, 0, 0, &short_time, 0) + select(0, 0, 0, 0, &longer);
+    }
+    """
+    outcome = run(source)
+    assert (outcome.error, outcome.status) == ("", 0)

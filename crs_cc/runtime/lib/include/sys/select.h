@@ -23,7 +23,13 @@ typedef struct {
 #define FD_CLR(fd, set) ((set)->fds_bits[(fd) / 32] &= ~(1UL << (fd) % 32))
 #define FD_ISSET(fd, set) (((set)->fds_bits[(fd) / 32] >> (fd) % 32 & 1) != 0)
 
-struct timespec;
+#ifndef _STRUCT_TIMESPEC
+#define _STRUCT_TIMESPEC
+struct timespec {
+    time_t tv_sec;
+    long tv_nsec;
+};
+#endif
 
 int select(int count, fd_set *readable, fd_set *writable, fd_set *exceptional,
            struct timeval *timeout);
