@@ -13,7 +13,6 @@ Read `engine` first: the operations of the debugger, without a user interface. I
 - `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
   that users watch.
 - `branches`: alternative histories; `branch_comparison`: the differences between two of them.
-- `uploads`: programs that users bring into a run.
 - `data/`: C expressions, and values by their types.
 - `world/`: displays of the world, its events, and changes to it and to the run; `uploads`: programs
   that a user brings to a run, for robots that join.
