@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.sim.comms.message_log import MEANINGS, Fate
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from crs_cc.core.arrays import Records
     from crs_cc.sim.engine.step import Step
@@ -95,7 +95,7 @@ def shown(content: bytes) -> str:
     return "".join(each if each.isprintable() else f"\\x{ord(each):02x}" for each in text)
 
 
-def recorded_rows(columns: dict[str, Sequence[Any]], fates: dict[str, int]) -> list[Row]:
+def recorded_rows(columns: Mapping[str, Sequence[Any]], fates: dict[str, int]) -> list[Row]:
     """Return the rows of a message of a recording, whose contents are not known."""
     names = ("time_s", "fate", "channel", "sender", "receiver", "group", "type", "bytes", "number")
     table = zip(*(columns[name] for name in names), strict=True)

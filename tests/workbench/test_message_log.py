@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from crs_cc.workbench import message_log
 from crs_cc.workbench.message_log import MAX_SENT, MessageLog, recorded_rows
 
-COLUMNS = {
+COLUMNS: dict[str, list[Any]] = {
     "time_s": [0.5, 0.6], "fate": ["sent", "shut"], "channel": [0, 0], "sender": [0, 0],
     "receiver": [-1, 1], "group": [-1, -1], "type": [7, 7], "bytes": [3, 3], "number": [0, 0],
 }  # fmt: skip
