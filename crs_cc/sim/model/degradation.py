@@ -17,7 +17,7 @@ in the device's unit: metres, radians, seconds, volts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Final, Literal
@@ -108,10 +108,6 @@ class Degradation:
         if self.dead:
             words.append("dead")
         return ", ".join(words)
-
-
-def _single(has: Callable[[RobotModel], object], *names: str) -> Callable[..., tuple[str, ...]]:
-    return lambda model: (names or ("0",)) if has(model) else ()
 
 
 def _axes(model: RobotModel) -> tuple[str, ...]:

@@ -12,7 +12,6 @@ from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array, a
 from crs_cc.core.units import m_to_inch
 from crs_cc.sim.devices.sonar.model import MAX_SONARS, NONE, Sonars
 from crs_cc.sim.state.last_measurement import CONFIGURATION
-from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
@@ -91,10 +90,6 @@ class SonarState:
             fired_s=np.zeros((count, MAX_SONARS)),
             fired_from=np.zeros((count, MAX_SONARS, CONFIGURATION), dtype=np.int32),
         )
-
-    def reading_in(self, rows: IndexArray) -> Int32Array:
-        """Return the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
-        return inches(take(self.echo_m, rows))
 
     def hear(self, rows: IndexArray, to_s: FloatArray) -> None:
         """Record the echoes and timeouts up to a time of each robot."""
