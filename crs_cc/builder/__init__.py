@@ -5,7 +5,8 @@
 - `addresses` names elements, `naming` lets references follow new names, `markup` writes attributes
   and elements as the rest of the file is written.
 - `motion` moves coordinates in their own units; `changes`, `arrangement`, `composition` and `clips`
-  work out what operations change; `extents` says what elements cover.
+  work out what operations change; `extents` says what elements cover,
+  `shapes` what they look like from above.
 - `table` lists the operations, `operations` works them out, `world_builder` does them, checks the
   result, and saves it by `world_file`.
 - `importing/` reads plans of other programs, `exporting` writes pictures and SDF.

@@ -12,6 +12,7 @@ from crs_cc.builder.arrangement import Extent, Extents
 from crs_cc.builder.document import Document
 from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model.ground import Patch
 from crs_cc.sim.model.world import Box, Cylinder, Pose, Solid, Wall, WorldModel
 
 _PLACES: Final = 40
@@ -28,14 +29,12 @@ def extents(document: Document, world: WorldModel) -> Extents:
     known = ids(document.root)
     corners: dict[str, list[tuple[float, float]]] = {}
     for solid in world.solids()[len(world.edge_walls()) :]:
-        corners.setdefault(_element(solid.id, known), []).extend(_corners(solid))
+        corners.setdefault(element_of(solid.id, known), []).extend(_corners(solid))
     for robot in world.robots:
         corners[robot.id] = list(_disc(robot.start.x_m, robot.start.y_m, robot.model.radius_m))
-    grounds = [each for each in document.root.children if each.tag == "surface"]
-    patches = [each for ground in grounds for each in ground.children if each.tag != "heightmap"]
-    for node, patch in zip(patches, world.surface.patches, strict=False):
+    for name, patch in patches(document, world):
         pose = Pose(patch.x_m, patch.y_m, patch.heading_rad)
-        corners[address(node)] = list(_rectangle(pose, patch.length_m, patch.width_m))
+        corners[name] = list(_rectangle(pose, patch.length_m, patch.width_m))
     return {
         name: Extent(
             min(x for x, _ in found),
@@ -45,6 +44,14 @@ def extents(document: Document, world: WorldModel) -> Extents:
         )
         for name, found in corners.items()
     }
+
+
+def patches(document: Document, world: WorldModel) -> Iterator[tuple[str, Patch]]:
+    """Yield the names of ramps and plateaus with what they are."""
+    grounds = [each for each in document.root.children if each.tag == "surface"]
+    nodes = [each for ground in grounds for each in ground.children if each.tag != "heightmap"]
+    for node, patch in zip(nodes, world.surface.patches, strict=False):
+        yield address(node), patch
 
 
 def free_place(world: WorldModel, room_m: float) -> tuple[float, float] | None:
@@ -66,7 +73,7 @@ def free_place(world: WorldModel, room_m: float) -> tuple[float, float] | None:
     return (float(grid_x[found[0]]), float(grid_y[found[0]])) if len(found) else None
 
 
-def _element(name: str, known: Collection[str]) -> str:
+def element_of(name: str, known: Collection[str]) -> str:
     """Return the name of the element that a solid is or is a part of."""
     whole = name
     while whole not in known and "." in whole:

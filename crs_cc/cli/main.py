@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from crs_cc import __version__
+from crs_cc.cli.build import build
 from crs_cc.cli.cache import cache
 from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
@@ -42,6 +43,7 @@ Examples:
   crs check wander.c room.xml                    report errors, run nothing
   crs grade submissions/ course.xml              grade many programs by a world's goals
   crs new world room                             write a commented template
+  crs build room.xml                             draw a world in the browser
   crs world move room.xml crate --x 1m           edit a world by commands
   crs samples copy wander.c room.xml .           copy a sample program and a world
   crs docs sensors                               read a page of the documentation
@@ -104,7 +106,7 @@ def crs() -> None:
 
 for command in (
     *(run, view, debug, replay, check, grade),
-    *(compile_, new, world, samples, docs, cache, completion),
+    *(compile_, new, build, world, samples, docs, cache, completion),
 ):
     crs.add_command(command)
 

@@ -16,16 +16,17 @@ def draw_goals(page: Page, view: View, world: WorldModel) -> None:
     """Draw the places that goals name as dashed circles with a title."""
     with page.group(stroke=_PAINT, stroke_width=1.2, fill="none", stroke_dasharray="5 3"):
         for goal in world.goals:
-            for place in _places(goal):
+            for place in places(goal):
                 page.circle(view.point(place.x_m, place.y_m), view.length(place.radius_m))
     with page.group(fill=_PAINT, font_size=10.0, text_anchor="middle"):
         for goal in world.goals:
-            for number, place in enumerate(_places(goal), 1):
+            for number, place in enumerate(places(goal), 1):
                 text = f"{goal.title} {number}" if isinstance(goal.condition, Visit) else goal.title
                 page.text(view.point(place.x_m, place.y_m - place.radius_m), text, dy=11.0)
 
 
-def _places(goal: Goal) -> Iterator[Place]:
+def places(goal: Goal) -> Iterator[Place]:
+    """Yield the places of a goal."""
     match goal.condition:
         case Reach(place) | Bring(place=place):
             yield place

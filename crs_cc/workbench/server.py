@@ -62,8 +62,13 @@ class Server:
         sent: how many messages have been sent to all pages.
     """
 
-    def __init__(self, receiver: Receiver, port: int = 0) -> None:
+    def __init__(self, receiver: Receiver, port: int = 0, page: str = "/") -> None:
         """Listen on a port, 0 for any that is free.
+
+        Args:
+            receiver: what the pages talk to.
+            port: the port.
+            page: the path of the page.
 
         Raises:
             OSError: the port is in use.
@@ -72,6 +77,7 @@ class Server:
         self.tokens: dict[Role, str] = {"control": new_token(), "view": new_token()}
         self.sent = 0
         self._receiver = receiver
+        self._page = page
         self._clients: dict[Client, ServerConnection] = {}
         self._loop = asyncio.new_event_loop()
         self._closing = asyncio.Event()
@@ -86,7 +92,7 @@ class Server:
 
     def address(self, role: Role = "control") -> str:
         """Return the address of the page, with the token of a role."""
-        return f"http://{LOOPBACK}:{self.port}/#token={self.tokens[role]}"
+        return f"http://{LOOPBACK}:{self.port}{self._page}#token={self.tokens[role]}"
 
     @property
     def count(self) -> int:

@@ -13,9 +13,9 @@ from typing import Final
 FOLDER: Final = Path(__file__).parent / "static"
 MODULES: Final = tuple(
     sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.js")
-           if "three" not in path.parts)
+           if not {"three", "build"} & set(path.parts))
 )  # fmt: skip
-"""The page's own modules, by their names after `crs/`."""
+"""The modules of the page of a run, by their names after `crs/`."""
 
 STYLES: Final = ("style.css", "panel.css")
 """The style sheets, in their order."""
@@ -67,8 +67,11 @@ def file_at(path: str) -> StaticFile | None:
     if found is None:
         return None
     if found.suffix == ".html":
-        head = "".join(f'<link rel="stylesheet" href="/static/{name}">' for name in STYLES)
-        start = '<script type="module" src="/static/app.js"></script>'
+        is_builder = path == "/build"
+        styles = (*STYLES, "build/build.css") if is_builder else STYLES
+        head = "".join(f'<link rel="stylesheet" href="/static/{name}">' for name in styles)
+        folder = "/static/build" if is_builder else "/static"
+        start = f'<script type="module" src="{folder}/app.js"></script>'
         page = html(head=head, start=start, imports=_IMPORTS)
         return StaticFile(page.encode(), _TYPES[".html"])
     return StaticFile(found.read_bytes(), _TYPES[found.suffix])
@@ -76,7 +79,7 @@ def file_at(path: str) -> StaticFile | None:
 
 @cache
 def _addresses() -> dict[str, Path]:
-    found = {"/": FOLDER / "page.html"}
+    found = {"/": FOLDER / "page.html", "/build": FOLDER / "page.html"}
     for path in FOLDER.rglob("*"):
         if path.suffix in {".js", ".css"}:
             found[f"/static/{path.relative_to(FOLDER).as_posix()}"] = path

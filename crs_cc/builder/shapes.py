@@ -1,0 +1,93 @@
+"""The shapes of a world's elements from above, as JSON: what the page of the builder draws.
+
+A shape is a polygon (`points`), a disc (`x`, `y`, `radius`) or a wall (`points` and `thickness`);
+lengths are in metres.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, TypeAlias
+
+from crs_cc.builder.addresses import ids
+from crs_cc.builder.document import Document
+from crs_cc.builder.extents import element_of, patches
+from crs_cc.plot.goal_layer import places
+from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model.colours import hexadecimal
+from crs_cc.sim.model.goals import Goal
+from crs_cc.sim.model.world import (
+    PLAIN,
+    Box,
+    Cylinder,
+    Polygon,
+    Pose,
+    Robot,
+    Solid,
+    Wall,
+    WorldModel,
+    is_pushable,
+)
+
+Shape: TypeAlias = dict[str, Any]
+
+
+def shapes(document: Document, world: WorldModel) -> dict[str, list[Shape]]:
+    """Return the shapes of all elements that have one, by their names."""
+    known = ids(document.root)
+    found: dict[str, list[Shape]] = {}
+    for name, patch in patches(document, world):
+        pose = Pose(patch.x_m, patch.y_m, patch.heading_rad)
+        ground = {"kind": "ground", "points": _corners(pose, patch.length_m, patch.width_m)}
+        found[name] = [ground | {"from": patch.from_m, "to": patch.to_m}]
+    for solid in world.solids()[len(world.edge_walls()) :]:
+        found.setdefault(element_of(solid.id, known), []).append(_solid(solid))
+    for goal in world.goals:
+        found[goal.id] = list(_places(goal))
+    for robot in world.robots:
+        found[robot.id] = [_robot(robot)]
+    for light in world.lights:
+        found[light.id] = [{"kind": "light", "x": light.x_m, "y": light.y_m, "radius": 0.1}]
+    for sound in world.sounds:
+        found[sound.id] = [{"kind": "sound", "x": sound.x_m, "y": sound.y_m, "radius": 0.1}]
+    return found
+
+
+def _solid(solid: Solid) -> Shape:
+    style: Shape = {"kind": "movable" if is_pushable(solid) else "solid"}
+    if solid.material.colour != PLAIN.colour:
+        style["colour"] = hexadecimal(solid.material.colour)
+    if isinstance(solid, Wall):
+        ends = [[solid.x1_m, solid.y1_m], [solid.x2_m, solid.y2_m]]
+        return {**style, "kind": "wall", "points": ends, "thickness": solid.thickness_m}
+    if isinstance(solid, Cylinder):
+        return {**style, "x": solid.pose.x_m, "y": solid.pose.y_m, "radius": solid.radius_m}
+    if isinstance(solid, Box):
+        return {**style, "points": _corners(solid.pose, solid.length_m, solid.width_m)}
+    return {**style, "points": _polygon(solid)}
+
+
+def _polygon(solid: Polygon) -> list[list[float]]:
+    return [[float(x), float(y)] for x, y in corners_m(solid).tolist()]
+
+
+def _corners(pose: Pose, length_m: float, width_m: float) -> list[list[float]]:
+    cos, sin = math.cos(pose.heading_rad), math.sin(pose.heading_rad)
+    return [
+        [pose.x_m + cos * x - sin * y, pose.y_m + sin * x + cos * y]
+        for x, y in (
+            (length_m / 2, width_m / 2), (-length_m / 2, width_m / 2),
+            (-length_m / 2, -width_m / 2), (length_m / 2, -width_m / 2),
+        )
+    ]  # fmt: skip
+
+
+def _robot(robot: Robot) -> Shape:
+    place = {"x": robot.start.x_m, "y": robot.start.y_m, "heading": robot.start.heading_rad}
+    return {"kind": "robot", **place, "radius": robot.model.radius_m}
+
+
+def _places(goal: Goal) -> Iterator[Shape]:
+    for place in places(goal):
+        yield {"kind": "goal", "x": place.x_m, "y": place.y_m, "radius": place.radius_m}

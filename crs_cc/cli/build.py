@@ -1,0 +1,45 @@
+"""`crs build`: the world builder in the browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+import click
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs build room.xml                    draw and change a world
+  crs build                             a new world
+  crs build room.xml wander.c           and try it with this program
+  crs build room.xml --no-open          print the address only
+"""
+
+
+@click.command(epilog=_EXAMPLES, short_help="Draw and change a world in the browser.")
+@click.argument("world", required=False, type=click.Path(path_type=Path))
+@click.argument("program", required=False, type=click.Path(exists=True, path_type=Path))
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    metavar="PORT",
+    help="Serve the page on this port of this machine. Default: any that is free.",
+)
+@click.option(
+    "--open/--no-open",
+    "opens",
+    default=True,
+    help="Open the page in the browser (default), or only print its address.",
+)
+def build(world: Path | None, program: Path | None, port: int, *, opens: bool) -> int:
+    """Draw a world in the browser, or change one: walls, objects, ramps, robots.
+
+    The file is changed in place: comments, order and units stay as they are. It is saved when it is
+    valid. Try runs the world with the programs that it names, or with the one given here. The page
+    is served to this machine only; who has the printed address may change the world.
+    """
+    from crs_cc.cli.start_build import serve_builder
+
+    return serve_builder(world, program, port, opens=opens)
