@@ -64,9 +64,7 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
         ValueError: an element has no position, or there would be too many copies.
     """
     whole = outermost(nodes)
-    if len(whole) * len(motions) > MAX_COPIES:
-        wrong = f"{len(whole) * len(motions)} copies are too many (maximum: {MAX_COPIES})"
-        raise ValueError(wrong)
+    _demand_few(len(whole) * len(motions))
     plan = Plan(pins(document, {node.tag for node in whole}))
     used: dict[int, set[str]] = {}
     for node in whole:
@@ -85,6 +83,12 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
             texts.append(written(document, node, values))
         plan.splices += markup.insert(document, node.parent, node.tag, texts, node)
     return plan
+
+
+def _demand_few(count: int) -> None:
+    """Refuse too many copies, before anything is made for them."""
+    if count > MAX_COPIES:
+        raise ValueError(f"{count} copies are too many (maximum: {MAX_COPIES})")
 
 
 def written(document: Document, node: Node, values: Mapping[str, str | None]) -> str:
@@ -106,6 +110,7 @@ def array(
     """
     if min(counts) < 1 or max(counts) > MAX_COPIES:
         raise ValueError(f"columns and rows must be 1 to {MAX_COPIES}")
+    _demand_few(len(nodes) * counts[0] * counts[1])
     return copies(
         document,
         nodes,

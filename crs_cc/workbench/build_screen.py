@@ -99,6 +99,7 @@ class BuildScreen:
             "document",
             file=displayed(str(builder.path or self._target or "")),
             changed=builder.is_changed,
+            steps=len(builder.document.undoable),
             undo=builder.document.undoable[-1:],
             redo=builder.document.redoable[-1:],
             unit=builder.document.length_unit,
@@ -222,7 +223,7 @@ def _operations() -> list[dict[str, Any]]:
             ],
         }
         for row in OPERATIONS.values()
-        if row.things != "none" and not row.attributes
+        if row.things != "none" and not row.attributes and row.name != "text"
     ]  # fmt: skip
 
 
@@ -289,10 +290,8 @@ def _texts(value: Any) -> list[str]:
 
 
 def _values(value: Any) -> dict[str, str | float | None]:
-    if not isinstance(value, dict):
-        raise ValueError("values must be an object")
-    if not all(_is_value(each) for each in value.values()):
-        raise ValueError("a value must be a number or a text")
+    if not isinstance(value, dict) or not all(map(_is_value, value.values())):
+        raise ValueError("values must be an object of numbers and texts")
     return value
 
 

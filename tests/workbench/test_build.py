@@ -1,0 +1,202 @@
+"""The page of the world builder in a real browser: a world drawn with mouse and keyboard only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from crs_cc.cli.start_build import building
+from crs_cc.workbench.build_screen import BuildScreen
+from tests.workbench.in_browser import page_in, wait
+
+PROGRAM = """#include <Nclient.h>
+int main(void) { connect_robot(1); vm(50, 50, 0); ws(1, 1, 0, 20); return 0; }
+"""
+DRAWN = """<?xml version="1.0" encoding="UTF-8"?>
+<world version="1">
+  <area length="8m" width="6m"/>
+  <surface>
+    <ramp x="6m" y="1.2m" length="2m" width="0.8m" to="0.3m"/>
+  </surface>
+  <wall id="wall0" x1="0m" y1="3m" x2="3.2m" y2="3m"/>
+  <wall id="wall1" x1="4.2m" y1="3m" x2="6.2m" y2="3m"/>
+  <wall id="wall2" x1="6.2m" y1="3m" x2="8m" y2="3m"/>
+  <define name="table">
+    <box id="box0" x="0m" y="0m" length="1m" width="0.6m"/>
+    <cylinder id="cylinder0" x="0.1m" y="0.1m" radius="0.2m"/>
+  </define>
+  <object id="table" ref="table" x="1.5m" y="4.3m"/>
+  <object id="table-2" ref="table" x="6.3m" y="4.3m"/>
+  <robot id="robot0" x="1m" y="1m" heading="15deg"/>
+</world>
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = tmp_path_factory.mktemp("build")
+    (found / "go.c").write_text(PROGRAM)
+    return found
+
+
+@pytest.fixture(scope="module")
+def screen(folder: Path) -> Iterator[BuildScreen]:
+    with building(folder / "hall.xml", folder / "go.c", 0) as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def page(browser: Any, screen: BuildScreen) -> Iterator[Any]:
+    with page_in(browser, screen, 1200, 750) as made:
+        wait(made, "window.crs && crs.model.document")
+        yield made
+
+
+class Hand:
+    """Works with mouse and keyboard, at points of the world [m]."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+
+    def to(self, x: float, y: float) -> None:
+        px, py = self.page.evaluate(
+            """([x, y]) => {
+                const [px, py] = crs.view.toScreen([x, y]);
+                const box = crs.view.canvas.getBoundingClientRect();
+                return [px + box.left, py + box.top];
+            }""",
+            [x, y],
+        )
+        self.page.mouse.move(px, py)
+
+    def click(self, x: float, y: float) -> None:
+        self.to(x, y)
+        self.page.mouse.down()
+        self.page.mouse.up()
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        self.to(*start)
+        self.page.mouse.down()
+        self.to((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+        self.to(*end)
+        self.page.mouse.up()
+
+    def press(self, *keys: str) -> None:
+        for key in keys:
+            self.page.keyboard.press(key)
+
+    def has(self, *names: str) -> None:
+        """Wait until there are these elements."""
+        known = f"{list(names)}.every((name) => crs.model.thing(name))"
+        wait(self.page, known)
+
+
+def walls_with_a_door_are_drawn_by_clicks_and_typed_lengths(hand: Hand) -> None:
+    hand.press("w")
+    hand.click(0.02, 3.03)
+    hand.click(3.2, 3.05)
+    hand.press("Escape")
+    hand.click(4.2, 3.0)
+    hand.to(5.0, 3.02)
+    hand.press("2", "Enter")
+    hand.click(8.0, 3.0)
+    hand.press("Escape", "Escape")
+    hand.has("wall0", "wall1", "wall2")
+
+
+def a_ramp_and_two_tables_of_parts_are_drawn(hand: Hand) -> None:
+    hand.press("m")
+    hand.drag((5.0, 0.8), (7.0, 1.6))
+    hand.press("b")
+    hand.drag((1.0, 4.0), (2.0, 4.6))
+    hand.press("c")
+    hand.drag((1.6, 4.4), (1.8, 4.4))
+    hand.has("surface/ramp", "box0", "cylinder0")
+    hand.press("v")
+    hand.drag((0.7, 3.7), (2.4, 4.9))
+    wait(hand.page, "crs.model.selection.size === 2")
+    hand.page.select_option("[aria-label=operation]", "group")
+    hand.page.fill("[name=name]", "table")
+    hand.press("Enter")
+    hand.has("table")
+    hand.page.locator("canvas").focus()
+    hand.press("Control+d")
+    hand.has("table-2")
+    wait(hand.page, "crs.model.selection.has('table-2')")
+    hand.drag((2.1, 4.3), (6.1, 4.3))
+    wait(hand.page, "crs.model.shapes('table-2')[0].points[0][0] > 5")
+
+
+def a_robot_is_placed_and_turned(hand: Hand) -> None:
+    hand.press("r")
+    hand.click(1.0, 1.0)
+    hand.has("robot0")
+    hand.press("v")
+    wait(hand.page, "crs.model.selection.has('robot0')")
+    hand.press("[")
+    wait(hand.page, "crs.model.thing('robot0').attributes.heading === '15deg'")
+
+
+def problems_are_listed_and_undone(hand: Hand) -> None:
+    hand.drag((1.0, 1.0), (1.0, 3.0))
+    wait(hand.page, "crs.model.document.problems.length === 1")
+    assert (
+        hand.page.locator(".problem").inner_text().endswith("robot 'robot0' overlaps wall 'wall0'")
+    )
+    assert hand.page.get_by_role("button", name="Save").is_disabled()
+    hand.page.locator(".thing").first.click()
+    hand.page.locator(".problem").click()
+    wait(hand.page, "crs.model.selection.has('robot0')")
+    hand.press("Control+z")
+    wait(hand.page, "crs.model.document.problems.length === 0")
+    hand.press("f")
+
+
+def the_file_is_as_a_person_would_have_written_it(hand: Hand, folder: Path) -> None:
+    hand.press("Control+s")
+    wait(hand.page, "!crs.model.document.changed")
+    assert (folder / "hall.xml").read_text() == DRAWN
+
+
+def properties_are_typed_and_everything_is_undone_and_done_again(
+    hand: Hand, screen: BuildScreen
+) -> None:
+    hand.page.locator(".thing", has_text="wall0").click()
+    hand.page.fill(".property [aria-label=thickness]", "20cm")
+    hand.press("Enter")
+    wait(hand.page, "crs.model.thing('wall0').attributes.thickness === '20cm'")
+    hand.page.locator("canvas").focus()
+    hand.page.fill(".property [aria-label=thickness]", "wide")
+    hand.press("Enter")
+    wait(hand.page, "crs.model.document.problems.length === 1")
+    while count := len(screen.builder.document.undoable):
+        hand.page.get_by_role("button", name="Undo").click()
+        wait(hand.page, f"crs.model.document.steps === {count - 1}")
+    assert screen.builder.names() == ["area"]
+    while screen.builder.document.redoable:
+        screen.builder.redo()
+    hand.press("Control+z", "Control+z")
+    wait(hand.page, "crs.model.thing('wall2') && !crs.model.document.changed")
+    assert screen.builder.text == DRAWN
+
+
+def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path) -> None:
+    hand.page.get_by_role("button", name="Try").click()
+    wait(hand.page, "window.crs && crs.model && crs.model.state && crs.model.state.t > 0.2")
+    assert (folder / ".hall.trial.xml").exists()
+    hand.page.go_back()
+    wait(hand.page, "window.crs && crs.model.document && crs.model.document.things.length === 10")
+
+
+def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder: Path) -> None:
+    hand = Hand(page)
+    walls_with_a_door_are_drawn_by_clicks_and_typed_lengths(hand)
+    a_ramp_and_two_tables_of_parts_are_drawn(hand)
+    a_robot_is_placed_and_turned(hand)
+    problems_are_listed_and_undone(hand)
+    the_file_is_as_a_person_would_have_written_it(hand, folder)
+    properties_are_typed_and_everything_is_undone_and_done_again(hand, screen)
+    the_world_is_tried_and_editing_goes_on_where_it_was(hand, folder)

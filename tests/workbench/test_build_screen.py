@@ -1,0 +1,154 @@
+"""What pages of the world builder may ask for, and what they are told."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from crs_cc.builder.world_builder import WorldBuilder
+from crs_cc.cli.start_build import Trial
+from crs_cc.workbench.build_screen import BuildScreen
+from crs_cc.workbench.clients import Client, Role
+
+WORLDS = Path(__file__).parents[2] / "worlds"
+
+
+def no_run(_: WorldBuilder) -> str:
+    raise ValueError("no run here")
+
+
+@pytest.fixture(scope="module")
+def screen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[BuildScreen]:
+    path = tmp_path_factory.mktemp("build") / "room.xml"
+    path.write_bytes((WORLDS / "slope.xml").read_bytes().replace(b'"lib/climber.xml"', b'"scout"'))
+    made = BuildScreen(WorldBuilder(path), no_run)
+    yield made
+    made.server.close()
+
+
+def ask(screen: BuildScreen, do: str, role: Role = "control", **fields: Any) -> Any:
+    """Return the answer to a command: its value, or its error as text after `!`."""
+    client = Client(role)
+    screen.receive(client, {"id": 1, "do": do, **fields})
+    text = client.take()
+    assert isinstance(text, str)
+    found = json.loads(text)
+    return f"!{found['error']}" if "error" in found else found["value"]
+
+
+def document(screen: BuildScreen) -> Any:
+    client = Client("view")
+    screen.greet(client)
+    hello, found = client.take(), client.take()
+    assert json.loads(str(hello))["type"] == "hello"
+    return json.loads(str(found))
+
+
+def step(operation: str, *names: str, **values: Any) -> dict[str, Any]:
+    return {"steps": [{"operation": operation, "names": list(names), "values": values}]}
+
+
+def test_a_page_is_told_everything_and_changes_it_by_operations(screen: BuildScreen) -> None:
+    before = document(screen)
+    assert before["area"] == {"x": 0, "y": 0, "length": 12, "width": 7, "edge": 0.1}
+    assert [each["name"] for each in before["things"]][-3:] == [
+        "surface/ramp[1]", "surface/plateau", "surface/ramp[2]"
+    ]  # fmt: skip
+    assert before["shapes"]["surface/ramp[0]"][0]["points"][0] == [6, 3]
+    assert ask(screen, "apply", **step("array", "sledge", columns=2, x=0.5)) == ["sledge-2"]
+    assert document(screen)["undo"] == ["array"]
+    assert ask(screen, "copy", names=["sledge"]).startswith("<clip>")
+    assert ask(screen, "paste", values={"x": 1, "y": "50cm"}) == ["sledge-3"]
+    rows = ask(screen, "properties", "view", name="sledge")["rows"]
+    mass = next(row for row in rows if row["name"] == "mass")
+    assert (mass["value"], mass["units"]) == ("4kg", ["kg", "g", "lb"])
+    assert ask(screen, "undo") == "paste"
+    assert ask(screen, "undo") == "array"
+    assert ask(screen, "redo") == "array"
+    assert ask(screen, "undo") == "array"
+    assert ask(screen, "save").endswith("room.xml")
+
+
+def test_problems_name_their_elements_and_prevent_saving(screen: BuildScreen) -> None:
+    ask(screen, "apply", **step("place", "robot0", x=100))
+    (problem,) = document(screen)["problems"]
+    assert problem["name"] == "robot0"
+    assert "not completely inside" in ask(screen, "save")
+    assert "not completely inside" in ask(screen, "try")
+    ask(screen, "apply", steps=[{"operation": "set", "names": ["sledge"], "attributes": {"a": 1}}])
+    after = document(screen)
+    assert after["problems"][0]["text"] == "unknown attribute 'a' in <box>"
+    assert after["shapes"]["sledge"]  # as it was last
+    ask(screen, "undo")
+    ask(screen, "undo")
+    assert ask(screen, "try") == "!no run here"
+
+
+@pytest.mark.parametrize(
+    ("do", "fields", "wrong"),
+    [
+        ("fly", {}, "!unknown command 'fly'"),
+        ("apply", {}, "!'steps' must be a list"),
+        ("apply", {"steps": [1]}, "!'steps' must be a list"),
+        ("apply", {"steps": [{}]}, "!'operation' must be a text"),
+        ("apply", step("fly"), "!unknown operation 'fly'"),
+        ("apply", step("move", "sledge", x=True), "!values must be an object of numbers"),
+        ("apply", step("move", "sledge", x=[1]), "!values must be an object of numbers"),
+        ("apply", step("move", "sledge", x="x" * 10_000), "!x: 'xxx"),
+        ("apply", step("array", "sledge", columns=10**9), "!columns: 1000000000 is not"),
+        (
+            "apply",
+            step("array", "sledge", columns=9999, rows=9999),
+            "!99980001 copies are too many",
+        ),
+        ("apply", {"steps": [{"operation": "move", "names": "sledge"}]}, "!'names' must be a list"),
+        ("apply", {"steps": [{"operation": "move", "names": [1]}]}, "!'names' must be a list"),
+        ("copy", {"names": ["nobody"]}, "!unknown element 'nobody'"),
+        ("paste", {"clip": "<!DOCTYPE a><clip/>"}, "!a document type declaration"),
+        ("properties", {"name": 1}, "!'name' must be a text"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_and_changes_nothing(
+    screen: BuildScreen, do: str, fields: dict[str, Any], wrong: str
+) -> None:
+    before = screen.builder.document.text
+    assert ask(screen, do, **fields).startswith(wrong)
+    assert screen.builder.document.text == before
+
+
+def test_a_page_that_may_look_only_changes_nothing(screen: BuildScreen) -> None:
+    for do in ("apply", "undo", "save", "copy", "try", "read"):
+        assert ask(screen, do, "view") == "!this page may look only"
+
+
+def test_a_new_world_is_saved_below_a_plain_name_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    made = BuildScreen(WorldBuilder.new(4, 3), no_run)
+    try:
+        for name in ("../a.xml", "/tmp/a.xml", "a.txt"):
+            assert ask(made, "save", file=name).startswith("!the name must be that of a file")
+        assert ask(made, "save", file="a.xml") == "!no robot in the world"
+        ask(made, "apply", steps=[
+            {"operation": "add", "values": {"kind": "robot"}, "attributes": {"x": 1, "y": 1}}
+        ])  # fmt: skip
+        assert ask(made, "save", file="a.xml") == "a.xml"
+        assert (tmp_path / "a.xml").exists()
+    finally:
+        made.server.close()
+
+
+def test_a_run_that_cannot_start_says_why_and_leaves_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "room.xml"
+    path.write_bytes((WORLDS / "room.xml").read_bytes())
+    with pytest.raises(ValueError, match="a robot has no program"):
+        Trial(None).start(WorldBuilder(path))
+    (tmp_path / "bad.c").write_text("int main(void) { return x; }\n")
+    with pytest.raises(ValueError, match=r"bad\.c:1:25: error: .*'x'"):
+        Trial(tmp_path / "bad.c").start(WorldBuilder(path))
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["bad.c", "room.xml"]
