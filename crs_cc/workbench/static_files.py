@@ -12,9 +12,10 @@ from typing import Final
 
 FOLDER: Final = Path(__file__).parent / "static"
 MODULES: Final = tuple(
-    sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.js")
-           if not {"three", "build"} & set(path.parts))
-)  # fmt: skip
+    name
+    for name in sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.js"))
+    if not name.startswith(("three/", "build/"))
+)
 """The modules of the page of a run, by their names after `crs/`."""
 
 STYLES: Final = ("style.css", "panel.css")
