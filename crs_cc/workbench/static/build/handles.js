@@ -1,0 +1,74 @@
+/** Handles of what is selected: a knob that turns, ends of walls, corners of boxes, a radius. */
+
+import { corners } from "./view.js";
+
+const KNOB = 28; // [px] above the selection
+
+/** The rectangle around the selection [m]; null if nothing with a shape is selected. */
+export function bounds(model) {
+  const points = [...model.selection].flatMap((name) => model.shapes(name).flatMap(corners));
+  if (!points.length) return null;
+  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
+  return { left: Math.min(...xs), right: Math.max(...xs), low: Math.min(...ys), high: Math.max(...ys) };
+}
+
+/**
+ * The handles of the selection, each with its place and what a drag of it sets.
+ * @returns {{kind: string, place: number[], set?: (to: number[]) => Record<string, number>}[]}
+ */
+export function handles(model, view) {
+  const around = bounds(model);
+  if (!around) return [];
+  const middle = [(around.left + around.right) / 2, (around.low + around.high) / 2];
+  /** @type {any[]} */
+  const found = [{ kind: "turn", place: [middle[0], around.high + KNOB / view.scale], middle }];
+  if (model.selection.size !== 1) return found;
+  const [name] = model.selection;
+  const thing = model.thing(name);
+  const [shape] = model.shapes(name);
+  if (thing?.tag === "wall") {
+    found.push({ kind: "end", place: shape.points[0], set: ([x, y]) => ({ x1: x, y1: y }) });
+    found.push({ kind: "end", place: shape.points[1], set: ([x, y]) => ({ x2: x, y2: y }) });
+  } else if (thing?.tag === "cylinder") {
+    const place = [shape.x + shape.radius, shape.y];
+    found.push({ kind: "size", place, set: ([x, y]) => ({ radius: Math.max(0.01, Math.hypot(x - shape.x, y - shape.y)) }) });
+  } else if (["box", "ramp", "plateau"].includes(thing?.tag ?? "")) {
+    shape.points.forEach((place, index) => found.push({ kind: "size", place, set: (to) => resized(shape, index, to) }));
+  }
+  return found;
+}
+
+/** The attributes of a box of which one corner goes to a place, and the opposite one stays. */
+function resized(shape, index, [x, y]) {
+  const [fixed, first, second] = [shape.points[(index + 2) % 4], shape.points[0], shape.points[1]];
+  const heading = Math.atan2(first[1] - second[1], first[0] - second[0]);
+  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+  const [dx, dy] = [x - fixed[0], y - fixed[1]];
+  return {
+    x: (x + fixed[0]) / 2,
+    y: (y + fixed[1]) / 2,
+    length: Math.max(0.01, Math.abs(cos * dx + sin * dy)),
+    width: Math.max(0.01, Math.abs(cos * dy - sin * dx)),
+  };
+}
+
+export function paintHandles(pen, model, view, colour) {
+  for (const { kind, place } of handles(model, view)) {
+    const [x, y] = view.toScreen(place);
+    pen.beginPath();
+    if (kind === "turn") pen.arc(x, y, 7, 0, 2 * Math.PI);
+    else pen.rect(x - 5, y - 5, 10, 10);
+    pen.fillStyle = "white";
+    pen.strokeStyle = colour;
+    pen.lineWidth = 2;
+    pen.fill();
+    pen.stroke();
+  }
+}
+
+/** The handle at a point of the canvas. */
+export const handleAt = (model, view, [x, y]) =>
+  handles(model, view).find(({ place }) => {
+    const [px, py] = view.toScreen(place);
+    return Math.hypot(px - x, py - y) <= 9;
+  });
