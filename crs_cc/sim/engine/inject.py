@@ -1,11 +1,12 @@
 """Messages that a user sends in the name of a robot.
 
+>>> from crs_cc.sim.comms.message_log import Fate
 >>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> inject(environment, "robot0", b"hello", kind=7)
->>> [(row["type"].item(), row["size"].item()) for row in environment.step().traffic]
-[(7, 5)]
+>>> [(row["type"].item(), Fate(row["fate"]).name) for row in environment.step().traffic]
+[(7, 'SENT'), (7, 'RANGE')]
 """
 
 from __future__ import annotations
