@@ -44,10 +44,23 @@ model.on("state", (state) => {
 const held = part("run").textContent.trim();
 model.channel = held ? new PageChannel(JSON.parse(held), (message) => model.hear(message)) : new SocketChannel((message) => model.hear(message));
 
+// A picture in which nothing moves is drawn now and then only: software drawing takes a whole core.
+const STILL_AFTER_MS = 1500;
+const STILL_EVERY_MS = 500;
+let movedAt = performance.now();
+const wake = () => (movedAt = performance.now());
+for (const kind of ["pointermove", "pointerdown", "pointerup", "wheel", "keydown", "resize", "visibilitychange"]) {
+  addEventListener(kind, wake, { capture: true, passive: true });
+}
+for (const kind of ["hello", "state"]) model.on(kind, wake);
+
 let last = performance.now();
+let shown = NaN;
 let isBusy = false;
 async function tick(now) {
   requestAnimationFrame(tick);
+  if (model.clock.isPlaying || (model.clock.held ?? model.clock.shown) !== shown) wake();
+  else if (now - movedAt > STILL_AFTER_MS && now - last < STILL_EVERY_MS) return;
   const elapsed = Math.min(0.25, (now - last) / 1000);
   last = now;
   if (isBusy || !model.frames) return;
@@ -55,6 +68,7 @@ async function tick(now) {
   try {
     model.channel.advance?.(elapsed);
     const time = model.clock.advance(elapsed);
+    shown = time;
     const frame = await model.frames.at(time);
     if (frame) {
       model.scene.place(frame);
