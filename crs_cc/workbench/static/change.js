@@ -6,9 +6,13 @@ import { el } from "crs/dom.js";
  * @param {any} model @param {string} text @returns {Promise<string>} what is wrong; empty if it was made
  */
 export async function change(model, text) {
+  const { end } = model.state;
   try {
     const { text: done } = await model.channel.ask("edit", { text });
-    model.say(done);
+    const { t } = model.state;
+    const isPast = end - t > model.run.timestep_s * 1.5;
+    const rest = ` (what came after ${t.toFixed(2)} s is dropped; Changes takes this back)`;
+    model.say(isPast ? done + rest : done);
     return "";
   } catch (error) {
     return error.message;

@@ -82,7 +82,8 @@ export function listenToKeys(page) {
   const rows = table(page);
   const byKey = new Map(rows.flatMap((row) => row.keys.map((key) => [key, row])));
   const dialog = el("dialog.keys", { "aria-label": "keys" },
-    el("h2", {}, "Keys"),
+    // With the focus at the button below, the browser would scroll there.
+    el("h2", { tabIndex: -1, autofocus: true }, "Keys"),
     el("div.rows", {}, ...rows.map((row) => el("div", {}, el("kbd", {}, row.keys[0] === "+" ? "+" : shownKey(row.keys[0])), el("span", {}, row.text)))),
     el("form", { method: "dialog" }, el("button", {}, "Close")));
   document.body.append(dialog);

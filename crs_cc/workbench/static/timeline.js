@@ -215,11 +215,12 @@ export class Timeline {
   jump(way) {
     const now = this.model.clock.held ?? this.model.state.t;
     const least = this.model.run.timestep_s ? 1e-6 + this.model.run.timestep_s * (way > 0 ? 1 : 0) : 1e-6;
-    const times = this.marks()
+    const all = this.marks()
       .filter(([, kind]) => this.kind === "any" || markOf(kind).name === this.kind)
-      .map(([at]) => at)
-      .filter((at) => (at - now) * way > least);
-    if (!times.length) this.model.say(way > 0 ? "no later event is known" : "no earlier event");
+      .map(([at]) => at);
+    const times = all.filter((at) => (at - now) * way > least);
+    if (!all.length) this.model.say("there is no such event in the run so far");
+    else if (!times.length) this.model.say(way > 0 ? "no later event is known" : "no earlier event");
     else this.seek(way > 0 ? Math.min(...times) : Math.max(...times));
   }
 
