@@ -81,7 +81,7 @@ def test_edges_and_robots_have_material():
         ),
         (
             '<material name="m" infrared="bright"/>',
-            "material, infrared: 'bright' is not a ratio (expected a number, such as 1.002)",
+            "material, infrared: 'bright' is not a share (expected a number, such as 0.5)",
         ),
         (
             '<material name="m" colour="#12345"/>',
