@@ -30,6 +30,11 @@ _NOT_IN_NAMES: Final = frozenset('\\:*?"<>|')  # Windows, "Naming Files, Paths, 
 _WINDOWS_STACK: Final = 2_000_000
 """Of the main thread of python.exe [bytes]: `/STACK` in CPython's PCbuild/python.vcxproj."""
 
+_MMAP_THRESHOLD: Final = -3, 8 * 2**20
+_TRIM_THRESHOLD: Final = -1, 64 * 2**20
+"""Parameters of glibc's `mallopt`, and what they are set to [bytes]: the least block that is mapped
+by itself, and how much free memory at the end of the heap is kept."""
+
 _TCP: Final = Path("/proc/net/tcp")
 _TCP6: Final = Path("/proc/net/tcp6")
 _MAPPED: Final = "0000000000000000FFFF0000"
@@ -58,6 +63,22 @@ def stack_bytes() -> int | None:
         return _WINDOWS_STACK
     limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
     return None if limit < 0 else limit
+
+
+def keep_freed_memory() -> bool:
+    """Have the C library keep freed memory; return whether it does.
+
+    A timestep of many robots makes arrays of some 100 KiB and frees them. glibc would return such
+    memory to the system, and each page of the next array would be a fault: up to half of the time
+    of 1,000 robots, depending on which sizes happened to be freed first.
+    """
+    import ctypes
+
+    try:
+        mallopt = ctypes.CDLL(None).mallopt
+    except (AttributeError, OSError, TypeError):
+        return False
+    return bool(mallopt(*_MMAP_THRESHOLD) and mallopt(*_TRIM_THRESHOLD))
 
 
 def is_private(status: os.stat_result) -> bool:

@@ -20,6 +20,7 @@ import numpy as np
 
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.errors import WorldError
+from crs_cc.core.host_system import keep_freed_memory
 from crs_cc.core.source import Location
 from crs_cc.requests import NUM_STATE
 
@@ -456,6 +457,7 @@ def pairs(points: ComplexArray) -> FloatArray:
 def _executable(*, checked: bool) -> Executable:
     from crs_cc.toolchain.kernels import build_kernels
 
+    keep_freed_memory()
     return build_kernels(Path(__file__).parent, checked=checked)
 
 
