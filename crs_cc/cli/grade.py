@@ -163,7 +163,7 @@ def grade(
 
     limits = Limits(max_time_s, max_fuel, max_output, max_memory * _MIB, compile_s, wall_s)
     _check_allowed(allowed)
-    _check_once("--seed", seeds)
+    _check_once("--seed ", seeds)
     _check_once("", list(map(os.path.realpath, files)))
     worlds = [Path(name) for name in files if is_world(name)]
     if not worlds:
@@ -171,8 +171,11 @@ def grade(
     inputs, wanted = parse_named_files(named_files), Robots(**robots)
     if wanted.robot.endswith(".xml"):
         wanted = replace(wanted, robot=os.path.realpath(wanted.robot))
-    several = len(worlds) > 1
-    cases = [case for each in worlds for case in _cases(each, seeds, wanted, several=several)]
+    cases = [
+        case
+        for each, name in zip(worlds, _world_names(worlds), strict=True)
+        for case in _cases(each, name, seeds, wanted, several=len(worlds) > 1)
+    ]
     submissions = _submissions([Path(name) for name in files if not is_world(name)])
     for path in (csv, html):
         _check_target(path)
@@ -197,11 +200,30 @@ def _check_once(option: str, values: Sequence[object]) -> None:
     """Refuse what would count twice."""
     for number, value in enumerate(values):
         if value in values[:number]:
-            raise click.UsageError(f"{option} {value} is given twice.".lstrip())
+            raise click.UsageError(f"{option}{value} is given twice.")
 
 
-def _cases(path: Path, seeds: Sequence[int], robots: Robots, *, several: bool) -> list[Case]:
+def _world_names(worlds: Sequence[Path]) -> list[str]:
+    """Return a name for each world: that of its file, or its path where worlds have equal names.
+
+    >>> _world_names([Path("easy/room.xml"), Path("hard/room.xml")])
+    ['easy/room.xml', 'hard/room.xml']
+    """
+    stems = [path.stem for path in worlds]
+    return stems if len(set(stems)) == len(stems) else list(map(str, worlds))
+
+
+def _cases(
+    path: Path, name: str, seeds: Sequence[int], robots: Robots, *, several: bool
+) -> list[Case]:
     """Return a world with each seed.
+
+    Args:
+        path: the world file.
+        name: the world's name.
+        seeds: the seeds.
+        robots: the kind of robots, where the world leaves it open.
+        several: whether there are other worlds.
 
     Raises:
         WorldError: it is invalid, or there is nothing to grade in it.
@@ -220,8 +242,8 @@ def _cases(path: Path, seeds: Sequence[int], robots: Robots, *, several: bool) -
         text = "the world names a program for every robot, so that none is left to grade"
         raise WorldError.at(Location(str(path)), text)
     if len(seeds) < 2:
-        return [Case(path.stem, path, seeds[0] if seeds else None, world.goals)]
-    prefix = f"{path.stem} " if several else ""
+        return [Case(name, path, seeds[0] if seeds else None, world.goals)]
+    prefix = f"{name} " if several else ""
     return [Case(f"{prefix}seed {seed}", path, seed, world.goals) for seed in seeds]
 
 
@@ -258,20 +280,28 @@ def _grade_all(
 
 
 def _write(grades: Sequence[Grade], worlds: str, targets: _Targets) -> None:
-    """Write the grades wherever they are wanted.
+    """Write the grades wherever they are wanted, and can be: what cannot does not cost the rest.
 
     Raises:
         OSError: a file cannot be written.
     """
-    from crs_cc.cli.grading.page import as_page
+    from crs_cc.cli.grading.page import as_page, link_to
     from crs_cc.cli.grading.tables import as_csv, as_lines
 
+    texts: list[tuple[Path, str]] = []
     if targets.csv is not None:
-        targets.csv.write_text(as_csv(grades), "utf-8")
+        texts.append((targets.csv, as_csv(grades)))
     if targets.html is not None:
-        folder = targets.html.absolute().parent
-        runs = "" if targets.runs is None else os.path.relpath(targets.runs, folder)
-        targets.html.write_text(as_page(grades, f"Grades: {worlds}", runs), "utf-8")
+        runs = None if targets.runs is None else link_to(targets.runs, targets.html)
+        texts.append((targets.html, as_page(grades, f"Grades: {worlds}", runs)))
+    failed: OSError | None = None
+    for path, text in texts:
+        try:
+            path.write_text(text, "utf-8")
+        except OSError as error:  # such as a table that is open in a spreadsheet
+            failed = failed or error
     if not targets.quiet:
         for line in as_lines(grades):
             click.echo(line)
+    if failed is not None:
+        raise failed

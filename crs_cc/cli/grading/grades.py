@@ -18,7 +18,8 @@ class Case:
     """A world with a seed, in which every submission is run.
 
     Attributes:
-        name: its name for people: that of the world's file, and the seed if there are several.
+        name: its name for people, unlike all others: that of the world's file, and the seed if
+            there are several.
         world: the world file.
         seed: the random seed; None for the world's.
         goals: the world's goals.
@@ -88,8 +89,9 @@ def alike(runs: Sequence[Sequence[GradedRun]], names: Sequence[str]) -> list[tup
     """Return for each submission the names of the others that are the same program."""
     groups: dict[str, list[int]] = defaultdict(list)
     for number, own in enumerate(runs):
-        if own[0].fingerprint:
-            groups[own[0].fingerprint].append(number)
+        fingerprint = next((run.fingerprint for run in own if run.fingerprint), "")
+        if fingerprint:  # a run that is stopped from outside has none, another can
+            groups[fingerprint].append(number)
     found: list[tuple[str, ...]] = [()] * len(runs)
     for group in groups.values():
         for number in group:

@@ -95,8 +95,10 @@ def file_names(number: int, submission: Submission, cases: Sequence[Case]) -> li
     >>> file_names(0, Submission("a <b>/c", Path("x")), [Case("room seed 1", Path("r"), 1, ())])
     ['001-a_b_c-room_seed_1.mcap']
     """
-    parts = [f"{number + 1:03d}", _plain(submission.name)]
-    return [f"{'-'.join([*parts, _plain(case.name)])}.mcap" for case in cases]
+    names = [_plain(case.name) for case in cases]
+    if len({name.lower() for name in names}) < len(names):  # on Windows, case does not count
+        names = [f"{place}-{name}" for place, name in enumerate(names, 1)]
+    return [f"{number + 1:03d}-{_plain(submission.name)}-{name}.mcap" for name in names]
 
 
 def _plain(name: str) -> str:

@@ -26,13 +26,26 @@ _TEMPLATES: Final = Path(__file__).parents[1] / "templates"
 _MARKS: Final = {"met": "✓", "holds": "✓", "failed": "✗", "open": "\u2013"}
 
 
-def as_page(grades: Sequence[Grade], title: str, runs: str) -> str:
+def link_to(runs: Path, page: Path) -> str:
+    """Return the link from a page to the folder of runs, relative if there is such a path.
+
+    >>> link_to(Path("some runs"), Path("html/grades.html"))
+    '../some%20runs'
+    """
+    try:
+        path = Path(os.path.relpath(runs, page.absolute().parent))
+    except ValueError:  # on another drive
+        return runs.resolve().as_uri()
+    return quote(os.fsencode(path.as_posix()))
+
+
+def as_page(grades: Sequence[Grade], title: str, runs: str | None) -> str:
     """Return the page.
 
     Args:
         grades: the grades.
         title: what they are of.
-        runs: the folder of runs, relative to that of the page; empty for none.
+        runs: the link to the folder of runs; None for none.
     """
     script = (_TEMPLATES / "grades.js").read_text("utf-8")
     policy = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
@@ -89,22 +102,23 @@ def _mark(run: GradedRun, goal: GoalResult | None) -> str:
     return f'<td class="goal {kind}" data-key="{key}" title="{about}">{mark}</td>'
 
 
-def _details(grade: Grade, number: int, runs: str) -> str:
+def _details(grade: Grade, number: int, runs: str | None) -> str:
     parts = [f'<section id="s{number}"><h2>{_text(grade.submission.name)}</h2>']
     points = f"{grade.earned:g} of {grade.possible:g} points"
     parts.append(f"<p>{points}. {_text(grade.message)}</p>")
     if grade.alike:
-        parts.append(f"<p>Same program, names and comments aside: {_text(', '.join(grade.alike))}.")
+        names = _text(", ".join(grade.alike))
+        parts.append(f"<p>Same program, names and comments aside: {names}.</p>")
     for case, run, file in zip(grade.cases, grade.runs, grade.files, strict=True):
         if run.picture:
-            parts.append(_figure(case.name, run, quote(os.fsencode(f"{runs}/{file}"))))
+            parts.append(_figure(case.name, run, f"{runs}/{file}" if runs is not None else ""))
     return "".join([*parts, "</section>"])
 
 
 def _figure(name: str, run: GradedRun, recording: str) -> str:
     picture = base64.b64encode(run.picture.encode()).decode()
     rows = "".join(_goal_row(run, goal) for goal in run.goals)
-    link = f', <a href="{recording}">recording</a>' if not recording.startswith("/") else ""
+    link = f', <a href="{recording}">recording</a>' if recording else ""
     return (
         f'<figure><img alt="the world from above with the path of the robot" loading="lazy"'
         f' src="data:image/svg+xml;base64,{picture}"><figcaption>{_text(name)},'

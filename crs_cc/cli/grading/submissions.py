@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import stat
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -70,14 +71,16 @@ def find(paths: Sequence[Path]) -> list[Submission]:
         OSError: a folder or a file cannot be read.
     """
     found: list[Submission] = []
+    taken = Counter(path.name for path in paths)
     for path in paths:
+        name = path.name if path.name and taken[path.name] == 1 else str(path)
         if path.is_dir():
             entries = sorted(path.iterdir(), key=lambda each: os.fsencode(each.name))
-            prefix = f"{path.name}/" if len(paths) > 1 else ""
+            prefix = f"{name}/" if len(paths) > 1 else ""
             found += [Submission(_shown(prefix + e.name), e) for e in entries if _counts(e)]
         else:
             path.stat()
-            found.append(Submission(_shown(path.name), path))
+            found.append(Submission(_shown(name), path))
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import csv
+import errno
 import hashlib
 import re
 from html.parser import HTMLParser
@@ -11,6 +12,10 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.cli.grading.grades import Case, alike
+from crs_cc.cli.grading.grading import file_names
+from crs_cc.cli.grading.job import GradedRun
+from crs_cc.cli.grading.submissions import Submission
 from crs_cc.cli.main import main
 from tests.cli.grading.handed_in import WORLD, body, good, hand_in
 
@@ -230,6 +235,64 @@ def test_an_allowed_call_counts_and_seeds_and_worlds_add_up(
     assert [name for name in row if "There" in name] == [
         "task seed 1: There", "task seed 2: There", "other seed 1: There", "other seed 2: There"
     ]  # fmt: skip
+
+
+def test_worlds_and_submissions_of_equal_names_are_told_apart(
+    class_of_two: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Both runs were recorded to one file, and both submissions were called `anna.c`."""
+    for name in ("easy/room.xml", "hard/room.xml"):
+        Path(name).parent.mkdir()
+        Path(name).write_text(WORLD)
+    Path("late").mkdir()
+    Path("late/anna.c").write_text(good())
+    monkeypatch.setattr("crs_cc.cli.grading.grading._LONGEST_NAME", 4)
+    files = ["in/anna.c", "late/anna.c", "easy/room.xml", "hard/room.xml"]
+    assert main(["grade", *files, "--max-time", "1", "--runs", "runs", "--csv", "g.csv"]) == 0
+    assert [line.split()[0] for line in capfd.readouterr().out.splitlines()] == [
+        "in/anna.c", "late/anna.c"
+    ]  # fmt: skip
+    (first, _) = rows(Path("g.csv"))
+    assert [name for name in first if "There" in name] == [
+        "easy/room.xml: There", "hard/room.xml: There"
+    ]  # fmt: skip
+    assert len(list(Path("runs").glob("*.mcap"))) == 4
+    cases = [Case(name, Path(name), None, ()) for name in ("Room", "room")]
+    assert file_names(0, Submission("anna.c", Path("anna.c")), cases) == [
+        "001-anna-1-Room.mcap", "001-anna-2-room.mcap"
+    ]  # fmt: skip
+
+
+def test_grades_are_shown_where_a_file_cannot_be_written(
+    class_of_two: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An unwritable table, or a folder of runs on another drive, cost the whole grading."""
+
+    def fails(path: str, start: str) -> str:
+        raise ValueError(f"path is on mount {path!r}, start on mount {start!r}")
+
+    real = Path.write_text
+
+    def write(path: Path, text: str, encoding: str) -> int:
+        if path.suffix == ".csv":  # as where a spreadsheet has opened it
+            raise PermissionError(errno.EACCES, "Permission denied", str(path))
+        return real(path, text, encoding)
+
+    monkeypatch.setattr("os.path.relpath", fails)
+    monkeypatch.setattr(Path, "write_text", write)
+    targets = ["--csv", "g.csv", "--html", "g.html", "--runs", "runs"]
+    assert main(["grade", "in/anna.c", "task.xml", "--max-time", "1", *targets]) != 0
+    told = capsys.readouterr()  # not capfd, whose own file would be muted
+    assert told.out.startswith("anna.c")
+    assert "g.csv" in told.err
+    assert "internal" not in told.err
+    page = Path("g.html").read_text("utf-8")
+    assert f'href="{Path("runs").resolve().as_uri()}/001-anna_c-task.mcap"' in page
+
+
+def test_a_copy_is_found_where_its_first_run_was_stopped_from_outside() -> None:
+    stopped, done = GradedRun("limit", "took too long"), GradedRun("ended", "", fingerprint="f")
+    assert alike([[stopped, done], [done, done]], ["a", "b"]) == [("b",), ("a",)]
 
 
 @pytest.mark.parametrize(
