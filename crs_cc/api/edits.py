@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any, Final
 
-from crs_cc.api.program_choice import Program, executable_of
+from crs_cc.api.program_choice import Program, check_arguments, executable_of, own_program
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.run_edits import edit_run
@@ -31,7 +31,7 @@ _FAULTS: Final = frozenset(each.name for each in fields(Degradation)) - {
 class Edits:
     """The changes that a session offers, between two timesteps.
 
-    Each is checked before anything changes, and raises ValueError if it is invalid.
+    Each is checked before anything changes, and raises ValueError if it is invalid, or TypeError.
 
     Attributes:
         inner: the session.
@@ -49,8 +49,9 @@ class Edits:
             program: what it runs; by default what its `program` names, else Python steers it.
             arguments: `argv` without its first element; by default those of the robot.
         """
+        check_arguments(arguments)
         if not isinstance(program, Executable):
-            program = executable_of(program or robot.program or None, robot)
+            program = executable_of(program or own_program(robot), robot)
         argv = [program.command, *(arguments or robot.arguments)]
         return self.inner.add_robot(robot, program, argv)
 

@@ -93,7 +93,6 @@ class Env:
             raise ValueError(unknown("kind of actions", actions, ("speeds", "vendor")))
         self._actions, self._duration_s, self._seed = actions, duration_s, seed
         self._reward, self._is_done = reward, is_done
-        self._points = 0.0  # of the goals met before the last step
         self.timesteps = self._timesteps(step_s)
         self.session = Session(self.world, programs, seed=seed, duration_s=duration_s)
         self._programs = self.session.programs
@@ -126,9 +125,10 @@ class Env:
 
         Args:
             actions: of each robot, one number for each axis, clipped to its limit; a robot without
-                an action goes on.
+                an action goes on. Those of robots that are not in the world have no effect.
 
         Raises:
+            TypeError: the actions are not a dictionary.
             ValueError: a robot is unknown, or an action has another shape or is not finite.
         """
         if not isinstance(actions, Mapping):
@@ -141,9 +141,10 @@ class Env:
                 raise ValueError(unknown("steered robot", name, self.robots))
             robot = self._views[name]
             speeds[place], rows[place] = robot.checked_speeds(action), robot.number
-        there = np.argsort(rows)[self.session.inner.environment.present[np.sort(rows)]]
-        if len(there):
-            rows, speeds = rows[there], speeds[there]
+        order = np.argsort(rows)
+        order = order[self.session.inner.environment.present[rows[order]]]
+        if len(order):
+            rows, speeds = rows[order], speeds[order]
             self.session.inner.environment.drive(rows, speeds * self._unit[rows])
         self.session.step(self.timesteps)
         return self.observe()
@@ -171,9 +172,9 @@ class Env:
 
     def done(self) -> dict[str, bool]:
         """Return for which robots the task is over, or which have left the world."""
-        present = self.session.inner.environment.present
+        left = np.isfinite(self.session.inner.environment.last_state.presence.left_s)
         return {
-            name: self._is_over(name) or not present[self._views[name].number]
+            name: self._is_over(name) or bool(left[self._views[name].number])
             for name in self.robots
         }
 
@@ -188,7 +189,13 @@ class Env:
         return self.session.is_late
 
     def action_limits(self, robot: str) -> FloatArray:
-        """Return the largest magnitude of each number of an action, (axes,)."""
+        """Return the largest magnitude of each number of an action, (axes,).
+
+        Raises:
+            ValueError: the robot is not steered.
+        """
+        if robot not in self._views:
+            raise ValueError(unknown("steered robot", robot, self.robots))
         view = self._views[robot]
         limits = self.session.inner.environment.drives.speed_limit[view.number]
         limit: FloatArray = limits / self._unit[view.number]
@@ -197,7 +204,7 @@ class Env:
     def _begin(self) -> None:
         self._views = {name: self.session.robots[name] for name in self.robots}
         self._rows = np.array([view.number for view in self._views.values()], dtype=np.intp)
-        self._points = 0.0
+        self._points = 0.0  # of the goals met before the last step
 
     def _is_over(self, robot: str) -> bool:
         if self._is_done is not None:

@@ -53,6 +53,11 @@ class EventCallbacks:
         self._kinds = sorted({each for each, _ in self._callbacks} - {_EXIT})
         self._alive = state.alive.copy()
 
+    def restart(self, state: SessionState) -> None:
+        """Go on from another state: what has not been reported yet never happened there."""
+        self._steps.clear()
+        self._alive = state.alive.copy()
+
     def step(self, step: Step) -> None:
         """Keep a timestep for `report`."""
         if self._kinds:
@@ -77,9 +82,9 @@ class EventCallbacks:
         events = []
         for number in ended.nonzero()[0].tolist():
             result = state.robot_result(number)
-            how = result.outcome
+            how: str = result.outcome
             if result.exit_status is not None:
-                how = f"exited with status {result.exit_status}"  # type: ignore[assignment]
+                how = f"exited with status {result.exit_status}"
             text = f"{result.id} {how}"
             events.append(WorldEvent(result.time_s, _EXIT, number, text))
         return events

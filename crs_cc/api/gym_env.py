@@ -22,7 +22,7 @@ Observation = dict[str, FloatArray]
 
 
 class GymEnv(gymnasium.Env[Any, Any]):
-    """One robot that Python steers, the only one in its world.
+    """One robot that Python steers, beside any others that run C or stand still.
 
     Attributes:
         env: the environment behind this one.
@@ -39,7 +39,7 @@ class GymEnv(gymnasium.Env[Any, Any]):
             options: those of `Env`.
 
         Raises:
-            ValueError: there is not exactly one robot to steer.
+            ValueError: several robots could be steered, and `robots` names none of them.
         """
         check_render_mode(render_mode)
         self.env = Env(*arguments, **options)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.core.suggest import unknown
 from crs_cc.runtime.executable import Executable, command_name
 from crs_cc.session.build import build_executable
 from crs_cc.toolchain.cache import file_of
@@ -28,11 +29,19 @@ _FILES: Final[set[str]] = set()
 
 _EXAMPLES: Final = {"defines": "SPEED=80", "undefines": "DEBUG", "include_paths": "include"}
 
+_OPTIONS: Final = frozenset(
+    {"defines", "undefines", "standard", "checked", "debug", "trap_overflow"}
+)
+
 _TEXT: Final = frozenset("\n;{")
 
 
 def compile_c(
-    *sources: ProgramSource, dialect: Dialect | None = None, **options: Any
+    *sources: ProgramSource,
+    dialect: Dialect | None = None,
+    include_paths: Sequence[str | os.PathLike[str]] = (),
+    root: str | os.PathLike[str] | None = None,
+    **options: Any,
 ) -> Executable:
     """Compile C files or text to one program; `crs check` shows the warnings.
 
@@ -41,19 +50,27 @@ def compile_c(
             break, `;` or `{`.
         dialect: the API that they call, the vendor's (`nomad`) or that of the CRS report
             (`report`); by default it is detected.
-        options: further options of `build_executable`, such as `include_paths` and `defines`.
+        include_paths: folders for `#include`, in order.
+        root: the folder of the whole project; by default the current directory.
+        options: further options of `build_executable`: `defines`, `undefines`, `standard`,
+            `checked`, `debug` and `trap_overflow`.
 
     Raises:
-        TypeError: an argument has the wrong type.
+        TypeError: an argument has the wrong type, or there is no such option.
+        ValueError: source text is not the only argument.
         CompileError: it is not a valid program.
     """
     for each in sources:
         if not isinstance(each, str | os.PathLike):
             kind = type(each).__name__
             raise TypeError(f"a program must be a path or C source text, not {kind}")
-    for name in ("defines", "undefines", "include_paths"):
-        if isinstance(options.get(name, ()), str | Mapping):
+    if wrong := sorted(options.keys() - _OPTIONS):
+        raise TypeError(unknown("option", wrong[0], sorted(_OPTIONS | {"include_paths", "root"})))
+    for name, value in (*options.items(), ("include_paths", include_paths)):
+        if name in _EXAMPLES and isinstance(value, str | bytes | os.PathLike | Mapping):
             raise TypeError(f"{name} must be a list, such as {name}=[{_EXAMPLES[name]!r}]")
+    options["include_paths"] = [Path(each) for each in include_paths]
+    options["root"] = None if root is None else Path(root)
     texts = [each for each in sources if is_text(each)]
     if texts and len(sources) > 1:
         raise ValueError("source text must be the only argument (several files are given by paths)")

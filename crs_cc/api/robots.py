@@ -152,9 +152,12 @@ class RobotView:
             speeds: one for each of `axis_names` [m/s, or rad/s for steering and turret].
 
         Raises:
-            ValueError: there is another number of axes, one is not finite, or a program runs on it.
+            ValueError: there is another number of axes, one is not finite, a program runs on it, or
+                it is not in the world.
         """
         speed = self.checked_speeds(speeds)
+        if not self.is_present:
+            raise ValueError(f"{self.name} is not in the world")
         if not self._is_steered:
             raise ValueError(f"{self.name} runs a program, which sets its speeds itself")
         self._environment.drive(np.array([self.number]), speed[None, :])
@@ -173,8 +176,6 @@ class RobotView:
         if given.shape != (len(names),) or not np.isfinite(given).all():
             wanted = f"{len(names)} finite numbers, the speeds of {' and '.join(names)}"
             raise ValueError(f"{self.name}: invalid speeds {speeds!r} (expected {wanted})")
-        if not self.is_present:
-            raise ValueError(f"{self.name} is not in the world")
         return np.append(given, np.zeros(3 - len(names)))
 
     def receive(self) -> Message | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -30,6 +31,12 @@ class Paths:
     def __init__(self, start_m: FloatArray) -> None:
         self._samples = [start_m.copy()]
         self._stride, self._next = 1, 1
+
+    def copy(self) -> Paths:
+        """Return what is known so far; positions that are added later do not change it."""
+        copied = copy(self)
+        copied._samples = self._samples.copy()
+        return copied
 
     def is_due(self, timestep: int) -> bool:
         """Return whether it is time for positions."""

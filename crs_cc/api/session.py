@@ -26,8 +26,9 @@ from crs_cc.api.robots import Robots, shown_result
 from crs_cc.api.run_picture import Paths, picture_of
 from crs_cc.api.worlds import WorldSource, world_of
 from crs_cc.core.arrays import FloatArray, read_only
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.world.events import WorldEvent
-from crs_cc.session.host import Client
+from crs_cc.session.host import CLIENTS, Client
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session import Session as InnerSession
 from crs_cc.sim.engine.goals import GoalResult
@@ -46,12 +47,14 @@ class Snapshot:
         world: the session's world at the start.
         seed: its seed.
         programs: the machine code of its programs at the start.
+        paths: where its robots have been.
     """
 
     state: SessionSnapshot = field(repr=False)
     world: WorldModel = field(repr=False)
     seed: int
     programs: tuple[bytes, ...] = field(repr=False)
+    paths: Paths = field(repr=False)
 
 
 class Session(Edits):
@@ -75,8 +78,8 @@ class Session(Edits):
         seed: int | None = None,
         duration_s: float | None = None,
         arguments: Sequence[str] = (),
-        files: Mapping[str, bytes] | None = None,
-        stdin: bytes = b"",
+        files: Mapping[str, bytes | str] | None = None,
+        stdin: bytes | str = b"",
         client: Client = "nclient",
         threads: int | None = None,
     ) -> None:
@@ -89,7 +92,7 @@ class Session(Edits):
                 program is what `compile_c` returns or takes. Robots without one stand still
                 until `session.robots[name].drive(...)` steers them.
             seed: the random seed; by default the world's, or 0 if it has none.
-            duration_s: when `run` ends [s]; by default the world's duration.
+            duration_s: when `run` ends [s]; by default the world's duration, infinite for none.
             arguments: `argv` without its first element, for robots to which the world gives
                 neither a program nor arguments.
             files: the initial contents of every program's disk, by file name.
@@ -98,6 +101,7 @@ class Session(Edits):
             threads: how many threads may run programs; results do not depend on it.
 
         Raises:
+            TypeError: an argument has the wrong type.
             ValueError: an argument is invalid.
             CompileError: a program is invalid.
             WorldError: the world is invalid.
@@ -107,12 +111,15 @@ class Session(Edits):
         check_number("duration_s", duration_s)
         if seed is not None and seed < 0:
             raise ValueError(f"seed must be 0 or more, not {seed!r}")
-        if duration_s is not None and not 0.0 < duration_s < math.inf:
+        if duration_s is not None and duration_s <= 0.0:
             raise ValueError(f"duration_s must be a positive number, not {duration_s!r}")
-        self.duration_s = self.world.duration_s if duration_s is None else duration_s
+        if client not in CLIENTS:
+            raise ValueError(unknown("client", str(client), CLIENTS))
+        wanted_s = self.world.duration_s if duration_s is None else duration_s
+        self.duration_s = None if wanted_s == math.inf else wanted_s
         self.seed = self.world.seed or 0 if seed is None else seed
         self._events = EventCallbacks()
-        self.streams = Streams(stdin)
+        self.streams = Streams(_content("stdin", stdin))
         executables, argv = executables_of(self.world, programs, arguments)
         self.inner = InnerSession(
             self.world,
@@ -121,7 +128,7 @@ class Session(Edits):
             arguments=argv,
             output=self.streams.write,
             read=self.streams.read,
-            files=files,
+            files={name: _content(name, each) for name, each in (files or {}).items()},
             client=client,
             threads=threads,
             observer=self._events,
@@ -159,7 +166,15 @@ class Session(Edits):
         return self.is_late or not (state.running or state.environment.awaits)
 
     def step(self, timesteps: int = 1) -> bool:
-        """Run some timesteps; return whether the run goes on: `while session.step(): ...`."""
+        """Run some timesteps; return whether the run goes on: `while session.step(): ...`.
+
+        Raises:
+            TypeError: their number is not an integer.
+            ValueError: it is negative.
+        """
+        check_number("timesteps", timesteps, whole=True)
+        if timesteps < 0:
+            raise ValueError(f"timesteps must be 0 or more, not {timesteps!r}")
         end = self.timesteps + timesteps
         while self.timesteps < end and not self._is_late(self.duration_s):
             if not self._advance(end - self.timesteps):
@@ -167,14 +182,16 @@ class Session(Edits):
         return not self._is_late(self.duration_s)
 
     def run(self, until_s: float | None = None) -> RunResult:
-        """Run until a time, the duration, or the end of all programs; return the result.
+        """Run until a time or the end of all programs; return the result.
 
         Args:
-            until_s: the time [s]; by default the duration of the session. Without either, a
-                program that never ends runs until it is interrupted.
+            until_s: the time [s], which may be later than the duration of the session; by default
+                that duration. Without either, a program that never ends runs until it is
+                interrupted.
 
         Raises:
-            ValueError: the time is not a number.
+            TypeError: the time is not a number.
+            ValueError: it is NaN.
         """
         check_number("until_s", until_s)
         end_s = self.duration_s if until_s is None else until_s
@@ -238,19 +255,26 @@ class Session(Edits):
     def snapshot(self) -> Snapshot:
         """Return the whole state, apart from the standard streams."""
         codes = tuple(each.machine_code for each in self.programs)
-        return Snapshot(self.inner.snapshot(), self.world, self.seed, codes)
+        paths = self._paths.copy()
+        return Snapshot(self.inner.snapshot(), self.world, self.seed, codes, paths)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back, or forward, to a snapshot of a session of the same programs, world and seed.
 
         Raises:
-            ValueError: it is that of another session; nothing changes.
+            ValueError: it is of another world, another seed or other programs; nothing changes.
         """
         codes = tuple(each.machine_code for each in self.programs)
-        for what, own in (("world", self.world), ("seed", self.seed), ("programs", codes)):
-            if getattr(snapshot, what) != own:
-                raise ValueError(f"the snapshot is of a session with other {what}")
+        for what, is_same in (
+            ("another world", snapshot.world == self.world),
+            ("another seed", snapshot.seed == self.seed),
+            ("other programs", snapshot.programs == codes),
+        ):
+            if not is_same:
+                raise ValueError(f"the snapshot is of a session with {what}")
         self.inner.restore(snapshot.state)
+        self._events.restart(self.inner.state)
+        self._paths = snapshot.paths.copy()
 
     # -- events --------------------------------------------------------------------------------
 
@@ -281,3 +305,10 @@ class Session(Edits):
         robots = len(self.robots)
         plural = "" if robots == 1 else "s"
         return f"<Session of {self.world.name}: {robots} robot{plural}, {self.time_s:g} s>"
+
+
+def _content(name: str, content: bytes | str) -> bytes:
+    """Return what a program reads as bytes; text as UTF-8."""
+    if not isinstance(content, bytes | str):
+        raise TypeError(f"{name} must be bytes or text, not {type(content).__name__}")
+    return content.encode() if isinstance(content, str) else content

@@ -113,6 +113,26 @@ def test_wrong_options_are_one_clear_error(options: dict[str, object], expected:
         crs_cc.Env(PAIR).step([0, 0])
 
 
+def test_a_robot_that_joins_later_is_not_done_before() -> None:
+    """It was taken for one that has left, and an action for it ended the training."""
+    late = PAIR.replace('id="b"', 'id="b" join="0.1s" leave="0.3s"')
+    env = crs_cc.ParallelEnv(late, observe=["pose", "speeds"], duration_s=9.0)
+    env.reset()
+    actions = {"b": [0.0, 0.2], "a": [0.2, 0.0]}  # not in the order of the world
+    agents, seen = [], []
+    for _ in range(7):
+        observations, *_ = env.step(actions)
+        agents.append(len(env.agents))
+        seen.append({name: each["speeds"].tolist() for name, each in observations.items()})
+    assert agents[0] == agents[3] == 2
+    assert agents[-1] == 1
+    assert seen[0]["b"] == [0.0, 0.0]
+    assert seen[4]["a"] == [pytest.approx(0.127), 0.0]
+    assert seen[4]["b"] == [0.0, pytest.approx(0.0762)]
+    with pytest.raises(ValueError, match="unknown steered robot 'robo'"):
+        env.env.action_limits("robo")
+
+
 def test_gymnasiums_checker_passes() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error", UserWarning)

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -210,8 +211,9 @@ def test_python_receives_the_messages_to_a_robot_that_it_steers() -> None:
         (lambda run: run.message("robot0", "x", kind=2**40), "invalid type of a message"),
         (lambda run: run.robots["robot0"].drive(1.0), "expected 2 finite numbers"),
         (lambda run: run.robots["robot0"].drive(1.0, 1.0), "robot0 runs a program"),
+        (lambda run: run.step(-1), "timesteps must be 0 or more, not -1"),
         (lambda run: run.run(until_s=math.nan), "until_s must be a number, not nan"),
-        (lambda run: run.restore(crs_cc.Session().snapshot()), "of a session with other world"),
+        (lambda run: run.restore(crs_cc.Session().snapshot()), "of a session with another world"),
     ],
 )
 def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
@@ -237,6 +239,7 @@ def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
         (("<world/>", AHEAD), "world:1: error: missing attribute 'version'"),
         ((5, AHEAD), "a world must be a path, XML text or a WorldModel, not int"),
         ((WORLD, 5), "programs must be a program, a list or a dictionary, not int"),
+        ((WORLD, [["a.c", "b.c"], AHEAD]), "robot0: a program of several files is what compile_c"),
         ((WORLD, [5, AHEAD]), "a program must be a path or C source text, not int"),
     ],
 )
@@ -245,6 +248,40 @@ def test_wrong_input_of_a_session_is_one_clear_error(
 ) -> None:
     with pytest.raises((TypeError, ValueError, crs_cc.CrsError), match=re.escape(expected)):
         crs_cc.Session(*arguments)
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        ({"arguments": "fast"}, "arguments must be a list, such as arguments=['fast']"),
+        ({"client": "nclint"}, "unknown client 'nclint' (known: nclient, ndirect)"),
+        ({"stdin": 1}, "stdin must be bytes or text, not int"),
+        ({"files": {"map.txt": None}}, "map.txt must be bytes or text, not NoneType"),
+    ],
+)
+def test_wrong_options_of_a_session_are_one_clear_error(
+    options: dict[str, object], expected: str
+) -> None:
+    with pytest.raises((TypeError, ValueError), match=re.escape(expected)):
+        crs_cc.Session(WORLD, AHEAD, **options)
+
+
+def test_text_is_standard_input_and_the_contents_of_files() -> None:
+    """Text was accepted, and failed when the program read it."""
+    copies = """#include <stdio.h>
+    int main(void) { int c; FILE *f = fopen("in", "r"); while ((c = getchar()) != EOF) putchar(c);
+    while ((c = fgetc(f)) != EOF) putchar(c); return 0; }"""
+    session = crs_cc.Session(None, copies, stdin="a\n", files={"in": "b"}, duration_s=math.inf)
+    assert session.duration_s is None
+    session.run()
+    assert session.robots["robot0"].stdout == "a\nb"
+
+
+def test_part_of_a_timestep_is_refused(session: crs_cc.Session) -> None:
+    for timesteps in (1.5, math.nan, "3"):
+        with pytest.raises(TypeError, match="timesteps must be an integer, not "):
+            session.step(timesteps)
+    assert session.timesteps == 0
 
 
 SCOUT = crs_cc.load_robot("scout")
@@ -282,10 +319,31 @@ def test_snapshots_go_back(session: crs_cc.Session) -> None:
     same = crs_cc.Session(WORLD, AHEAD)
     same.restore(snapshot)
     assert same.state_hash() == there
-    with pytest.raises(ValueError, match="other seed"):
+    with pytest.raises(ValueError, match="another seed"):
         crs_cc.Session(WORLD, AHEAD, seed=5).restore(snapshot)
     with pytest.raises(ValueError, match="other programs"):
         crs_cc.Session(WORLD, AHEAD.replace("3", "4")).restore(snapshot)
+
+
+def test_events_and_the_picture_go_back_with_the_session() -> None:
+    """The picture kept the undone future, an end was not told again, and robots added since failed.
+
+    A robot that was added after the snapshot made the next timestep a ValueError of numpy.
+    """
+    ends = "#include <unistd.h>\nint main(void) { usleep(400000); return 0; }"
+    session = crs_cc.Session(WORLD, {"robot0": None, "robot1": ends})
+    told: list[float] = []
+    session.on("exit", lambda event: told.append(event.time_s))
+    session.robots["robot0"].drive(0.3, 0.3)
+    session.step(4)
+    snapshot, before = session.snapshot(), session.svg()
+    session.add(crs_cc.Robot("third", SCOUT, crs_cc.Pose(1.0, 3.0)))
+    session.step(20)
+    session.restore(snapshot)
+    assert session.svg() == before
+    session.step(20)
+    assert len(told) == 2
+    assert told[0] == told[1]
 
 
 def test_notebooks_show_a_small_picture(session: crs_cc.Session) -> None:
@@ -312,3 +370,34 @@ def test_source_text_is_compiled_once_and_named_in_errors() -> None:
         crs_cc.compile_c(AHEAD, "other.c")
     with pytest.raises(crs_cc.CompileError, match=r"^program\.c:2:2: error: "):
         crs_cc.compile_c("int main(void) {\n}}\n")
+
+
+def test_folders_and_the_root_are_paths_as_text(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The form that the error message recommends was an AttributeError."""
+    monkeypatch.chdir(tmp_path)
+    Path("include").mkdir()
+    Path("include/seven.h").write_text("#define SEVEN 7\n")
+    text = '#include "seven.h"\nint main(void) { return SEVEN; }'
+    program = crs_cc.compile_c(text, include_paths=["include"], root=str(tmp_path))
+    assert crs_cc.Session(None, program).run().robots[0].exit_status == 7
+    with pytest.raises(TypeError, match=re.escape("such as include_paths=['include']")):
+        crs_cc.compile_c(text, include_paths="include")
+    with pytest.raises(TypeError, match="unknown option 'diagnostics'"):
+        crs_cc.compile_c(text, diagnostics=[])
+
+
+def test_the_program_of_a_world_is_a_file_even_if_its_path_looks_like_source_text(
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "course;{1}"
+    folder.mkdir()
+    (folder / "five.c").write_text("int main(void) { return 5; }")
+    world = WORLD.replace('<robot x="1m"', '<robot program="five.c" x="1m"')
+    (folder / "room.xml").write_text(world)
+    session = crs_cc.Session(folder / "room.xml")
+    added = crs_cc.Robot("third", SCOUT, crs_cc.Pose(1.0, 3.0), program=str(folder / "five.c"))
+    session.add(added)
+    session.step()
+    assert [session.robots[name].result.exit_status for name in ("robot0", "third")] == [5, 5]
