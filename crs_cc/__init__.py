@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.api.parallel_env import ParallelEnv
     from crs_cc.api.programs import compile_c
     from crs_cc.api.robots import RobotView
-    from crs_cc.api.session import Session
+    from crs_cc.api.session import Session, Snapshot
     from crs_cc.api.worlds import (
         load_robot,
         load_world,
@@ -32,8 +32,21 @@ if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.result import RobotResult, RunResult
     from crs_cc.sim.comms.control import Message
+    from crs_cc.sim.engine.goals import GoalResult
     from crs_cc.sim.model.beacons import Light, Sound
     from crs_cc.sim.model.degradation import Degradation
+    from crs_cc.sim.model.goals import (
+        Approach,
+        Bring,
+        Cool,
+        Cover,
+        Follow,
+        Goal,
+        NoCollision,
+        Place,
+        Reach,
+        Visit,
+    )
     from crs_cc.sim.model.registry import add_device
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import (
@@ -58,7 +71,7 @@ _HOMES: Final = {
         "crs_cc.api.parallel_env": "ParallelEnv",
         "crs_cc.api.programs": "compile_c",
         "crs_cc.api.robots": "RobotView",
-        "crs_cc.api.session": "Session",
+        "crs_cc.api.session": "Session Snapshot",
         "crs_cc.api.worlds": "load_robot load_world robot_xml world_xml write_robot write_world",
         "crs_cc.builder.world_builder": "WorldBuilder",
         "crs_cc.core.errors": "CompileError CrsError InternalError ProgramError WorldError",
@@ -67,7 +80,11 @@ _HOMES: Final = {
         "crs_cc.session.result": "RobotResult RunResult",
         "crs_cc.sim.comms.control": "Message",
         "crs_cc.sim.model.beacons": "Light Sound",
+        "crs_cc.sim.engine.goals": "GoalResult",
         "crs_cc.sim.model.degradation": "Degradation",
+        "crs_cc.sim.model.goals": (
+            "Approach Bring Cool Cover Follow Goal NoCollision Place Reach Visit"
+        ),
         "crs_cc.sim.model.registry": "add_device",
         "crs_cc.sim.model.robot": "RobotModel",
         "crs_cc.sim.model.world": "Area Box Cylinder Material Polygon Pose Robot Wall WorldModel",
@@ -77,30 +94,42 @@ _HOMES: Final = {
 """The module of each public name."""
 
 __all__ = [
+    "Approach",
     "Area",
     "Box",
+    "Bring",
     "CompileError",
+    "Cool",
+    "Cover",
     "CrsError",
     "Cylinder",
     "Degradation",
     "Env",
     "Executable",
+    "Follow",
+    "Goal",
+    "GoalResult",
     "GymEnv",
     "InternalError",
     "Light",
     "Material",
     "Message",
+    "NoCollision",
     "ParallelEnv",
+    "Place",
     "Polygon",
     "Pose",
     "ProgramError",
+    "Reach",
     "Robot",
     "RobotModel",
     "RobotResult",
     "RobotView",
     "RunResult",
     "Session",
+    "Snapshot",
     "Sound",
+    "Visit",
     "Wall",
     "WorldBuilder",
     "WorldError",

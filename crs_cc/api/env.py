@@ -93,6 +93,7 @@ class Env:
             raise ValueError(unknown("kind of actions", actions, ("speeds", "vendor")))
         self._actions, self._duration_s, self._seed = actions, duration_s, seed
         self._reward, self._is_done = reward, is_done
+        self._points = 0.0  # of the goals met before the last step
         self.timesteps = self._timesteps(step_s)
         self.session = Session(self.world, programs, seed=seed, duration_s=duration_s)
         self._programs = self.session.programs
@@ -204,7 +205,7 @@ class Env:
     def _begin(self) -> None:
         self._views = {name: self.session.robots[name] for name in self.robots}
         self._rows = np.array([view.number for view in self._views.values()], dtype=np.intp)
-        self._points = 0.0  # of the goals met before the last step
+        self._points = 0.0
 
     def _is_over(self, robot: str) -> bool:
         if self._is_done is not None:

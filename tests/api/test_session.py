@@ -299,6 +299,8 @@ ROOM = crs_cc.load_world(WORLD)
         ({"robots": (crs_cc.Robot("x", "scout", crs_cc.Pose(1.0, 1.0)),)}, "as of load_robot"),
         ({"boxes": (crs_cc.Box("b", (1.0, 1.0), 0.1, 0.1),)}, "a value has the wrong type"),
         ({"boxes": (crs_cc.Box("b", crs_cc.Pose(3.0, 2.0), -1.0, 0.1),)}, "must be greater than 0"),
+        ({"goals": (crs_cc.Goal("g", crs_cc.Cool(())),)}, "goal 'g' would be read with other"),
+        ({"goals": (crs_cc.Goal("g", crs_cc.Cover(1.0, 1.0), points=1 / 3),)}, "points=0.333333"),
         ({"area": crs_cc.Area(-1.0, 0.0, 9.0, 9.0)}, "the area must begin at 0, 0, or be centred"),
     ],
 )

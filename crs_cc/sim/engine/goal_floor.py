@@ -31,7 +31,7 @@ class Floor:
         self._free: dict[float, BoolArray] = {}
 
     def free(self, cell_m: float) -> BoolArray:
-        """Return which cells have a centre that is not inside of a fixed object."""
+        """Return which cells have a centre in the area, and not inside of a fixed object."""
         if cell_m not in self._free:
             self._free[cell_m] = self._find_free(cell_m)
         return self._free[cell_m]
@@ -64,14 +64,16 @@ class Floor:
 
     def _find_free(self, cell_m: float) -> BoolArray:
         columns, rows = self._size(cell_m)
-        free = np.ones((rows, columns), np.bool_)
+        x_m, y_m = self._centres_m(cell_m, np.arange(columns), np.arange(rows))
+        in_area = (y_m <= self._world.area.y_max_m)[:, None] & (x_m <= self._world.area.x_max_m)
+        free = np.asarray(in_area)
         scene = Scene(self._world)
         shapes = ShapeTable.of(scene)
         first = len(scene.objects) - len(scene.fixed_solids)
         poses = np.concatenate([np.zeros((first, 3)), shapes.fixed])
         for number in range(first, len(scene.objects)):
-            x_m, y_m, _ = poses[number].tolist()
-            window = self._window(cell_m, x_m, y_m, float(shapes.reach_m[number]))
+            thing_x_m, thing_y_m, _ = poses[number].tolist()
+            window = self._window(cell_m, thing_x_m, thing_y_m, float(shapes.reach_m[number]))
             column, row = (each.ravel() for each in np.meshgrid(*window))
             left = free[row, column]  # walls around cross the same cells
             column, row = column[left], row[left]

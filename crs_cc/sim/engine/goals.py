@@ -1,9 +1,9 @@
 """Judges the goals of a world at the end of each timestep.
 
 A goal is judged by the poses at the end of a timestep, once the goal that it comes `after` has been
-met; its time limit applies first. Goals refer only to earlier ones, so one pass in their order is
-enough. What lasts without an end of its own (`NoCollision`, `Follow`) stays open, and holds or does
-not hold at the end of the run.
+met; until then only its time limit applies. Goals refer only to earlier ones, so one pass in their
+order is enough. What lasts without an end of its own (`NoCollision`, `Follow`) stays open, and
+holds or does not hold at the end of the run.
 
 In a world at rest only time changes a goal: `due_s` says when, and `skip` counts the timesteps that
 were not executed.
@@ -367,7 +367,7 @@ class GoalJudge:
                 numbers = [self._numbers.get(thing) for thing in things]
                 cool = sum(n is not None and state.heat.left[n] <= heat for n in numbers)
                 return f"{cool} of {len(things)} cool" if len(things) > 1 else ""
-        if len(goal.robots) > 1:
+        if len(goal.robots) > 1 and isinstance(goal.condition, Reach | Approach):
             done = goals.done[self._chosen[number], number]
             return f"{int(done.sum())} of {len(done)} robots"
         return ""

@@ -84,6 +84,8 @@ class _GoalReader:
         stay_s = getattr(condition, "stay_s", 0.0)
         if stay_s > within_s:
             self.reader.refuse(child, "stay: is longer than the goal's time limit")
+        if isinstance(condition, Bring | Cool) and "robots" in element.attributes:
+            self.reader.refuse(element, f"robots: does not apply to <{child.tag}>")
         name = element.attributes.get("name", "").strip()
         if len(name) > LONGEST_NAME or not name.isprintable():
             self.reader.refuse(element, f"name: must be at most {LONGEST_NAME} printable letters")

@@ -37,8 +37,14 @@ def check_world(world: WorldModel) -> None:
         text = document_of(world_element(replace(world, robots=robots)))
     except (AttributeError, TypeError) as error:
         raise TypeError(f"{world.name}: a value has the wrong type: {error}") from None
-    if parse_world(text, world.name, models=models).area != world.area:
+    read = parse_world(text, world.name, models=models)
+    if read.area != world.area:
         raise ValueError(f"{world.name}: the area must begin at 0, 0, or be centred there")
+    for own, other in zip(world.goals, read.goals, strict=True):
+        if own != other:
+            raise ValueError(
+                f"{world.name}: goal '{own.id}' would be read with other values: {other}"
+            )
 
 
 def _model(robot: Robot) -> RobotModel:

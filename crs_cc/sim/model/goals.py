@@ -69,7 +69,7 @@ class NoCollision:
 
 @dataclass(frozen=True, slots=True)
 class Cool:
-    """Objects have at most some heat."""
+    """Objects, of which there must be at least one, have at most some heat."""
 
     things: tuple[str, ...]
     heat: float = 0.0
@@ -80,7 +80,7 @@ class Cover:
     """Robots have been on a share of the cells of the floor.
 
     A cell counts as soon as its centre has been under a robot; those whose centre is inside of a
-    fixed object do not count at all.
+    fixed object or outside of the area do not count at all.
     """
 
     share: float
@@ -98,7 +98,10 @@ class Bring:
 
 @dataclass(frozen=True, slots=True)
 class Follow:
-    """The distance to the centre of a robot or a movable object is right for a share of time."""
+    """The distance to the centre of a robot or a movable object is right for a share of the time.
+
+    It is that of a robot's centre, and right from `least_m` to `most_m`, both included.
+    """
 
     target: str
     least_m: float
@@ -120,7 +123,8 @@ class Goal:
         name: a title for people; empty for the id.
         points: what it is worth.
         robots: the robots that have to meet it; empty if any robot can. Several robots must each
-            reach, approach or follow; they visit and cover together.
+            reach, approach or follow; they visit and cover together; only their collisions count.
+            It must be empty for `Cool` and `Bring`.
         within_s: the time limit, from the start of the run [s]; infinite for none.
         after: the id of the goal that must be met first; empty for none.
     """
@@ -145,7 +149,7 @@ class Goal:
 
     @property
     def is_lasting(self) -> bool:
-        """Whether it holds over a time, and is met at the end of that only."""
+        """Whether it must hold over a time, and is met only at the end of it."""
         return isinstance(self.condition, NoCollision | Follow)
 
 

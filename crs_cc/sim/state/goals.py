@@ -22,7 +22,9 @@ NOT_THERE: Final = -1
 
 @dataclass(slots=True)
 class GoalState:
-    """The state of all goals, g of them; times are numbers of timesteps since the start.
+    """The state of all goals, g of them.
+
+    Instants other than `at_s` are numbers of timesteps since the start.
 
     Attributes:
         status: `OPEN`, `MET` or `FAILED`, (g,).

@@ -38,6 +38,8 @@ def test_values_and_defaults_of_goals() -> None:
     [
         (f'<goal robots="robot7">{REACH}</goal>',
          "goal, robots: unknown robot 'robot7' (known: robot0)"),
+        (f'<goal robots="robot0">{BRING}</goal>', "goal, robots: does not apply to <bring>"),
+        ('<goal robots="robot0"><cool/></goal>', "goal, robots: does not apply to <cool>"),
         (f'<goal robots=" ">{REACH}</goal>', "goal, robots: names no robot"),
         (f'<goal after="later">{REACH}</goal>',
          "goal, after: unknown earlier goal 'later' (known: home)"),

@@ -7,7 +7,8 @@ from dataclasses import replace
 import pytest
 
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.model.world import Pose
+from crs_cc.sim.engine.goal_floor import Floor
+from crs_cc.sim.model.world import Area, Pose, WorldModel
 from tests.sim.driver import Driver, world_of
 
 ROBOT = '<robot x="1m" y="1m"/>'
@@ -147,6 +148,20 @@ def test_a_share_of_the_free_floor_is_covered() -> None:
     assert (course.status(), course.progress()) == ("open", "18 % covered")
     course.step(robot0=(4.5, 1.5))
     assert course.status() == "met"
+
+
+def test_the_whole_floor_can_be_covered_where_cells_stick_out_of_the_area() -> None:
+    """Cells whose centre is outside of the area were wanted, too, but no robot gets there."""
+    free = Floor(WorldModel("w", Area(0.0, 0.0, 6.0, 5.1))).free(0.5).reshape(11, 12)
+    assert free[:-1].all()
+    assert not free[-1].any()  # at y = 5.25 m, beyond the edge, which is 10 cm thick
+
+
+def test_only_goals_that_each_robot_has_to_meet_say_how_many_have() -> None:
+    """It was `0 of 2 robots` for the whole run."""
+    course = Course(f'{TWO}<goal robots="robot0 robot1"><no-collision/></goal>')
+    course.step()
+    assert (course.status(), course.progress()) == ("holds", "")
 
 
 def test_the_following_robot_must_be_at_the_right_distance_for_a_share_of_the_time() -> None:
