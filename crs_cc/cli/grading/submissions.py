@@ -1,8 +1,8 @@
 """Finds what was handed in, and copies it so that nothing else is ever read.
 
-Each entry of a folder of submissions is one: a C file, or a folder with the C files and headers of
-a program. Links are not followed, whatever they point to; nor are devices, pipes and the like. An
-entry that is no program is listed as such, so that nobody is forgotten.
+Each entry of a folder of submissions is a submission: a C file, or a folder with the C files and
+headers of a program. Links are not followed, whatever they point to; nor are devices, pipes and the
+like. An entry that is no program is listed as such, so that nobody is forgotten.
 """
 
 from __future__ import annotations
