@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+import numbers
 from collections.abc import Sequence
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.api.numbers import check_number
 from crs_cc.api.program_choice import Program, check_arguments, executable_of, own_program
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
@@ -131,6 +133,7 @@ class Edits:
 
     def set_charge(self, robot: str, share: float) -> None:
         """Set the state of charge of a robot's motor battery, 0 to 1."""
+        check_number("share", share)
         if not 0.0 <= share <= 1.0:
             raise ValueError(f"invalid state of charge {share!r} (expected 0 to 1)")
         self.inner.environment.charge(self._number(robot), float(share))
@@ -140,6 +143,7 @@ class Edits:
         environment = self.inner.environment
         if name not in environment.names:
             raise ValueError(unknown("object", name, environment.names))
+        check_number("heat", heat)
         if not 0.0 <= heat < math.inf:
             raise ValueError(f"invalid heat {heat!r} (expected 0 or more)")
         environment.warm(name, float(heat))
@@ -184,6 +188,8 @@ class Edits:
 
 
 def _finite(value: float, what: str) -> float:
+    if not isinstance(value, numbers.Real):
+        raise TypeError(f"{what} must be a number, not {value!r}")
     if not math.isfinite(value):
         raise ValueError(f"{what} must be finite, not {value!r}")
     return float(value)

@@ -277,6 +277,15 @@ def test_text_is_standard_input_and_the_contents_of_files() -> None:
     assert session.robots["robot0"].stdout == "a\nb"
 
 
+def test_numbers_as_text_are_refused_by_name(session: crs_cc.Session) -> None:
+    with pytest.raises(TypeError, match="a coordinate must be a number, not '1'"):
+        session.move("robot0", "1", 2.0)
+    with pytest.raises(TypeError, match="heat must be a number, not '1'"):
+        session.set_heat("crate", "1")
+    with pytest.raises(TypeError, match="share must be a number, not '1'"):
+        session.set_charge("robot0", "1")
+
+
 def test_part_of_a_timestep_is_refused(session: crs_cc.Session) -> None:
     for timesteps in (1.5, math.nan, "3"):
         with pytest.raises(TypeError, match="timesteps must be an integer, not "):
