@@ -21,7 +21,7 @@ is an engine command, and part of the run's history.
   debugger.
 
 - `build_screen` serves another page, that of the world builder (`crs build`): its modules are in
-  `static/build/`, and what they ask for are operations of `crs_cc.builder`.
+  `static/builder/`, and what they ask for are operations of `crs_cc.builder`.
 
 How a panel is added: a module in `static/panels/` that exports its row (`id`, `title`, `side`,
 `needs`, `make`; below the view also a `key` and a `summary`), and its name in

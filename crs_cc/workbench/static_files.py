@@ -14,7 +14,7 @@ FOLDER: Final = Path(__file__).parent / "static"
 MODULES: Final = tuple(
     name
     for name in sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.js"))
-    if not name.startswith(("three/", "build/"))
+    if not name.startswith(("three/", "builder/"))
 )
 """The modules of the page of a run, by their names after `crs/`."""
 
@@ -69,9 +69,9 @@ def file_at(path: str) -> StaticFile | None:
         return None
     if found.suffix == ".html":
         is_builder = path == "/build"
-        styles = (*STYLES, "build/build.css") if is_builder else STYLES
+        styles = (*STYLES, "builder/builder.css") if is_builder else STYLES
         head = "".join(f'<link rel="stylesheet" href="/static/{name}">' for name in styles)
-        folder = "/static/build" if is_builder else "/static"
+        folder = "/static/builder" if is_builder else "/static"
         start = f'<script type="module" src="{folder}/app.js"></script>'
         page = html(head=head, start=start, imports=_IMPORTS)
         return StaticFile(page.encode(), _TYPES[".html"])
