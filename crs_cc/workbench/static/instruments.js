@@ -2,6 +2,7 @@
  * What the instruments of a robot show, now and since the page looks. Panels say what they want
  * (`want`), listen to `instruments`, and read `series`.
  */
+import { oneAtATime } from "crs/one_at_a_time.js";
 import { Series } from "crs/series.js";
 
 const SPAN = 20; // how far back sparklines go [s]
@@ -16,7 +17,7 @@ export class Instruments {
     this.wishes = new Map();
     /** @type {any} the last answer, of the selected robot */
     this.now = null;
-    this.isAsking = false;
+    this.ask = oneAtATime(() => this.inspect());
     model.on("status", () => this.ask());
     model.on("look", () => this.ask());
     model.on("forget", ({ time_s }) => this.series.forget(time_s));
@@ -36,19 +37,16 @@ export class Instruments {
     return `${robot} ${expression}`;
   }
 
-  async ask() {
+  async inspect() {
     const wishes = [...this.wishes.values()].map((wish) => wish()).filter((wish) => wish.isShown);
-    if (!wishes.length || this.isAsking || !this.model.run?.can.includes("debug") || !this.model.isConnected) return;
+    if (!wishes.length || !this.model.run?.can.includes("debug") || !this.model.isConnected) return;
     const expressions = [...new Set(["speed", "battery", ...wishes.flatMap((wish) => wish.expressions)])];
     const { robot } = this.model.state;
-    this.isAsking = true;
     try {
       this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
     } catch {
       this.now = null; // the robot is no more, or the programs of a recording stand elsewhere
       this.model.tell("instruments", null);
-    } finally {
-      this.isAsking = false;
     }
   }
 

@@ -2,6 +2,7 @@
 import { el, fill } from "crs/dom.js";
 import { linkForms } from "crs/link_forms.js";
 import { drawGraph, linksOf } from "crs/message_graph.js";
+import { oneAtATime } from "crs/one_at_a_time.js";
 
 const MOST = 300; // rows that are shown
 const RATE = 10; // rates are of the last seconds [s]
@@ -29,7 +30,6 @@ export const messages = {
     let next = 0;
     let fates = [];
     let [link, one] = ["", ""]; // what is followed: a link, or a message
-    let isAsking = false;
     let key = "";
     const { shut, send } = linkForms(model);
     const sides = [["Graph", graph], ...(model.can("debug") ? [["Shut links", shut], ["Send", send]] : [])];
@@ -45,11 +45,12 @@ export const messages = {
       el("div.side-box", {}, el("div.bar", {}, choose), ...sides.map(([, box]) => box)));
     show(graph);
 
-    const ask = async () => {
-      if (!root.offsetParent || isAsking || !model.isConnected || model.channel.isLocal) return;
-      isAsking = true;
+    const ask = oneAtATime(async () => {
+      if (!root.offsetParent || !model.isConnected || model.channel.isLocal) return;
       try {
-        const answer = await model.channel.ask("traffic", { since: next });
+        const since = next;
+        const answer = await model.channel.ask("traffic", { since });
+        if (next !== since) return; // all are asked for again
         if (answer.first > next) rows = [];
         rows.push(...answer.rows);
         next = answer.first + answer.rows.length;
@@ -58,10 +59,8 @@ export const messages = {
         if (next < answer.end) setTimeout(ask, 0);
       } catch {
         // the next status asks again
-      } finally {
-        isAsking = false;
       }
-    };
+    });
 
     const again = () => {
       [rows, next, key] = [[], 0, ""];

@@ -1,5 +1,6 @@
 /** The table of robots: what each does, where, how fast, and what fails. Only rows in view are made. */
 import { el, fill } from "crs/dom.js";
+import { oneAtATime } from "crs/one_at_a_time.js";
 import { angleText } from "crs/units.js";
 
 const ROW = 30; // pixels
@@ -26,7 +27,6 @@ export const robotTable = {
     /** @type {Map<number, any>} */
     const known = new Map();
     let numbers = [];
-    let isAsking = false;
     let isDrawn = false;
 
     const choose = () => {
@@ -80,10 +80,9 @@ export const robotTable = {
       ];
     };
 
-    const ask = async () => {
-      if (!root.offsetParent || isAsking || !model.isConnected) return;
+    const ask = oneAtATime(async () => {
+      if (!root.offsetParent || !model.isConnected) return;
       if (!model.run?.can.includes("debug")) return draw();
-      isAsking = true;
       try {
         const [, shown] = visible();
         const answer = await model.channel.ask("rows", { robots: shown.slice(0, 100).join(",") });
@@ -92,10 +91,8 @@ export const robotTable = {
         draw();
       } catch {
         // the next status asks again
-      } finally {
-        isAsking = false;
       }
-    };
+    });
 
     scroll.addEventListener("scroll", () => {
       draw();

@@ -1,0 +1,20 @@
+/**
+ * Return a function that asks something of the server, one call at a time: calls meanwhile make it
+ * ask once more, since what is under way may be about another robot or an earlier time.
+ * @param {() => Promise<void>} ask
+ */
+export function oneAtATime(ask) {
+  let isAsking = false;
+  let isStale = false;
+  return async function run() {
+    isStale = isAsking;
+    if (isAsking) return;
+    isAsking = true;
+    try {
+      await ask();
+    } finally {
+      isAsking = false;
+    }
+    if (isStale) run();
+  };
+}
