@@ -262,8 +262,11 @@ class Session(Edits):
         """Go back, or forward, to a snapshot of a session of the same programs, world and seed.
 
         Raises:
+            TypeError: it is no snapshot.
             ValueError: it is of another world, another seed or other programs; nothing changes.
         """
+        if not isinstance(snapshot, Snapshot):
+            raise TypeError(f"a session restores a Snapshot, not {type(snapshot).__name__}")
         codes = tuple(each.machine_code for each in self.programs)
         for what, is_same in (
             ("another world", snapshot.world == self.world),

@@ -100,8 +100,8 @@ class Executable:
 
     name: str
     command: str
-    machine_code: bytes
-    detail: Callable[[], Detail]
+    machine_code: bytes = field(repr=False)  # some 100 KiB
+    detail: Callable[[], Detail] = field(repr=False)
     _loaded: tuple[wasmtime.Engine, wasmtime.Module] | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -214,13 +214,14 @@ def test_python_receives_the_messages_to_a_robot_that_it_steers() -> None:
         (lambda run: run.step(-1), "timesteps must be 0 or more, not -1"),
         (lambda run: run.run(until_s=math.nan), "until_s must be a number, not nan"),
         (lambda run: run.restore(crs_cc.Session().snapshot()), "of a session with another world"),
+        (lambda run: run.restore(5), "a session restores a Snapshot, not int"),
     ],
 )
 def test_an_invalid_change_is_one_clear_error_and_changes_nothing(
     session: crs_cc.Session, change: object, expected: str
 ) -> None:
     before = session.state_hash()
-    with pytest.raises(ValueError, match=re.escape(expected)):
+    with pytest.raises((TypeError, ValueError), match=re.escape(expected)):
         change(session)
     assert session.state_hash() == before
 
@@ -377,6 +378,7 @@ def test_source_text_is_compiled_once_and_named_in_errors() -> None:
     first, second = crs_cc.compile_c(AHEAD), crs_cc.compile_c(AHEAD)
     assert first.machine_code == second.machine_code
     assert (first.name, first.command) == ("program.c", "program")
+    assert repr(first) == "Executable(name='program.c', command='program')"  # no machine code
     with pytest.raises(ValueError, match="source text must be the only argument"):
         crs_cc.compile_c(AHEAD, "other.c")
     with pytest.raises(crs_cc.CompileError, match=r"^program\.c:2:2: error: "):
