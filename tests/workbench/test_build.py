@@ -142,11 +142,9 @@ def a_robot_is_placed_and_turned(hand: Hand) -> None:
 
 def problems_are_listed_and_undone(hand: Hand) -> None:
     hand.drag((1.0, 1.0), (1.0, 3.0))
-    wait(hand.page, "crs.model.document.problems.length === 1")
-    assert (
-        hand.page.locator(".problem").inner_text().endswith("robot 'robot0' overlaps wall 'wall0'")
-    )
-    assert hand.page.get_by_role("button", name="Save").is_disabled()
+    told = "robot 'robot0' overlaps wall 'wall0'"
+    wait(hand.page, f'document.querySelector(".problem")?.innerText.endsWith("{told}")')
+    hand.page.wait_for_selector("button:disabled:has-text('Save')")
     hand.page.locator(".thing").first.click()
     hand.page.locator(".problem").click()
     wait(hand.page, "crs.model.selection.has('robot0')")
