@@ -7,6 +7,8 @@ from typing import Final
 
 import click
 
+from crs_cc.cli.page_options import page_options
+
 _EXAMPLES: Final = """
 \b
 Examples:
@@ -20,19 +22,7 @@ Examples:
 @click.command(epilog=_EXAMPLES, short_help="Draw and change a world in the browser.")
 @click.argument("world", required=False, type=click.Path(path_type=Path))
 @click.argument("program", required=False, type=click.Path(exists=True, path_type=Path))
-@click.option(
-    "--port",
-    type=click.IntRange(0, 65535),
-    default=0,
-    metavar="PORT",
-    help="Serve the page on this port of this machine. Default: any that is free.",
-)
-@click.option(
-    "--open/--no-open",
-    "opens",
-    default=True,
-    help="Open the page in the browser (default), or only print its address.",
-)
+@page_options
 def build(world: Path | None, program: Path | None, port: int, *, opens: bool) -> int:
     """Draw a world in the browser, or change one: walls, objects, ramps, robots.
 

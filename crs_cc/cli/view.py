@@ -10,6 +10,7 @@ import click
 
 from crs_cc.cli.inputs import check_recording_path
 from crs_cc.cli.messages import say
+from crs_cc.cli.page_options import page_options
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.view_address import address_of, is_address
@@ -43,19 +44,7 @@ class _View(WithProgramArguments):
     short_help="Watch, steer and debug a run in the browser.",
     options_metavar="[OPTIONS]",
 )
-@click.option(
-    "--port",
-    type=click.IntRange(0, 65535),
-    default=0,
-    metavar="PORT",
-    help="Serve the page on this port of this machine. Default: any that is free.",
-)
-@click.option(
-    "--open/--no-open",
-    "opens",
-    default=True,
-    help="Open the page in the browser (default), or only print its address.",
-)
+@page_options
 @click.option("--play", is_flag=True, help="Start at once, without a click.")
 @click.option(
     "--input",
