@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -21,6 +20,7 @@ from crs_cc.recording.recording import Recording
 from crs_cc.workbench.commands import TABLE
 from crs_cc.workbench.frame_blocks import unpacked
 from crs_cc.workbench.screen import Screen
+from tests.workbench.in_browser import played
 
 PROGRAM = """\
 #include <Nclient.h>
@@ -74,19 +74,6 @@ class Page:
 
 
 @contextmanager
-def shown(screen: Screen) -> Iterator[Screen]:
-    thread = threading.Thread(target=screen.play, daemon=True)
-    thread.start()
-    try:
-        yield screen
-    finally:
-        screen.player.end()
-        screen.run.interrupt()
-        thread.join(10)
-        screen.server.close()
-
-
-@contextmanager
 def page_of(screen: Screen, role: str = "control") -> Iterator[Page]:
     words = ["crs.1", f"token.{screen.server.tokens[role]}"]  # type: ignore[index]
     url = f"ws://127.0.0.1:{screen.server.port}/channel"
@@ -100,7 +87,7 @@ def live(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Screen]:
     (folder / "go.c").write_text(PROGRAM)
     (folder / "room.xml").write_text(WORLD)
     files = Inputs((folder / "go.c",), folder / "room.xml")
-    with shown(screen_of(DebugOptions(inputs=files, quiet=True), 0)) as screen:
+    with played(screen_of(DebugOptions(inputs=files, quiet=True), 0)) as screen:
         yield screen
 
 
@@ -198,7 +185,7 @@ def replayed(recorded: Path) -> Iterator[Screen]:
     with ExitStack() as stack:
         recording = Recording(recorded)
         stack.callback(recording.close)
-        with shown(recording_screen(recording, 0, stack)) as screen:
+        with played(recording_screen(recording, 0, stack)) as screen:
             yield screen
 
 
