@@ -23,7 +23,7 @@ Axis: TypeAlias = Literal["x", "y"]
 
 
 class Extent(NamedTuple):
-    """What an element covers [m], in the frame of the elements around it."""
+    """The bounding box of an element [m], in the frame of its parent."""
 
     left_m: float
     bottom_m: float

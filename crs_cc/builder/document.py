@@ -37,7 +37,7 @@ class Splice(NamedTuple):
 
 @dataclass(slots=True)
 class _Step:
-    """What one undo takes back: changes in their order, each with its inverse."""
+    """The changes that one undo takes back, in order, each with its inverse."""
 
     title: str
     changes: list[tuple[list[Splice], list[Splice]]] = field(default_factory=list)
@@ -100,7 +100,7 @@ class Document:
 
     @property
     def newline(self) -> str:
-        """How its lines end."""
+        """The line ending of the file."""
         return "\r\n" if b"\r\n" in self.text else "\n"
 
     @cached_property

@@ -19,7 +19,7 @@ Attributes: TypeAlias = Mapping[str, str | None]
 
 
 class Workspace(Protocol):
-    """What operations are done in: a `WorldBuilder`."""
+    """The interface of `WorldBuilder` that operations work through."""
 
     document: Document
 

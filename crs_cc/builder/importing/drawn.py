@@ -1,4 +1,4 @@
-"""What has been read from a plan: elements in metres, and what was left out.
+"""The result of reading a plan: elements in metres, and what was left out.
 
 >>> drawn = Drawn()
 >>> drawn.wall((0, 0), (2, 0), thickness_m=0.1)
@@ -39,7 +39,7 @@ _SHOWN: Final = 40
 
 @dataclass(slots=True)
 class Drawn:
-    """What has been read.
+    """The elements read from a plan.
 
     Attributes:
         elements: tag and attributes of each element.

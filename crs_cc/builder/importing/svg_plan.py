@@ -31,7 +31,7 @@ _NUMBERS: Final = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9
 
 @dataclass(frozen=True, slots=True)
 class _Style:
-    """What holds for an element and all in it.
+    """The style of an element, which its children inherit.
 
     Attributes:
         by: from its coordinates to the page's.
