@@ -84,7 +84,7 @@ def ours(robots: int, steps: int) -> None:
 
     def step() -> None:
         speeds = random.uniform(-0.5, 0.5, (robots, 2))
-        env.step(dict(zip(env.robots, speeds, strict=True)))
+        env.step(dict(zip(env.steered, speeds, strict=True)))
 
     measured(f"Env, {robots} robot{'s' * (robots > 1)}", step, max(1, steps // robots), robots)
 

@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.api.numbers import check_number
-from crs_cc.api.observations import Observation, measure
+from crs_cc.api.observations import ObservationSpec, measure
 from crs_cc.api.program_choice import Programs
 from crs_cc.api.session import Session
 from crs_cc.api.worlds import WorldSource, world_of
@@ -40,9 +40,10 @@ class Env:
 
     Attributes:
         world: the world at the start.
-        robots: the names of the steered robots.
-        timesteps: number of timesteps of each step.
-        observations: what is observed of each robot, by its name.
+        steered: the names of the steered robots.
+        timesteps_per_step: number of timesteps of each step.
+        observation_specs: what is observed of each robot, by the robot's name.
+        rewards: the reward of each robot for the last step, by the robot's name.
         session: the run; a new one for each episode.
     """
 
@@ -93,18 +94,17 @@ class Env:
             raise ValueError(unknown("kind of actions", actions, ("speeds", "vendor")))
         self._actions, self._duration_s, self._seed = actions, duration_s, seed
         self._reward, self._is_done = reward, is_done
-        self._points = 0.0  # of the goals met before the last step
-        self.timesteps = self._timesteps(step_s)
+        self.timesteps_per_step = self._timesteps(step_s)
         self.session = Session(self.world, programs, seed=seed, duration_s=duration_s)
         self._programs = self.session.programs
-        self.robots = self._steered(robots)
+        self.steered = self._chosen(robots)
         self._unit = np.ones((len(self.world.robots), AXES))
         if actions == "vendor":
             self._unit = self.session.inner.environment.drives.unit
         self._observed = tuple(dict.fromkeys(observe))
-        self.observations = {
-            name: [Observation.of(each, self.session.robots[name]) for each in self._observed]
-            for name in self.robots
+        self.observation_specs = {
+            name: [ObservationSpec.of(each, self.session.robots[name]) for each in self._observed]
+            for name in self.steered
         }
         self._begin()
 
@@ -139,7 +139,7 @@ class Env:
         rows = np.zeros(len(actions), dtype=np.intp)
         for place, (name, action) in enumerate(actions.items()):
             if name not in self._views:
-                raise ValueError(unknown("steered robot", name, self.robots))
+                raise ValueError(unknown("steered robot", name, self.steered))
             robot = self._views[name]
             speeds[place], rows[place] = robot.checked_speeds(action), robot.number
         order = np.argsort(rows)
@@ -147,15 +147,18 @@ class Env:
         if len(order):
             rows, speeds = rows[order], speeds[order]
             self.session.inner.environment.drive(rows, speeds * self._unit[rows])
-        self.session.step(self.timesteps)
+        self.session.step(self.timesteps_per_step)
+        self.rewards = self._rewards()
         return self.observe()
 
     def observe(self) -> Observations:
         """Return new arrays of what is observed of each robot now."""
         measure(self.session.inner.environment, self._observed, self._rows)
         return {
-            name: {each.name: each.value(self._views[name]) for each in self.observations[name]}
-            for name in self.robots
+            name: {
+                each.name: each.value(self._views[name]) for each in self.observation_specs[name]
+            }
+            for name in self.steered
         }
 
     @property
@@ -163,31 +166,31 @@ class Env:
         """The simulated time of the episode [s]."""
         return self.session.time_s
 
-    def rewards(self) -> dict[str, float]:
-        """Return the reward of each robot for the last step; to be called once for each."""
+    def _rewards(self) -> dict[str, float]:
+        """Return the reward of each robot for the step that has just been run."""
         if self._reward is not None:
-            return {name: float(self._reward(self.session, name)) for name in self.robots}
+            return {name: float(self._reward(self.session, name)) for name in self.steered}
         points = sum(goal.points for goal in self.session.goals if goal.status == "met")
         gained, self._points = points - self._points, points
-        return dict.fromkeys(self.robots, gained)
+        return dict.fromkeys(self.steered, gained)
 
     def done(self) -> dict[str, bool]:
         """Return for which robots the task is over, or which have left the world."""
         left = np.isfinite(self.session.inner.environment.last_state.presence.left_s)
         return {
             name: self._is_over(name) or bool(left[self._views[name].number])
-            for name in self.robots
+            for name in self.steered
         }
 
     @property
     def step_s(self) -> float:
         """The time from one action to the next [s]."""
-        return self.timesteps * self.world.timestep_s
+        return self.timesteps_per_step * self.world.timestep_s
 
     @property
-    def is_late(self) -> bool:
+    def is_time_up(self) -> bool:
         """Whether the duration of the episode has passed."""
-        return self.session.is_late
+        return self.session.is_time_up
 
     def action_limits(self, robot: str) -> FloatArray:
         """Return the largest magnitude of each number of an action, (axes,).
@@ -196,16 +199,17 @@ class Env:
             ValueError: the robot is not steered.
         """
         if robot not in self._views:
-            raise ValueError(unknown("steered robot", robot, self.robots))
+            raise ValueError(unknown("steered robot", robot, self.steered))
         view = self._views[robot]
         limits = self.session.inner.environment.drives.speed_limit[view.number]
         limit: FloatArray = limits / self._unit[view.number]
         return limit[: len(view.axis_names)]
 
     def _begin(self) -> None:
-        self._views = {name: self.session.robots[name] for name in self.robots}
+        self._views = {name: self.session.robots[name] for name in self.steered}
         self._rows = np.array([view.number for view in self._views.values()], dtype=np.intp)
-        self._points = 0.0
+        self._points = 0.0  # of the goals met before the last step
+        self.rewards = dict.fromkeys(self.steered, 0.0)
 
     def _is_over(self, robot: str) -> bool:
         if self._is_done is not None:
@@ -223,7 +227,7 @@ class Env:
             raise ValueError(f"invalid step_s {step_s!r} (expected {text})")
         return round(timesteps)
 
-    def _steered(self, robots: Sequence[str] | None) -> tuple[str, ...]:
+    def _chosen(self, robots: Sequence[str] | None) -> tuple[str, ...]:
         """Return the names of the steered robots, in the world's order."""
         steered = self.session.steered
         wanted = steered if robots is None else robots

@@ -43,10 +43,10 @@ class GymEnv(gymnasium.Env[Any, Any]):
         """
         check_render_mode(render_mode)
         self.env = Env(*arguments, **options)
-        if len(self.env.robots) != 1:
-            names = ", ".join(self.env.robots)
+        if len(self.env.steered) != 1:
+            names = ", ".join(self.env.steered)
             raise ValueError(f"several robots to steer: {names} (name one with robots=[...])")
-        (self._robot,) = self.env.robots
+        (self._robot,) = self.env.steered
         self.metadata = {**self.metadata, "render_fps": 1.0 / self.env.step_s}
         self.render_mode = render_mode
         self.action_space = action_space(self.env, self._robot)
@@ -69,10 +69,10 @@ class GymEnv(gymnasium.Env[Any, Any]):
     def step(self, action: FloatArray) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Steer the robot for a step."""
         observation = self.env.step({self._robot: action})[self._robot]
-        reward = self.env.rewards()[self._robot]
+        reward = self.env.rewards[self._robot]
         is_done = self.env.done()[self._robot]
         info = info_of(self.env, self._robot)
-        return observation, reward, is_done, self.env.is_late and not is_done, info
+        return observation, reward, is_done, self.env.is_time_up and not is_done, info
 
     def render(self) -> Any:
         """Return a picture of the episode so far as SVG, in the mode `svg`."""

@@ -39,7 +39,7 @@ _OWN: Final[dict[str, Callable[[RobotView], FloatArray]]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Observation:
+class ObservationSpec:
     """One kind of observation of a robot.
 
     Attributes:

@@ -53,7 +53,7 @@ class ParallelEnv(pettingzoo.ParallelEnv[str, dict[str, FloatArray], FloatArray]
         self.metadata = {**self.metadata, "render_fps": 1.0 / self.env.step_s}
         self.render_mode = render_mode
         self._seeds: np.random.Generator | None = None
-        self.possible_agents = list(self.env.robots)
+        self.possible_agents = list(self.env.steered)
         self.agents = list(self.possible_agents)
         self._actions = {name: action_space(self.env, name) for name in self.agents}
         self._observations = {name: observation_space(self.env, name) for name in self.agents}
@@ -92,14 +92,14 @@ class ParallelEnv(pettingzoo.ParallelEnv[str, dict[str, FloatArray], FloatArray]
     ]:
         """Steer the robots for a step; those whose task is over are agents no more."""
         agents = self.agents
-        observations, rewards = self.env.step(actions), self.env.rewards()
-        done, is_late = self.env.done(), self.env.is_late
-        self.agents = [name for name in agents if not (done[name] or is_late)]
+        observations, rewards = self.env.step(actions), self.env.rewards
+        done, is_time_up = self.env.done(), self.env.is_time_up
+        self.agents = [name for name in agents if not (done[name] or is_time_up)]
         return (
             {name: observations[name] for name in agents},
             {name: rewards[name] for name in agents},
             {name: done[name] for name in agents},
-            {name: is_late and not done[name] for name in agents},
+            {name: is_time_up and not done[name] for name in agents},
             {name: info_of(self.env, name) for name in agents},
         )
 

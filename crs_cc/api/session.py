@@ -155,15 +155,15 @@ class Session(Edits):
         return self.world.timestep_s
 
     @property
-    def is_late(self) -> bool:
+    def is_time_up(self) -> bool:
         """Whether the duration has been reached."""
-        return self._is_late(self.duration_s)
+        return self._is_time_up(self.duration_s)
 
     @property
     def is_over(self) -> bool:
         """Whether the duration has been reached, or all programs have ended and no robot joins."""
         state = self.inner.state
-        return self.is_late or not (state.running or state.environment.awaits)
+        return self.is_time_up or not (state.running or state.environment.awaits)
 
     def step(self, timesteps: int = 1) -> bool:
         """Run some timesteps; return whether the run goes on: `while session.step(): ...`.
@@ -176,10 +176,10 @@ class Session(Edits):
         if timesteps < 0:
             raise ValueError(f"timesteps must be 0 or more, not {timesteps!r}")
         end = self.timesteps + timesteps
-        while self.timesteps < end and not self._is_late(self.duration_s):
+        while self.timesteps < end and not self._is_time_up(self.duration_s):
             if not self._advance(end - self.timesteps):
                 return False
-        return not self._is_late(self.duration_s)
+        return not self._is_time_up(self.duration_s)
 
     def run(self, until_s: float | None = None) -> RunResult:
         """Run until a time or the end of all programs; return the result.
@@ -195,7 +195,7 @@ class Session(Edits):
         """
         check_number("until_s", until_s)
         end_s = self.duration_s if until_s is None else until_s
-        while not self._is_late(end_s) and self._advance(self._timesteps_to(end_s)):
+        while not self._is_time_up(end_s) and self._advance(self._timesteps_to(end_s)):
             pass
         return self.result()
 
@@ -206,7 +206,7 @@ class Session(Edits):
         self._events.report(self.inner.state)
         return goes_on
 
-    def _is_late(self, end_s: float | None) -> bool:
+    def _is_time_up(self, end_s: float | None) -> bool:
         return end_s is not None and self.time_s >= end_s - _ROUNDING_S
 
     def _timesteps_to(self, end_s: float | None) -> int:

@@ -32,7 +32,7 @@ def observation_space(env: Env, robot: str) -> Dict:
     return Dict(
         {
             each.name: Box(each.low, each.high, each.shape, np.float64)
-            for each in env.observations[robot]
+            for each in env.observation_specs[robot]
         }
     )
 

@@ -54,7 +54,7 @@ def main() -> None:
     points = list(POINTS)
     seen = env.reset()
     env.session.on("collision", lambda event: print(f"{event.time_s:.1f} s: {event.text}"))
-    while points and not env.is_late:
+    while points and not env.is_time_up:
         pose = tuple(seen["leader"]["pose"].tolist())
         if math.dist(pose[:2], points[0]) < 0.2:
             apart_m = math.dist(pose[:2], env.session.robots["follower"].position_m)

@@ -37,7 +37,7 @@ def test_a_robot_drives_at_the_speeds_that_python_sets() -> None:
 
 def test_an_episode_is_the_same_for_the_same_seed_and_another_one_for_another() -> None:
     env = crs_cc.Env(PAIR, {"a": "samples/scout_c/wander.c"}, duration_s=9.0)
-    assert env.robots == ("b",)
+    assert env.steered == ("b",)
     hashes = []
     for seed in (3, None, 4):
         env.reset(seed)
@@ -54,7 +54,8 @@ def test_goals_are_the_rewards_and_end_the_task() -> None:
     rewards, steps = [], 0
     while not env.done()["a"]:
         env.step({"a": [0.4, 0.4]})
-        rewards.append(env.rewards()["a"])
+        rewards.append(env.rewards["a"])
+        assert env.rewards["a"] == rewards[-1]  # reading them changes nothing
         steps += 1
     assert sum(rewards) == rewards[-1] == 4.0
     assert 2 < steps < 10
@@ -64,7 +65,7 @@ def test_what_is_observed_is_within_its_limits() -> None:
     """No echo is the largest range; what was never measured is 0; a missing device is an error."""
     env = crs_cc.Env(observe=["sonar", "heat", "bumper"])
     seen = env.reset()["robot0"]
-    limits = {each.name: each.high for each in env.observations["robot0"]}
+    limits = {each.name: each.high for each in env.observation_specs["robot0"]}
     assert seen["sonar"].tolist() == [limits["sonar"]] * 16
     assert (seen["bumper"].shape, seen["heat"].tolist()) == ((24,), [0.0])
     with pytest.raises(ValueError, match="unknown observation 'camera'"):

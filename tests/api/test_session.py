@@ -101,6 +101,14 @@ def test_readings_are_in_metres_and_nothing_is_measured_for_them(session: crs_cc
         robot.measure("lidar")
 
 
+def test_an_error_inside_of_a_property_is_not_taken_for_an_unknown_sensor(
+    session: crs_cc.Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delattr(type(session.inner.environment), "charges")
+    with pytest.raises(AttributeError, match="charges"):
+        session.robots["robot0"].charge  # noqa: B018
+
+
 def test_events_call_functions_which_may_change_the_world(session: crs_cc.Session) -> None:
     seen: list[crs_cc.WorldEvent] = []
     session.on("collision", seen.append)
