@@ -160,23 +160,17 @@ def summary(recording: Recording) -> Iterator[str]:
     yield f"  versions  {', '.join(f'{name} {value}' for name, value in versions.items())}"
     yield from _ends(recording, roster)
     yield from _goals(recording)
-    counts: Counter[str] = Counter()
-    frames = pieces = size = inputs = 0
+    frames = pieces = size = 0
     hashes = sum(1 for _ in recording.hashes())
-    for message in recording.messages(*topics.TOPICS):
-        if message.topic == topics.FRAME.topic:
-            with recording.errors():
-                frames += count_in(message.data)
-        elif message.topic == topics.INPUT.topic:
-            inputs += 1
-        elif message.topic in (topics.EVENT.topic, topics.OUTPUT.topic):
-            with recording.errors():
-                data = json.loads(message.data)
-                if message.topic == topics.EVENT.topic:
-                    counts[str(data.get("kind"))[:40]] += 1
-                else:
-                    pieces += 1
-                    size += len(content_of(data))
+    for message in recording.messages(topics.FRAME.topic):
+        with recording.errors():
+            frames += count_in(message.data)
+    inputs = sum(1 for _ in recording.data(topics.INPUT.topic))
+    counts = Counter(str(data.get("kind"))[:40] for _, data in recording.data(topics.EVENT.topic))
+    for _, data in recording.data(topics.OUTPUT.topic):
+        with recording.errors():
+            size += len(content_of(data))
+        pieces += 1
     yield f"  recorded  {_count(frames, 'frame')}, {hashes} hashes, {_count(inputs, 'input')}"
     events = ", ".join(f"{count} {kind}" for kind, count in sorted(counts.items()))
     yield f"  events    {events or 'none'}"

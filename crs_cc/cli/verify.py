@@ -18,9 +18,9 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.uploads import Uploads
 from crs_cc.debug.world.run_edits import edit_run
-from crs_cc.recording import topics
 from crs_cc.recording.description import versions
 from crs_cc.recording.digest import digest
+from crs_cc.recording.hashes import STATE_DIGITS
 from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ class _Rerun:
             hashes += 1
             if expected.state:
                 states += 1
-                if expected.state != self._session.state_hash()[: topics.HASH_DIGITS]:
+                if expected.state != self._session.state_hash()[:STATE_DIGITS]:
                     raise self._mismatch(timesteps, "the programs' memory differs")
         return Verified(hashes, states, self._session.time_s)
 

@@ -6,13 +6,15 @@ saved; the whole block takes fewer bytes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from crs_cc.recording import readings, topics
+from crs_cc.recording.entries import Entries
 from crs_cc.recording.frames import messages
+from crs_cc.recording.hashes import Hash, entry_of
 from crs_cc.recording.mcap_records import NS, Channel
 from crs_cc.recording.readings import ReadingEncoder, Readings
 
@@ -46,24 +48,31 @@ class Block:
         begin_s: when it begins [s].
         frames: how many frames it has.
         rows: how many readings it has.
-        size: how many bytes it takes when encoded, roughly.
+        entries: what it has of everything in JSON but hashes.
     """
 
     def __init__(self, begin_s: float) -> None:
         """Create an empty one."""
         self.begin_s = begin_s
-        self.frames = self.rows = self.size = 0
+        self.frames = self.rows = 0
+        self.entries = Entries()
+        self._size = 0
         self._frames: list[_RawFrame] = []
         self._times_ns: list[int] = []
         self._believed: list[FloatArray] = []
         self._believed_ns: list[int] = []
         self._answers: list[Answers] = []
         self._answered_ns: list[int] = []
-        self._hashes: list[tuple[int, Mapping[str, Any]]] = []
+        self._hashes: list[tuple[int, Hash]] = []
         self._saved_frames: list[_Frames] = []
         self._saved_odometry: list[_Frames] = []
         self._saved_readings: list[tuple[int, Readings]] = []
         self._saved_hashes = 0
+
+    @property
+    def size(self) -> int:
+        """Return how many bytes it takes when encoded, roughly."""
+        return self._size + self.entries.size
 
     def add_frame(self, time_ns: int, state: EnvState, *, has_turret: bool) -> None:
         """Copy a frame from a state."""
@@ -79,26 +88,29 @@ class Block:
             )
         )
         self.frames += 1
-        self.size += _ROW * len(bodies.angle_rad)
+        self._size += _ROW * len(bodies.angle_rad)
 
     def add_odometry(self, time_ns: int, state: EnvState) -> None:
         """Copy what the robots believe from a state."""
         odometry = state.odometry
         self._believed_ns.append(time_ns)
         self._believed.append(np.array((odometry.x_m, odometry.y_m, odometry.heading_rad)))
-        self.size += _ROW * len(odometry.x_m)
+        self._size += _ROW * len(odometry.x_m)
 
     def add_answers(self, time_ns: int, answers: Answers) -> None:
         """Add readings that were given in a timestep."""
         self._answered_ns.append(time_ns)
         self._answers.append(answers)
         self.rows += len(answers[1])
-        self.size += _READING * len(answers[1])
+        self._size += _READING * len(answers[1])
 
-    def add_hash(self, time_ns: int, values: Mapping[str, Any]) -> None:
-        """Add the hashes of an instant: always the same names."""
-        self._hashes.append((time_ns, values))
-        self.size += _HASH
+    def add_hash(self, time_ns: int, found: Hash) -> None:
+        """Add the hash of an instant, in the place of one that it has."""
+        if self._hashes and self._hashes[-1][0] == time_ns:
+            self._hashes.pop()
+            self._saved_hashes = min(self._saved_hashes, len(self._hashes))
+        self._hashes.append((time_ns, found))
+        self._size += _HASH
 
     def last_frame(self) -> FloatArray:
         """Return the numbers of the last frame, (columns, rows)."""
@@ -112,6 +124,7 @@ class Block:
         yield from _frame_messages(topics.FRAME, self._saved_frames[frames:])
         yield from _frame_messages(topics.ODOMETRY, self._saved_odometry[odometry:])
         yield from _readings(ReadingEncoder(), self._saved_readings[found:])
+        yield from self.entries.unmarked()
         yield from _hash_messages(hashes)
 
     def messages(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
@@ -120,13 +133,15 @@ class Block:
         yield from _frame_messages(topics.FRAME, self._saved_frames)
         yield from _frame_messages(topics.ODOMETRY, self._saved_odometry)
         yield from _readings(encoder, self._saved_readings)
+        yield from self.entries.messages()
         yield from _hash_messages(self._hashes)
 
-    def take_readings(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
-        """Yield the messages of the readings, and remove them; none must have been saved."""
+    def take(self, encoder: ReadingEncoder) -> Iterator[Encoded]:
+        """Yield the messages of readings and entries, and remove these; nothing must be saved."""
         self._gather()
         yield from _readings(encoder, self._saved_readings)
-        self._saved_readings, self.rows = [], 0
+        yield from self.entries.messages()
+        self._saved_readings, self.rows, self.entries = [], 0, Entries()
 
     def _gather(self) -> tuple[int, int, int]:
         """Put what is new into arrays; return how many of each kind have been there before."""
@@ -181,11 +196,12 @@ def _frame_messages(channel: Channel, found: Sequence[_Frames]) -> Iterator[Enco
             yield channel, time_ns, data
 
 
-def _hash_messages(found: Sequence[tuple[int, Mapping[str, Any]]]) -> Iterator[Encoded]:
-    """Yield the message of hashes."""
+def _hash_messages(found: Sequence[tuple[int, Hash]]) -> Iterator[Encoded]:
+    """Yield the message of hashes, which is one entry."""
     if found:
-        columns = {name: [values[name] for _, values in found] for name in found[0][1]}
-        yield topics.HASH, found[-1][0], topics.as_json(columns)
+        entries = Entries()
+        entries.add(topics.HASH, found[-1][0], entry_of([each for _, each in found]))
+        yield from entries.messages()
 
 
 def _values(frames: Sequence[_RawFrame]) -> FloatArray:

@@ -77,7 +77,7 @@ class RunDescription:
             "format": str(FORMAT_VERSION),
             "crs": __version__,
             **versions(),
-            "run": json.dumps(asdict(self), ensure_ascii=True),
+            "run": json.dumps(self._given(), ensure_ascii=True),
         }
 
     @classmethod
@@ -99,6 +99,15 @@ class RunDescription:
         made = cls(**{each.name: _value(known, each.name, each.default) for each in fields(cls)})
         made._check()
         return made
+
+    def _given(self) -> dict[str, Any]:
+        """Return what is not as its default; the defaults are part of the format."""
+        values = asdict(self)
+        return {
+            each.name: values[each.name]
+            for each in fields(self)
+            if values[each.name] != each.default
+        }
 
     def _check(self) -> None:
         paths = [*self.sources, *self.include_paths, *([self.world] if self.world else [])]

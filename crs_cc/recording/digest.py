@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 from typing import TYPE_CHECKING
 
-from crs_cc.recording.topics import HASH_DIGITS
+from crs_cc.recording.hashes import DIGITS
 
 if TYPE_CHECKING:
     from crs_cc.session.session import Session
@@ -29,4 +29,4 @@ def digest(session: Session) -> str:
         *(world.collisions, world.commands, world.distance_m),
     ):
         found.update(array.tobytes())
-    return found.hexdigest()[:HASH_DIGITS]
+    return found.hexdigest()[:DIGITS]

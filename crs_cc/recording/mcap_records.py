@@ -28,7 +28,7 @@ CHUNK_HEAD: Final = struct.Struct("<QQQI")
 """First and last log time [ns], size and CRC of the records of a chunk when uncompressed."""
 
 SCHEMA: Final = "schema"
-"""What the metadata of a channel call the name of its schema: it may be in a chunk that is lost."""
+"""What the metadata of a channel call the name of its schema."""
 
 NS: Final = 1_000_000_000
 
@@ -60,16 +60,19 @@ class Channel:
     Attributes:
         topic: its name, such as `/crs/frame`.
         encoding: of its messages: `json`, or one of ours.
-        schema: the name of its schema.
-        schema_encoding: of the schema; empty for none.
+        schema: the name of its schema; empty for none. Channels with the same name share it.
+        schema_encoding: of the schema.
         schema_data: the schema.
+        names_schema: whether the channel's metadata name it, too: the schema may be in a chunk that
+            is lost.
     """
 
     topic: str
     encoding: str
-    schema: str
+    schema: str = ""
     schema_encoding: str = ""
     schema_data: bytes = b""
+    names_schema: bool = False
 
 
 @dataclass(frozen=True, slots=True)

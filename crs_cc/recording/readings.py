@@ -37,9 +37,6 @@ STATE: Final = 45
 PERIOD_NS: Final = 10 * NS
 """In each such period differences begin anew, or sooner."""
 
-SPAN_NS: Final = 30 * NS
-"""The readings of a message are of so long at most."""
-
 MAX_ROWS: Final = 200_000
 _US: Final = 1_000_000
 _ROW: Final = 2 + 4 + 4  # code, robot, microseconds

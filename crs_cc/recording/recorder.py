@@ -3,7 +3,7 @@
 What happens is gathered, so the cost of a timestep is that of copying a few arrays, and encoded
 each second of simulated time, so a run that is killed loses its last second at most. Of a small
 world, a second is so little that most of a chunk would be its head and its index: it is saved, and
-all that has been saved in half a minute is then replaced by one chunk. When the disk is full, the
+all that has been saved in two minutes is then replaced by one chunk. When the disk is full, the
 recording ends and the run goes on.
 """
 
@@ -24,7 +24,9 @@ from crs_cc.recording import topics
 from crs_cc.recording.block import Block, ns
 from crs_cc.recording.content import as_fields
 from crs_cc.recording.digest import digest
-from crs_cc.recording.mcap_records import Channel
+from crs_cc.recording.entries import SPAN_NS
+from crs_cc.recording.hashes import STATE_DIGITS, Hash
+from crs_cc.recording.mcap_records import NS, Channel
 from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
 from crs_cc.recording.step_events import events_of, readings_of, traffic_of
@@ -43,7 +45,7 @@ FULL_HASH_SECONDS: Final = 30
 """How often the hash of all state is recorded for many robots; for 10,000 it takes 0.7 s. For up to
 100 robots it is every 10 s, which costs 0.4 % of the time of a run."""
 
-BLOCK_S: Final = 30.0
+BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
 saved before, so that a killed run loses no more."""
 
@@ -260,7 +262,7 @@ class Recorder:
         if self._writer.has_saved:  # which has parts of the block
             self._complete()
             return
-        for message in self._block.take_readings(self._encoder):
+        for message in self._block.take(self._encoder):
             self._writer.add(*message)
         if self._writer.pending > MAX_CHUNK:
             self._cut()
@@ -301,13 +303,9 @@ class Recorder:
     def _add_hash(self, state_hash: str = "") -> None:
         self._note_ends()
         session = self._session
-        values = {
-            "timesteps": session.timesteps,
-            "digest": digest(session),
-            "output": self._output_crc,
-            "state": "" if self._hides_state else state_hash[: topics.HASH_DIGITS],
-        }
-        self._block.add_hash(ns(session.time_s), values)
+        state = "" if self._hides_state else state_hash[:STATE_DIGITS]
+        found = Hash(session.timesteps, digest(session), self._output_crc, state)
+        self._block.add_hash(ns(session.time_s), found)
 
     def _note_ends(self) -> None:
         """Record which programs have ended since the last time."""
@@ -350,8 +348,8 @@ class Recorder:
     # -- messages --------------------------------------------------------------------------------
 
     def _add_json(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
-        self._writer.add(channel, time_ns, topics.as_json(data))
-        if self._writer.pending > MAX_CHUNK:
+        self._block.entries.add(channel, time_ns, data)
+        if self._block.entries.size > MAX_CHUNK:
             self._shorten()
 
     def _nowns(self, robot: int) -> int:

@@ -16,7 +16,9 @@ from typing import TYPE_CHECKING, Any, Final, Self
 
 from crs_cc.recording import readings, topics
 from crs_cc.recording.description import RunDescription
+from crs_cc.recording.entries import SPAN_NS, entries_of
 from crs_cc.recording.frames import COLUMNS, MAX_ROWS, FrameDecoder, is_key
+from crs_cc.recording.hashes import Hash, hashes_in
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_records import NS, Message
 from crs_cc.recording.source_tree import INPUTS, SOURCES, write_tree
@@ -76,23 +78,6 @@ class Frame:
     def time_s(self) -> float:
         """Return the instant [s]."""
         return self.time_ns / NS
-
-
-@dataclass(frozen=True, slots=True)
-class Hash:
-    """What a run is compared by, after some timesteps.
-
-    Attributes:
-        timesteps: how many.
-        digest: of what moves and of all clocks.
-        output: CRC-32 of all output.
-        state: of all state; empty if it was not taken.
-    """
-
-    timesteps: int
-    digest: object
-    output: object
-    state: object
 
 
 class Recording:
@@ -174,17 +159,18 @@ class Recording:
     def data(
         self, topic: str, since_ns: int = 0, until_ns: int = _LATEST_NS
     ) -> Iterator[tuple[int, dict[str, Any]]]:
-        """Yield the time and the content of messages in JSON.
+        """Yield the entries of a topic in JSON, each with its time.
 
         Raises:
             RecordingError: one is not valid.
         """
-        for message in self.messages(topic, since_ns=since_ns, until_ns=until_ns):
+        last_ns = min(_LATEST_NS, until_ns + SPAN_NS)
+        for message in self.messages(topic, since_ns=since_ns, until_ns=last_ns):
             with self.errors():
-                content = json.loads(message.data)
-                if not isinstance(content, dict):
-                    raise ValueError(f"a message of {topic} is not an object")  # noqa: TRY004
-            yield message.time_ns, content
+                found = entries_of(message.data)
+            for time_ns, entry in found:
+                if since_ns <= time_ns <= until_ns:
+                    yield time_ns, entry
 
     def frames(
         self, since_ns: int = 0, until_ns: int = _LATEST_NS, topic: str = topics.FRAME.topic
@@ -237,7 +223,7 @@ class Recording:
         Raises:
             RecordingError: they cannot be decoded.
         """
-        second_ns = max(0, since_ns - readings.SPAN_NS - 2 * NS)
+        second_ns = max(0, since_ns - SPAN_NS - 2 * NS)
         begin_ns = second_ns // readings.PERIOD_NS * readings.PERIOD_NS
         decoder = readings.ReadingDecoder()
         for message in self.messages(topics.STATE.topic, since_ns=begin_ns, until_ns=until_ns):
@@ -254,8 +240,7 @@ class Recording:
         """
         for _, data in self.data(topics.HASH.topic):
             with self.errors():
-                columns = [data[name] for name in ("timesteps", "digest", "output", "state")]
-                rows = [Hash(int(row[0]), *row[1:]) for row in zip(*columns, strict=True)]
+                rows = list(hashes_in(data))
             yield from rows
 
     def sources(self) -> dict[str, bytes]:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import csv
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.recording.hashes import entry_of, hashes_in
 from crs_cc.recording.mcap_reader import McapReader
 from crs_cc.recording.mcap_writer import McapWriter
 from crs_cc.recording.recording import Recording
@@ -29,10 +31,13 @@ def rewritten(source: Path, target: Path, *, run: dict[str, str] | None = None) 
             for message in reader.messages(chunk):
                 data = message.data
                 if run is None and message.topic == "/crs/hash":
-                    values = json.loads(data)
-                    pairs = zip(values["timesteps"], values["digest"], strict=True)
-                    values["digest"] = ["0" if at == 40 else each for at, each in pairs]
-                    data = json.dumps(values).encode()
+                    (entry,) = json.loads(data)["entries"]
+                    hashes = [
+                        replace(each, digest="0" * 8) if each.timesteps == 40 else each
+                        for each in hashes_in(entry)
+                    ]
+                    entry.update(entry_of(hashes))
+                    data = json.dumps({"entries": [entry]}).encode()
                 writer.add(TOPICS[message.topic], message.time_ns, data)
             writer.cut()
         writer.finish()
@@ -52,9 +57,11 @@ def rewritten_event(source: Path, target: Path, values: dict[str, object]) -> No
             for message in reader.messages(chunk):
                 data = message.data
                 if message.topic in ("/crs/input", "/crs/event"):
-                    content = json.loads(data)
-                    if content.get("patches") or "mark" in content:
-                        data = json.dumps({**content, **values}).encode()
+                    entries = json.loads(data)["entries"]
+                    for entry in entries:
+                        if entry.get("patches") or "mark" in entry:
+                            entry.update(values)
+                    data = json.dumps({"entries": entries}).encode()
                 writer.add(TOPICS[message.topic], message.time_ns, data)
         writer.finish()
     reader.close()
@@ -150,7 +157,7 @@ def test_a_damaged_recording_is_mended(
 @pytest.mark.parametrize(
     ("run", "reason"),
     [
-        ({"format": "7"}, "its format is 7 (this version reads 3)"),
+        ({"format": "7"}, "its format is 7 (this version reads 4)"),
         ({"run": "[" * 100_000}, "not valid JSON"),
         ({"run": '{"sources": ["../../etc/passwd"]}'}, "not a name of a file below a folder"),
         ({"run": '{"seed": 1e400}'}, "invalid seed"),

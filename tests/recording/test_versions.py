@@ -64,7 +64,7 @@ def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
             shutil.copy(record(tmp_path), GOLDEN)
             pytest.fail(f"{GOLDEN.name} was rewritten; say why runs are others, then run again")
     recording = Recording(GOLDEN)
-    assert json.loads(recording.mcap.metadata["crs.run"]["format"]) == FORMAT_VERSION == 3
+    assert json.loads(recording.mcap.metadata["crs.run"]["format"]) == FORMAT_VERSION == 4
     assert recording.is_complete
     frames = [(each.time_s, each.values[:, 0].tolist()) for each in recording.frames()]
     recording.close()
@@ -74,7 +74,7 @@ def test_a_recording_that_is_checked_in_is_of_todays_format_and_the_same_run(
         "the simulation runs this recording in another way than it was recorded: if that is meant,"
         " --update-goldens records it anew"
     )
-    assert "the same run: 6 hashes agree, 1 of them of all state" in capfd.readouterr().out
+    assert "the same run: 5 hashes agree, 1 of them of all state" in capfd.readouterr().out
 
 
 def other_python() -> str:

@@ -38,7 +38,7 @@ _POINT: Final = 12
 def channel_of(topic: str, name: str) -> Channel:
     """Return a channel of messages by one of the schemas."""
     schema = (_HERE / f"{name}.json").read_bytes()
-    return Channel(topic, "json", f"foxglove.{name}", "jsonschema", schema)
+    return Channel(topic, "json", f"foxglove.{name}", "jsonschema", schema, names_schema=True)
 
 
 @lru_cache(maxsize=1000)

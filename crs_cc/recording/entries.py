@@ -1,0 +1,91 @@
+"""What happened, as entries in JSON: a message has those of a span of time.
+
+A message has 31 bytes of head in its chunk and 16 in the chunk's index, more than most of what it
+would say if each entry were one.
+
+>>> from crs_cc.recording.topics import EVENT
+>>> gathered = Entries()
+>>> gathered.add(EVENT, 1_500_000_000, {"kind": "left", "robot": 3})
+>>> gathered.add(EVENT, 1_200_000_000, {"kind": "joined", "robot": 4})
+>>> ((channel, time_ns, data),) = gathered.messages()
+>>> channel.topic, time_ns, data.decode()[:60]
+('/crs/event', 1500000000, '{"entries":[{"time_us":1200000,"kind":"joined","robot":4},{"')
+>>> [(time_ns, entry["robot"]) for time_ns, entry in entries_of(data)]
+[(1200000000, 4), (1500000000, 3)]
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+from crs_cc.recording.mcap_records import NS, Channel
+
+SPAN_NS: Final = 120 * NS
+"""A message's time is that of its last entry; the others are at most so much earlier."""
+
+_US: Final = 1000  # nanoseconds
+_COMPACT: Final = json.JSONEncoder(separators=(",", ":"))
+_Entry = tuple[int, bytes]  # its time [us] and its JSON
+
+
+class Entries:
+    """What waits to be written.
+
+    Attributes:
+        size: its bytes, roughly.
+    """
+
+    def __init__(self) -> None:
+        """Create one without entries."""
+        self.size = 0
+        self._found: dict[Channel, list[_Entry]] = {}
+        self._marked: dict[Channel, int] = {}
+
+    def add(self, channel: Channel, time_ns: int, data: Mapping[str, Any]) -> None:
+        """Add an entry."""
+        time_us = round(time_ns / _US)
+        content = _COMPACT.encode({"time_us": time_us, **data}).encode()
+        self._found.setdefault(channel, []).append((time_us, content))
+        self.size += len(content) + 1
+
+    def messages(self) -> Iterator[tuple[Channel, int, bytes]]:
+        """Yield a message of each channel, with its time."""
+        for channel, found in self._found.items():
+            yield channel, *_message(found)
+
+    def unmarked(self) -> Iterator[tuple[Channel, int, bytes]]:
+        """Yield messages of what was added since the last time."""
+        for channel, found in self._found.items():
+            begin = self._marked.get(channel, 0)
+            if begin < len(found):
+                self._marked[channel] = len(found)
+                yield channel, *_message(found[begin:])
+
+
+def _message(found: list[_Entry]) -> tuple[int, bytes]:
+    """Return the time [ns] and the content of a message."""
+    ordered = sorted(found, key=lambda each: each[0])
+    content = b",".join([each for _, each in ordered])
+    return ordered[-1][0] * _US, b'{"entries":[' + content + b"]}"
+
+
+def entries_of(message: bytes) -> list[tuple[int, dict[str, Any]]]:
+    """Return the entries in a message, each with its time [ns].
+
+    Raises:
+        ValueError: it is no such message.
+        RecursionError: it is nested too deeply.
+    """
+    content = json.loads(message)
+    entries = content.get("entries") if isinstance(content, dict) else None
+    if not isinstance(entries, list):
+        raise ValueError("a message has no entries")  # noqa: TRY004 - the file is wrong
+    found = []
+    for entry in entries:
+        time_us = entry.pop("time_us", None) if isinstance(entry, dict) else None
+        if type(time_us) is not int or not 0 <= time_us < 2**53:
+            raise ValueError("an entry has no valid time_us")
+        found.append((time_us * _US, entry))
+    return found

@@ -1,0 +1,65 @@
+"""The hashes of a run, by which it is compared with another run of the same.
+
+>>> made = [Hash(20, "0f3a99c1", 7, ""), Hash(40, "77aa0012", 9, "28212b1101b966de")]
+>>> entry_of(made)["digest"], entry_of(made)["state"]
+('0f3a99c177aa0012', {'40': '28212b1101b966de'})
+>>> list(hashes_in(entry_of(made))) == made
+True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import accumulate
+from typing import Any, Final
+
+DIGITS: Final = 8
+"""Hexadecimal digits of a digest: a run that differs does so in all seconds that follow."""
+
+STATE_DIGITS: Final = 16
+"""So many digits of a hash of all state are recorded: enough to see that a run is another one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hash:
+    """What a run is compared by, after some timesteps.
+
+    Attributes:
+        timesteps: how many.
+        digest: of what moves and of all clocks.
+        output: CRC-32 of all output.
+        state: of all state; empty if it was not taken.
+    """
+
+    timesteps: int
+    digest: str
+    output: int
+    state: str
+
+
+def entry_of(hashes: Sequence[Hash]) -> dict[str, Any]:
+    """Return hashes as an entry of a recording."""
+    before = [0, *(each.timesteps for each in hashes)]
+    return {
+        "timesteps": [each.timesteps - last for each, last in zip(hashes, before, strict=False)],
+        "digest": "".join(each.digest for each in hashes),
+        "output": "".join(f"{each.output:08x}" for each in hashes),
+        "state": {str(each.timesteps): each.state for each in hashes if each.state},
+    }
+
+
+def hashes_in(entry: Mapping[str, Any]) -> Iterator[Hash]:
+    """Yield the hashes in an entry.
+
+    Raises:
+        KeyError, TypeError, ValueError: it is not valid.
+    """
+    digests, outputs, states = (entry[name] for name in ("digest", "output", "state"))
+    count = len(entry["timesteps"])
+    if len(digests) != DIGITS * count or len(outputs) != DIGITS * count:
+        raise ValueError("the hashes are not as many as their instants")
+    for number, timesteps in enumerate(accumulate(map(int, entry["timesteps"]))):
+        digits = slice(DIGITS * number, DIGITS * (number + 1))
+        state = str(states.get(str(timesteps), ""))
+        yield Hash(timesteps, str(digests[digits]), int(outputs[digits], 16), state)

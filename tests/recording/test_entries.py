@@ -1,0 +1,52 @@
+"""Entries: what is asked for of a long message, and what is refused."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from crs_cc.recording.entries import entries_of
+from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.recording import Recording
+
+
+def test_a_chunk_has_one_message_of_a_topic_in_json(recorded: Path) -> None:
+    """A message of its own for each line printed took more bytes than the lines."""
+    recording = Recording(recorded)
+    for chunk in recording.mcap.chunks:
+        counts = Counter(each.topic for each in recording.mcap.messages(chunk))
+        assert set(counts.values()) == {1}, counts
+    recording.close()
+
+
+def test_entries_of_a_span_of_time_are_found_wherever_their_message_ends(recorded: Path) -> None:
+    recording = Recording(recorded)
+    known = list(recording.data("/crs/output"))
+    assert [time_ns for time_ns, _ in known] == sorted(time_ns for time_ns, _ in known)
+    for since_ns, until_ns in ((0, NS), (NS // 2, NS), (3 * NS, 4 * NS), (5 * NS, 9 * NS)):
+        wanted = [each for each in known if since_ns <= each[0] <= until_ns]
+        assert list(recording.data("/crs/output", since_ns, until_ns)) == wanted
+        assert wanted
+    recording.close()
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        b"[]",
+        b"{}",
+        b'{"entries":{}}',
+        b'{"entries":[[]]}',
+        b'{"entries":[{"robot":1}]}',
+        b'{"entries":[{"time_us":1.5}]}',
+        b'{"entries":[{"time_us":-1}]}',
+        b'{"entries":[{"time_us":9007199254740992}]}',
+        b'{"entries":[',
+        b"\xff",
+    ],
+)
+def test_a_message_that_has_none_is_refused(message: bytes) -> None:
+    with pytest.raises(ValueError, match=r"entr|Expecting|decode"):
+        entries_of(message)
