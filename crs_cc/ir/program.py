@@ -158,6 +158,7 @@ class Program:
         undefined: the first use of each name that is used but not defined.
         declared: the type and location of the declarations of undefined names.
         weak: the names whose definition can be overridden.
+        optional: the undefined names that need no definition: their address is 0 without one.
         aliases: for each further name of a function or object, its own name.
         starts: functions to be called before `main`, with their priority, the lowest first.
         ends: functions to be called after the program's end, the highest priority first.
@@ -168,6 +169,7 @@ class Program:
     undefined: dict[str, Location] = field(default_factory=dict)
     declared: dict[str, tuple[CType, Location]] = field(default_factory=dict)
     weak: set[str] = field(default_factory=set)
+    optional: set[str] = field(default_factory=set)
     aliases: dict[str, str] = field(default_factory=dict)
     starts: list[tuple[int, str]] = field(default_factory=list)
     ends: list[tuple[int, str]] = field(default_factory=list)

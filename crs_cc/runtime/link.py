@@ -23,6 +23,7 @@ from crs_cc.ir.type_compat import agree
 from crs_cc.ir.types import CType
 from crs_cc.ir.value_type import MemoryType
 from crs_cc.runtime.aliases import resolve_aliases
+from crs_cc.runtime.missing import set_addresses_to_zero
 
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""
@@ -67,7 +68,7 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
     whole = Program()
     for table, calls in ((STARTS, _in_order(user.starts)), (ENDS, _in_order(user.ends)[::-1])):
         user.data[table] = _table(table, calls)
-    work, starts = [ROOT], list[str]()
+    work, starts, missing = [ROOT], list[str](), set[str]()
     for name in work:
         if name in whole.functions or name in whole.data or name in HEAP_SYMBOLS:
             continue
@@ -81,11 +82,13 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
                 work.append(START_OF + name)
         else:
             _undefined(name, user, library, diagnostics)
+            missing.add(name)
             continue
         work.extend(references(found))
     if starts:
         whole.data[STARTS] = _table(STARTS, [*starts, *_in_order(user.starts)])
     if not diagnostics.errors:
+        set_addresses_to_zero(whole, missing)
         _check_client(whole, diagnostics)
         _check_uses(whole, diagnostics)
         _check_arguments(whole, diagnostics)
@@ -180,6 +183,7 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
         _add_data(unit, whole, diagnostics)
         for name, location in unit.undefined.items():
             whole.undefined.setdefault(name, location)
+        whole.optional |= unit.optional
         for name, meant in unit.aliases.items():
             whole.aliases.setdefault(name, meant)
         whole.starts += unit.starts
@@ -187,6 +191,7 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
     for name in [each for each in whole.aliases if each in whole.functions or each in whole.data]:
         del whole.aliases[name]  # a weak alias, which a definition overrides
     for unit in units:
+        whole.optional -= unit.undefined.keys() - unit.optional
         for name, (ctype, location) in unit.declared.items():
             whole.declared.setdefault(name, (ctype, location))
             _compare(name, ctype, location, whole, diagnostics)
@@ -331,6 +336,9 @@ def _defined_twice(name: str, location: Location, whole: Program, diagnostics: D
 
 
 def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnostics) -> None:
+    """Report a name that nothing defines, unless it is declared weak."""
+    if name in user.optional:
+        return
     location = user.undefined.get(name) or Location("<program>")
     if name == "runcode" and name not in user.undefined:  # the library's main calls it
         _no_main(user, diagnostics)

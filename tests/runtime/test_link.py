@@ -93,6 +93,14 @@ def test_an_undefined_function_is_reported_with_a_suggestion() -> None:
     assert message.hint == "did you mean 'printf'?"
 
 
+def test_a_name_is_optional_only_if_each_file_that_uses_it_declares_it_weak() -> None:
+    weak = "__attribute__((weak)) int f(void);\nint main(void) { return f ? f() : 0; }"
+    assert "f" not in linked(weak, "int g(void) { return 0; }").functions
+    assert linked(weak, "int f(void) { return 3; }").functions["f"].location.file == "b.c"
+    message = refusal(weak, "int f(void);\nint g(void) { return f(); }")
+    assert message.text == "'f' is used, but not defined"
+
+
 def test_a_program_without_main_is_an_error() -> None:
     assert refusal("int f(void) { return 0; }").text == "the program has no function 'main'"
 

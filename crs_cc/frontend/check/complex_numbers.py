@@ -8,12 +8,12 @@ GNU C has complex integers, too, with parts of any integer type.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from crs_cc.core.source import Location
-from crs_cc.frontend.check import tree
+from crs_cc.frontend.check import complex_constants, tree
 from crs_cc.frontend.check.checker import CheckError
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression, Initialiser, InitialValue
@@ -99,6 +99,8 @@ def part(value: Expression, index: int) -> Expression:
     ctype = value.type
     assert isinstance(ctype, RecordType)
     assert ctype.record.members is not None
+    if isinstance(value, tree.CompoundLiteral) and _is_constant(value):
+        return value.initialiser.values[index].value
     member = ctype.record.members[index]
     return tree.MemberAccess(member.type, value.location, value, member)
 
@@ -299,6 +301,12 @@ def _integer_product(
     base = left.base
     assert isinstance(base, IntegerType)
     computed = LLONG if base.signed else ULLONG if base.size == ULLONG.size else UINT
+    constants = _constants([a, b, c, d])
+    if constants:
+        found = complex_constants.integer_quotient(*map(int, constants), computed)
+        if found is not None:
+            real, imaginary = (tree.integer(each, computed, location) for each in found)
+            return _built(base, real, imaginary, convert)
     name = f"__crs_quotient_{'signed' if base.signed else f'unsigned{8 * computed.size}'}"
     quotient = _called(name, computed, [convert(each, computed) for each in (a, b, c, d)], location)
     return converted(quotient, COMPLEX[base.name], convert)
@@ -320,17 +328,25 @@ def _product(
     base = left.base
     none = zero(base, location)
     operands = [left.real, left.imaginary or none, right.real, right.imaginary or none]
-    values = [each.value for each in operands if isinstance(each, tree.Literal)]
-    if len(values) == len(operands) and (op == "*" or any(values[2:])):
-        first, second = complex(*values[:2]), complex(*values[2:])
-        exact = first * second if op == "*" else first / second
-        results = [tree.Literal(DOUBLE, location, each) for each in (exact.real, exact.imag)]
-        return build(base, convert(results[0], base), convert(results[1], base), location)
+    constants = _constants(operands)
+    if constants:
+        found = complex_constants.floating(op, complex(*constants[:2]), complex(*constants[2:]))
+        if found is not None:
+            real, imaginary = (
+                tree.Literal(DOUBLE, location, each) for each in (found.real, found.imag)
+            )
+            return _built(base, real, imaginary, convert)
     computed = FLOAT if base == FLOAT else DOUBLE
     name = f"__{_PRODUCTS[op]}{'s' if computed == FLOAT else 'd'}c3"
     call = _called(name, computed, [convert(each, computed) for each in operands], location)
     assert isinstance(base, FloatType)
     return converted(call, COMPLEX[base.name], convert)
+
+
+def _constants(operands: Sequence[Expression]) -> list[int | float]:
+    """Return the values of operands; none unless all are constant."""
+    values = [each.value for each in operands if isinstance(each, tree.Literal)]
+    return values if len(values) == len(operands) else []
 
 
 def assignment(target: Expression, make: Callable[[Expression], Expression]) -> Expression:

@@ -36,7 +36,7 @@ class ObjectSymbol:
         is_used: whether an expression names it, or an attribute says that nothing needs to.
         is_tentative: whether it is declared at file scope without `extern` and initialiser
             (C17 6.9.2).
-        is_weak: whether a definition in another file overrides it.
+        is_weak: whether a definition in another file overrides it, or none need be.
         is_array_parameter: whether it is a pointer that was declared as an array.
         in_memory: whether its address is taken or it is not a scalar, so that it cannot be kept in
             a register.
@@ -67,6 +67,11 @@ class ObjectSymbol:
     constant: int | float | None = None
     is_constexpr: bool = False
 
+    @property
+    def may_be_missing(self) -> bool:
+        """Return whether its address is 0 unless another file defines it."""
+        return self.is_weak and not (self.is_defined or self.is_tentative or self.alias)
+
     def variable(self) -> Variable:
         """Return its description for debuggers and messages."""
         return Variable(self.name, self.type, self.location, self.block, self.is_indirect)
@@ -96,7 +101,7 @@ class FunctionSymbol:
         is_used: whether an expression names it, or nothing needs to: it is inline, or an attribute
             says so.
         is_noreturn: whether it never returns.
-        is_weak: whether a definition in another file overrides it.
+        is_weak: whether a definition in another file overrides it, or none need be.
         is_replaceable: whether its definition is GNU's `extern inline`, which another may follow.
         owner: the state of the check of the function that it is nested in; None if it is in none.
         alias: the name of the function whose other name it is, from the attribute `alias`.
@@ -121,6 +126,11 @@ class FunctionSymbol:
     starts: int | None = None
     ends: int | None = None
     format: Format | None = None
+
+    @property
+    def may_be_missing(self) -> bool:
+        """Return whether its address is 0 unless another file defines it."""
+        return self.is_weak and not (self.is_defined or self.alias)
 
 
 @dataclass(slots=True, eq=False)

@@ -100,25 +100,30 @@ def _end_with_call(
     low: Lowering, expression: tree.Call, arguments: list[Argument], result: Register | None
 ) -> None:
     location, callee = expression.location, expression.callee
-    pointer: Operand | None = None
-    if not isinstance(callee, tree.FunctionName):
-        pointer = value(low, callee)
-        if isinstance(pointer, Constant):
-            register = low.register("i32")
-            low.emit(Move(location, register, pointer))
-            pointer = register
+    called: str | Register
+    if isinstance(callee, tree.FunctionName) and not callee.symbol.may_be_missing:
+        called = low.refer(callee.symbol.link_name, callee.location)
+    else:
+        called = _pointer(low, callee)
     # From the last to the first, as gcc does on i386: some programs rely on it.
     lowered = [argument(low, each) for each in reversed(expression.arguments)]
     arguments = [*arguments, *_with_types(expression, lowered[::-1])]
     then = low.new_block("after")
-    called: str | Register
-    if isinstance(callee, tree.FunctionName):
-        called = low.refer(callee.symbol.link_name, callee.location)
-    else:
-        assert isinstance(pointer, Register)
-        called = pointer
     low.end(Call(location, called, arguments, result, then, _prototype(expression)))
     low.start(then, location)
+
+
+def _pointer(low: Lowering, callee: Expression) -> Register:
+    """Return the pointer through which a function is called."""
+    if isinstance(callee, tree.FunctionName):
+        pointer = low.address(place(low, callee), callee.location)
+    else:
+        pointer = value(low, callee)
+    if isinstance(pointer, Register):
+        return pointer
+    register = low.register("i32")
+    low.emit(Move(callee.location, register, pointer))
+    return register
 
 
 def _with_types(expression: tree.Call, arguments: list[Argument]) -> list[Argument]:

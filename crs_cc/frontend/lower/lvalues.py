@@ -15,7 +15,7 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.bit_field import read_bits
 from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, place, value
 from crs_cc.frontend.lower.memory import load
-from crs_cc.ir.instruction import Bounds, Constant, Move, Operand, Register
+from crs_cc.ir.instruction import Address, Bounds, Constant, Move, Operand, Register
 from crs_cc.ir.types import ArrayType, PointerType, RecordType
 
 _LARGEST_OFFSET = 1 << 30
@@ -28,8 +28,16 @@ def _object(low: Lowering, expression: tree.ObjectName) -> Place:
     symbol = expression.symbol
     if symbol.link_name is not None:
         low.unit.sizes[symbol.link_name] = symbol.type.size
-        return low.refer(symbol.link_name, expression.location), 0
+        name = low.refer(symbol.link_name, expression.location)
+        return (_linked_address(low, name, expression) if symbol.may_be_missing else name), 0
     return low.local(symbol), 0
+
+
+def _linked_address(low: Lowering, name: str, expression: tree.ObjectName) -> Register:
+    """Return the address of an object that may be missing: accesses there must be checked."""
+    address = low.register("i32")
+    low.emit(Address(expression.location, address, name, 0))
+    return address
 
 
 def _string(low: Lowering, expression: tree.StringLiteral) -> Place:

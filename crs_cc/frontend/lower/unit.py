@@ -40,6 +40,8 @@ def lower_unit(unit: Unit) -> Program:
         symbol = unit.externals.get(name)
         if symbol is not None:
             program.declared[name] = symbol.type, symbol.location
+            if symbol.may_be_missing:
+                program.optional.add(name)
     return program
 
 

@@ -102,7 +102,7 @@ _STRING, _CHARACTER, _NAME, _NUMBER, _PUNCTUATOR = 1, 2, 3, 4, 5
 
 _INTEGER: Final = re.compile(
     r"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)"
-    r"(?:[uU](?:ll|LL|[lL])?|(?:ll|LL|[lL])[uU]?|[ijIJ])?"
+    r"(?:[uU](?:ll|LL|[lL])?|(?:ll|LL|[lL])[uU]?)?[ijIJ]?"
 )
 _FLOATING: Final = re.compile(
     r"(?:(?:[0-9]+\.[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[0-9]+[eE][+-]?[0-9]+"
