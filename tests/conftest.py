@@ -73,10 +73,9 @@ def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 
 @pytest.fixture
-def users_settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def users_settings(monkeypatch: pytest.MonkeyPatch) -> None:
     """Compile as for users, for programs that recurse so deeply that the host's stack matters."""
     monkeypatch.setattr(executable, "settings", USERS_SETTINGS)
-    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "users_cache"))
 
 
 def is_gccs(golden: Path) -> bool:

@@ -64,6 +64,20 @@ def _engine(settings: Callable[[], wasmtime.Config]) -> wasmtime.Engine:
     return wasmtime.Engine(settings())
 
 
+def code_format() -> bytes:
+    """Return what machine code depends on beside the program, for keys of caches.
+
+    It is the code of an empty module, which states wasmtime's version, the engine's settings and
+    the processor's features.
+    """
+    return _code_format(engine())
+
+
+@functools.cache
+def _code_format(engine: wasmtime.Engine) -> bytes:
+    return bytes(wasmtime.Module(engine, b"\0asm\1\0\0\0").serialize())
+
+
 def compile_driver() -> Driver:
     """Return the module that runs a round of any fleet."""
     return _driver(engine())

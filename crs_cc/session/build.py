@@ -19,6 +19,7 @@ from crs_cc.runtime.executable import (
     Detail,
     Driver,
     Executable,
+    code_format,
     command_name,
     compile_driver,
     load_executable,
@@ -175,7 +176,7 @@ def _build(
 
 
 def _code_key(key: str, entry: _Linked, flags: dict[str, bool]) -> str:
-    return cache.key("code", key, entry.content, str(flags))
+    return cache.key("code", key, entry.content, str(flags), code_format())
 
 
 def build_watching(executable: Executable) -> Executable:
@@ -210,7 +211,7 @@ def build_watching(executable: Executable) -> Executable:
 
 def build_driver() -> Driver:
     """Return the module that runs a round of any fleet, from the cache if possible."""
-    name = cache.key("driver")
+    name = cache.key("driver", code_format())
     entry = cache.load(name, bytes)
     known = entry and load_module(entry)
     if known:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from crs_cc.core.errors import InternalError
 from crs_cc.core.source import Diagnostics
-from crs_cc.runtime.executable import Executable, load_executable
+from crs_cc.runtime.executable import Executable, code_format, load_executable
 from crs_cc.toolchain import cache
 
 
@@ -22,7 +22,7 @@ def build_kernels(folder: Path, *, checked: bool = False) -> Executable:
     """
     files = sorted(folder.glob("*.[ch]"))
     texts = [part for file in files for part in (file.name, file.read_text("utf-8"))]
-    name = cache.key("kernels", texts, str(checked))
+    name = cache.key("kernels", texts, str(checked), code_format())
     machine_code = cache.load(name, bytes)
     if machine_code:
         known = load_executable(

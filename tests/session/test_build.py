@@ -24,6 +24,7 @@ from crs_cc.session.build import build_executable
 from crs_cc.toolchain import cache
 from crs_cc.toolchain import library as library_module
 from crs_cc.toolchain.fingerprint import PACKAGE, sources
+from tests.conftest import USERS_SETTINGS
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
 
@@ -163,6 +164,21 @@ def test_each_set_of_options_has_its_own_entry(
         build_executable([program], Diagnostics(), defines=["X=1"])
     assert len(generations) == 4
     assert len(compilations) == 2  # builds with the same macros share the linked program
+
+
+def test_code_is_cached_for_each_engine_that_a_program_is_compiled_for(
+    program: Path,
+    compilations: list[str],
+    generations: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    fast, codes = executable_module.settings, []
+    for settings in (fast, USERS_SETTINGS, fast, USERS_SETTINGS):
+        monkeypatch.setattr(executable_module, "settings", settings)
+        codes.append(build_executable([program], Diagnostics()).machine_code)
+    assert (len(compilations), len(generations)) == (1, 2)
+    assert codes[:2] == codes[2:]
+    assert codes[0] != codes[1]
 
 
 @pytest.mark.parametrize("linked_here", [True, False])

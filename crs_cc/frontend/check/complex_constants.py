@@ -7,7 +7,7 @@ method (CACM 1962, algorithm 116), each of whose divisions is truncated, see the
 >>> floating("/", 1 + 2j, 3 - 4j)
 (-0.2+0.4j)
 >>> from crs_cc.ir.types import INT
->>> integer_quotient(-7, 5, 2, 3, INT)
+>>> integer_quotient(INT, -7, 5, 2, 3)
 (1, 2)
 """
 
@@ -56,7 +56,7 @@ def _rounded(exact: Fraction, near: float) -> float:
         return math.inf if exact > 0 else -math.inf
 
 
-def integer_quotient(a: int, b: int, c: int, d: int, ctype: IntegerType) -> tuple[int, int] | None:
+def integer_quotient(ctype: IntegerType, a: int, b: int, c: int, d: int) -> tuple[int, int] | None:
     """Return `(a + bi) / (c + di)` in an integer type; None if a part is divided by zero."""
     small, large = (c, d) if abs(c) < abs(d) else (d, c)
     if large == 0:

@@ -303,7 +303,7 @@ def _integer_product(
     computed = LLONG if base.signed else ULLONG if base.size == ULLONG.size else UINT
     constants = _constants([a, b, c, d])
     if constants:
-        found = complex_constants.integer_quotient(*map(int, constants), computed)
+        found = complex_constants.integer_quotient(computed, *map(int, constants))
         if found is not None:
             real, imaginary = (tree.integer(each, computed, location) for each in found)
             return _built(base, real, imaginary, convert)
