@@ -22,6 +22,17 @@ from crs_cc.sim.files.schema_properties import children, properties
 IN_SURFACE: Final = ("heightmap", "ramp", "plateau")
 """Elements of the ground."""
 
+_SHARED: Final = {
+    **dict.fromkeys(IN_SURFACE, "surface"),
+    **dict.fromkeys(("channel", "shut"), "communication"),
+}
+"""The element of a world, of which there is one, that each of these goes into."""
+
+_CONDITIONS: Final = (
+    *("reach", "approach", "visit", "no-collision", "cool", "cover", "bring", "follow"),
+)
+"""Elements each of which has a goal of its own around it."""
+
 
 @dataclass(slots=True)
 class Plan:
@@ -54,8 +65,15 @@ def path_of(node: Node) -> list[str]:
 
 def path_inside(parent: Node, tag: str) -> list[str]:
     """Return the tag of a new element after those that will be around it."""
-    in_ground = tag in IN_SURFACE and parent.tag == "world"
-    return [*path_of(parent), *(["surface"] if in_ground else []), tag]
+    home = home_of(parent, tag)
+    return [*path_of(parent), *([home] if home else []), tag]
+
+
+def home_of(parent: Node, tag: str) -> str:
+    """Return the element between the world and a new element of a kind; empty if there is none."""
+    if parent.tag != "world":
+        return ""
+    return _SHARED.get(tag) or ("goal" if tag in _CONDITIONS else "")
 
 
 def pins(document: Document, tags: Collection[str], gone: Sequence[Node] = ()) -> list[Splice]:
@@ -85,7 +103,7 @@ def add(
     Args:
         document: the document.
         parent: the element around it; ramps, plateaus and height maps of a world go into its
-            surface.
+            surface, channels into its communication, conditions each into a new goal.
         tag: its kind.
         values: its attributes; an id is made up if it can have one.
         text: its own text.
@@ -93,12 +111,12 @@ def add(
     Raises:
         ValueError: there is no such element, or a value is not allowed in XML.
     """
-    if tag in IN_SURFACE and parent.tag == "world":
-        inside = next((each for each in parent.children if each.tag == "surface"), None)
-        if inside is None:
-            new = markup.element("surface", {}, "", markup.element(tag, values, text))
-            splices = markup.insert(document, parent, "surface", [new])
-            return Plan(splices, [f"surface/{tag}"])
+    home = home_of(parent, tag)
+    if home:
+        inside = next((each for each in parent.children if each.tag == home), None)
+        if inside is None or home == "goal":
+            own = f"{tag}[{values['name']}]" if "name" in values else tag
+            return _add_with_home(document, home, markup.element(tag, values, text), own)
         parent = inside
     known = children(schema_of(document), path_of(parent))
     if tag not in known:
@@ -112,6 +130,18 @@ def add(
     new = markup.element(tag, values, text)
     where = "" if parent.parent is None else f"{address(parent)}/"
     return Plan(markup.insert(document, parent, tag, [new]), [where + (name or f"{tag}[{count}]")])
+
+
+def _add_with_home(document: Document, home: str, inner: str, own: str) -> Plan:
+    """Add an element, given as text and by its own name, in a new one that it goes into."""
+    world = document.root
+    if home not in THINGS:
+        new = markup.element(home, {}, "", inner)
+        return Plan(markup.insert(document, world, home, [new]), [f"{home}/{own}"])
+    count = sum(each.tag == home for each in world.children)
+    name = fresh(f"{home}{count}", ids(world))
+    new = markup.element(home, {"id": name}, "", inner)
+    return Plan(markup.insert(document, world, home, [new]), [name])
 
 
 def set_values(document: Document, nodes: Sequence[Node], values: Mapping[str, str | None]) -> Plan:

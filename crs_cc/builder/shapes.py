@@ -1,7 +1,7 @@
 """The shapes of a world's elements from above, as JSON: what the page of the builder draws.
 
 A shape is a polygon (`points`), a disc (`x`, `y`, `radius`) or a wall (`points` and `thickness`);
-lengths are in metres.
+lengths are in metres. Those of an object made of parts have the name of their `part`.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ import math
 from collections.abc import Iterator
 from typing import Any, TypeAlias
 
-from crs_cc.builder.addresses import ids
+from crs_cc.builder.addresses import address, ids
 from crs_cc.builder.document import Document
 from crs_cc.builder.extents import element_of, patches
 from crs_cc.plot.goal_layer import places
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model.colours import hexadecimal
-from crs_cc.sim.model.goals import Goal
+from crs_cc.sim.model.goals import Goal, Visit
 from crs_cc.sim.model.world import (
     PLAIN,
     Box,
@@ -37,12 +37,17 @@ def shapes(document: Document, world: WorldModel) -> dict[str, list[Shape]]:
     """Return the shapes of all elements that have one, by their names."""
     known = ids(document.root)
     found: dict[str, list[Shape]] = {}
+    found.update(_heightmap(document, world))
     for name, patch in patches(document, world):
         pose = Pose(patch.x_m, patch.y_m, patch.heading_rad)
         ground = {"kind": "ground", "points": _corners(pose, patch.length_m, patch.width_m)}
         found[name] = [ground | {"from": patch.from_m, "to": patch.to_m}]
     for solid in world.solids()[len(world.edge_walls()) :]:
-        found.setdefault(element_of(solid.id, known), []).append(_solid(solid))
+        name = element_of(solid.id, known)
+        shape = _solid(solid)
+        if name != solid.id:
+            shape["part"] = solid.id[len(name) + 1 :]
+        found.setdefault(name, []).append(shape)
     for goal in world.goals:
         found[goal.id] = list(_places(goal))
     for robot in world.robots:
@@ -51,7 +56,39 @@ def shapes(document: Document, world: WorldModel) -> dict[str, list[Shape]]:
         found[light.id] = [{"kind": "light", "x": light.x_m, "y": light.y_m, "radius": 0.1}]
     for sound in world.sounds:
         found[sound.id] = [{"kind": "sound", "x": sound.x_m, "y": sound.y_m, "radius": 0.1}]
+    found.update(_ranges(document, world))
     return found
+
+
+def _heightmap(document: Document, world: WorldModel) -> Iterator[tuple[str, list[Shape]]]:
+    """Yield the ground's map of heights, whose rows are from the top as in the file."""
+    chart = world.surface.heightmap
+    for node in document.root.all():
+        if node.tag != "heightmap" or chart is None:
+            continue
+        size = chart.columns
+        rows = [
+            [round(value, 4) for value in chart.heights_m[start : start + size]]
+            for start in range(0, len(chart.heights_m), size)
+        ]
+        right_m = chart.x_m + size * chart.pixel_m
+        top_m = chart.y_m + len(rows) * chart.pixel_m
+        shape = {"kind": "heights", "pixel": chart.pixel_m, "rows": rows[::-1]}
+        corners = [[chart.x_m, chart.y_m], [right_m, chart.y_m], [right_m, top_m]]
+        yield address(node), [{**shape, "points": [*corners, [chart.x_m, top_m]]}]
+
+
+def _ranges(document: Document, world: WorldModel) -> Iterator[tuple[str, list[Shape]]]:
+    """Yield what each channel of the file reaches, around each robot."""
+    known = {channel.name: channel for channel in world.communication.channels}
+    for node in document.root.all():
+        channel = known.get(node.attributes.get("name", "")) if node.tag == "channel" else None
+        if channel is None or not math.isfinite(channel.range_m):
+            continue
+        yield address(node), [
+            {"kind": "range", "x": place.x_m, "y": place.y_m, "radius": channel.range_m}
+            for place in (robot.start for robot in world.robots)
+        ]
 
 
 def _solid(solid: Solid) -> Shape:
@@ -89,5 +126,13 @@ def _robot(robot: Robot) -> Shape:
 
 
 def _places(goal: Goal) -> Iterator[Shape]:
-    for place in places(goal):
-        yield {"kind": "goal", "x": place.x_m, "y": place.y_m, "radius": place.radius_m}
+    """Yield the places of a goal, each with the name of its element within the goal's."""
+    found = list(places(goal))
+    if isinstance(goal.condition, Visit):
+        names = [f"visit/place[{number}]" for number in range(len(found))]
+        names = ["visit/place"] if len(found) == 1 else names
+    else:
+        names = [type(goal.condition).__name__.lower()]
+    for place, name in zip(found, names, strict=False):
+        shape = {"kind": "goal", "x": place.x_m, "y": place.y_m, "radius": place.radius_m}
+        yield {**shape, "element": name}

@@ -7,30 +7,44 @@ run, is where it was.
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from collections.abc import Callable
+from itertools import chain
 from pathlib import Path
 from typing import Any, Final
 
 from crs_cc.builder.addresses import address, ids
-from crs_cc.builder.changes import path_of, schema_of
+from crs_cc.builder.changes import path_inside, path_of, schema_of
+from crs_cc.builder.composition import definitions
 from crs_cc.builder.document import Document
+from crs_cc.builder.motion import quantity
 from crs_cc.builder.shapes import shapes
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import OPERATIONS
 from crs_cc.builder.world_builder import WorldBuilder
 from crs_cc.core.errors import CrsError
 from crs_cc.core.file_names import displayed
+from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.source import Diagnostic
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.known_robots import known_robots
-from crs_cc.sim.files.schema_properties import properties
+from crs_cc.sim.files.schema_properties import Property, children, properties
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.messages import VERSION, answer, message, refusal
 from crs_cc.workbench.server import Server
 
 MAX_NAMES: Final = 10_000
+MAX_SHOWN: Final = 100
+"""Elements in another whose attributes are shown with it."""
+
+_LOOKS: Final = ("properties", "form")
+"""Commands that change nothing."""
+
+_HOMES: Final = ("surface", "communication", "goal")
+"""Elements of a world that come with what is in them."""
+
 _LONGEST: Final = 60_000
 
 
@@ -69,7 +83,7 @@ class BuildScreen:
         self._do: dict[str, Callable[[dict[str, Any]], Any]] = {
             "apply": self._apply, "undo": self._undo, "redo": self._redo, "save": self._save,
             "copy": self._copy, "paste": self._paste, "properties": self._properties,
-            "try": self._try, "read": self._read,
+            "try": self._try, "read": self._read, "form": self._form, "again": lambda _: None,
         }  # fmt: skip
         self.server = Server(self, port, "/build")
 
@@ -95,6 +109,7 @@ class BuildScreen:
         if world is not None:
             self._shown = {"area": _area(world), "shapes": shapes(builder.document, world)}
         root = builder.document.root
+        things = [_thing(node, name) for node, name in _named(root)]
         return message(
             "document",
             file=displayed(str(builder.path or self._target or "")),
@@ -103,10 +118,15 @@ class BuildScreen:
             undo=builder.document.undoable[-1:],
             redo=builder.document.redoable[-1:],
             unit=builder.document.length_unit,
-            things=[_thing(node, name) for node, name in _named(root)],
+            things=things,
+            parts={
+                name: [_thing(part, address(part)) for part in node.children]
+                for name, node in definitions(root).items()
+            },
             materials=_names(root, "material", builder.library()),
             definitions=_names(root, "define", builder.library()),
             robots=list(known_robots()),
+            channels=[] if world is None else [each.name for each in world.communication.channels],
             problems=_problems(builder),
             clip=bool(self._clip),
             **self._shown,
@@ -121,7 +141,7 @@ class BuildScreen:
         if do is None:
             client.put(refusal(number, unknown("command", name[:40], list(self._do))))
             return
-        if client.role != "control" and name != "properties":
+        if client.role != "control" and name not in _LOOKS:
             client.put(refusal(number, "this page may look only"))
             return
         try:
@@ -133,7 +153,7 @@ class BuildScreen:
         except Exception as error:  # ours; the work must not be lost by it
             wrong = " ".join(f"{type(error).__name__}: {error}".split())
             client.put(refusal(number, f"internal error: {wrong}; please report it"))
-        if name != "properties":
+        if name not in _LOOKS:
             self.server.broadcast_latest("document", self._document())
 
     def _apply(self, given: dict[str, Any]) -> list[str]:
@@ -186,27 +206,52 @@ class BuildScreen:
     def _properties(self, given: dict[str, Any]) -> dict[str, Any]:
         """Return the attributes that an element has and may have."""
         node = self.builder.element(_text(given, "name"))
-        rows = properties(schema_of(self.builder.document), path_of(node))
-        known = {row.name for row in rows}
-        listed = [
-            {
-                "name": row.name, "value": node.attributes.get(row.name), "default": row.default,
-                "choices": row.choices, "required": row.required, "help": row.help,
-                "type": row.type, "units": [unit for unit, _ in row.kind.units] if row.kind else [],
-            }
-            for row in rows
-        ]  # fmt: skip
-        listed += [
-            {"name": name, "value": value, "choices": [], "help": "unknown", "units": []}
-            for name, value in node.attributes.items()
-            if name not in known
-        ]
-        children = [{"name": address(each), "tag": each.tag} for each in node.children]
-        return {"tag": node.tag, "rows": listed, "children": children}
+        schema = schema_of(self.builder.document)
+        inner = node.children if node.tag not in ("world", "surface", "communication") else []
+        return {
+            **_filled(schema, node),
+            "children": [_filled(schema, each) for each in inner[:MAX_SHOWN]],
+            "may": children(schema, path_of(node)),
+        }
+
+    def _form(self, given: dict[str, Any]) -> dict[str, Any]:
+        """Return the attributes that a new element may have, and the kinds that can be added."""
+        document = self.builder.document
+        parent = self.builder.element(given.get("into") or "")
+        schema = schema_of(document)
+        kinds = children(schema, path_of(parent))
+        if parent.tag == "world":
+            inner = [children(schema, [parent.tag, each]) for each in _HOMES]
+            kinds = (*(each for each in kinds if each not in (*_HOMES, "area")), *chain(*inner))
+        kind = given.get("kind") or kinds[0]
+        rows = properties(schema, path_inside(parent, str(kind)))
+        return {"kinds": kinds, "kind": kind, "rows": [_row(row, None) for row in rows]}
 
     def _try(self, _: dict[str, Any]) -> str:
         self.builder.world()  # or says what is wrong
         return self._start_run(self.builder)
+
+
+def _filled(schema: str, node: Node) -> dict[str, Any]:
+    """Return an element with the attributes that it has and may have."""
+    rows = properties(schema, path_of(node))
+    known = {row.name for row in rows}
+    listed = [_row(row, node.attributes.get(row.name)) for row in rows]
+    listed += [
+        {"name": name, "value": value, "choices": [], "help": "unknown", "units": []}
+        for name, value in node.attributes.items()
+        if name not in known
+    ]
+    text = None if rows or node.children else node.text.strip()
+    return {"name": address(node), "tag": node.tag, "rows": listed, "text": text}
+
+
+def _row(row: Property, value: str | None) -> dict[str, Any]:
+    return {
+        "name": row.name, "value": value, "default": row.default,
+        "choices": row.choices, "required": row.required, "help": row.help,
+        "type": row.type, "units": [unit for unit, _ in row.kind.units] if row.kind else [],
+    }  # fmt: skip
 
 
 def _operations() -> list[dict[str, Any]]:
@@ -228,15 +273,23 @@ def _operations() -> list[dict[str, Any]]:
 
 
 def _named(root: Node) -> list[tuple[Node, str]]:
-    """Return the elements below the root, and those of the ground, with their names."""
+    """Return the elements below the root, those of ground and communication too, by their names."""
     known = {id(node): name for name, node in ids(root).items()}
-    grounds = [each for each in root.children if each.tag == "surface"]
-    nodes = [*root.children, *(child for ground in grounds for child in ground.children)]
+    nodes = list[Node]()
+    for each in root.children:
+        nodes.append(each)
+        if each.tag in ("surface", "communication"):
+            nodes += each.children
     return [(node, known.get(id(node)) or address(node)) for node in nodes]
 
 
 def _thing(node: Node, name: str) -> dict[str, Any]:
-    return {"name": name, "tag": node.tag, "attributes": node.attributes}
+    found = {"name": name, "tag": node.tag, "attributes": node.attributes}
+    if node.tag == "object":
+        with contextlib.suppress(ValueError):  # the loader says what is wrong with it
+            x_m, y_m = quantity(node, "x", LENGTH), quantity(node, "y", LENGTH)
+            found["pose"] = [x_m, y_m, quantity(node, "heading", ANGLE, 0.0)]
+    return found
 
 
 def _names(root: Node, tag: str, library: list[Document]) -> list[str]:
@@ -260,7 +313,8 @@ def _problems(builder: WorldBuilder) -> list[dict[str, Any]]:
         rows.append((node.line, node.line + document.text.count(b"\n", node.begin, node.end), name))
     return [
         {
-            "text": each.text, "hint": each.hint, "line": each.location.line,
+            "severity": each.severity, "text": each.text, "hint": each.hint,
+            "file": "", "line": each.location.line,
             "name": _at(rows, each) if each.location.file == document.file else "",
         }
         for each in found

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 
 from crs_cc.cli.start_build import building
 from crs_cc.workbench.build_screen import BuildScreen
@@ -60,6 +61,7 @@ class Hand:
 
     def __init__(self, page: Any) -> None:
         self.page = page
+        self.at = (0.0, 0.0)
 
     def to(self, x: float, y: float) -> None:
         px, py = self.page.evaluate(
@@ -70,6 +72,7 @@ class Hand:
             }""",
             [x, y],
         )
+        self.at = (px, py)
         self.page.mouse.move(px, py)
 
     def click(self, x: float, y: float) -> None:
@@ -87,6 +90,12 @@ class Hand:
     def press(self, *keys: str) -> None:
         for key in keys:
             self.page.keyboard.press(key)
+
+    def fill(self, values: dict[str, str], form: str = "form.operations") -> None:
+        """Fill a form, and send it."""
+        for name, text in values.items():
+            self.page.fill(f"{form} [name={name}]", text)
+        self.press("Enter")
 
     def has(self, *names: str) -> None:
         """Wait until there are these elements."""
@@ -186,7 +195,86 @@ def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path
     wait(hand.page, "window.crs && crs.model && crs.model.state && crs.model.state.t > 0.2")
     assert (folder / ".hall.trial.xml").exists()
     hand.page.go_back()
-    wait(hand.page, "window.crs && crs.model.document && crs.model.document.things.length === 10")
+    wait(hand.page, "window.crs && crs.model.document && crs.model.document.things.length === 15")
+
+
+def goals_sounds_steps_and_ranges_are_drawn(hand: Hand) -> None:
+    hand.press("t")
+    hand.drag((3.0, 0.4), (4.0, 1.4))
+    hand.press("n")
+    hand.click(2.4, 5.4)
+    hand.press("g")
+    hand.drag((7.4, 5.2), (7.6, 5.2))
+    hand.has("surface/plateau", "sound0", "goal0")
+    hand.press("v")
+    hand.drag((7.6, 5.2), (7.8, 5.2))  # the handle of its radius
+    wait(hand.page, "crs.model.shapes('goal0')[0].radius > 0.39")
+    hand.page.fill("[aria-label=stay]", "2s")
+    hand.press("Enter")
+    hand.page.click("summary:text-is('Add')")
+    hand.page.select_option("[aria-label='kind to add']", "channel")
+    wait(hand.page, "document.querySelector('form.operations [name=range]')")
+    hand.page.click("summary:text-is('more attributes')")
+    hand.fill({"name": "radio", "range": "2m"})
+    channel = "communication/channel[radio]"
+    hand.has(channel)
+    wait(hand.page, f"crs.model.selection.has('{channel}')")
+    hand.drag((3.0, 1.0), (2.6, 1.0))
+    wait(hand.page, f"crs.model.thing('{channel}').attributes.range === '1.6m'")
+    hand.page.click("summary:text-is('Add')")
+
+
+def the_ground_is_raised_by_a_brush_and_read_from_a_picture(hand: Hand, folder: Path) -> None:
+    hand.press("h")
+    hand.page.fill("[aria-label='brush rise in metres']", "0.1")
+    hand.drag((7.0, 2.0), (7.2, 2.0))
+    hand.has("surface/heightmap")
+    wait(hand.page, "Math.max(...crs.model.shapes('surface/heightmap')[0].rows.flat()) > 0.09")
+    hand.press("Control+z")
+    wait(hand.page, "!crs.model.thing('surface/heightmap')")
+    Image.linear_gradient("L").save(folder / "grey.png")
+    hand.page.set_input_files("[aria-label='picture of heights']", folder / "grey.png")
+    hand.has("surface/heightmap")
+    wait(hand.page, "crs.model.shapes('surface/heightmap')[0].rows.at(-1)[0] > 0.9")
+    hand.press("Control+z", "Escape")
+    wait(hand.page, "!crs.model.thing('surface/heightmap')")
+
+
+def a_definition_is_edited_and_all_copies_follow(hand: Hand, screen: BuildScreen) -> None:
+    hand.to(6.2, 4.2)
+    hand.page.mouse.dblclick(*hand.at)
+    wait(hand.page, "crs.model.inside && crs.model.things.length === 2")
+    hand.drag((-0.3, 0.0), (-0.3, 0.1))
+    wait(hand.page, "crs.model.shapes('define[table]/box0')[0].points[0][1] > 0.35")
+    hand.press("b")
+    hand.drag((-0.4, -0.5), (-0.2, -0.3))
+    hand.has("define[table]/box1")
+    hand.press("Escape", "Escape")
+    wait(hand.page, "!crs.model.inside && crs.model.shapes('table').length === 3")
+    first, second = (f"crs.model.shapes('{name}')[0].points[0]" for name in ("table", "table-2"))
+    wait(hand.page, f"Math.abs({second}[1] - {first}[1]) < 1e-9 && {second}[0] - {first}[0] > 4.7")
+    hand.page.locator(".properties b", has_text="table-2").wait_for()
+    hand.page.fill(".property [aria-label=mass]", "5kg")
+    hand.press("Enter")
+    wait(hand.page, "crs.model.shapes('table-2').every((shape) => shape.kind === 'movable')")
+    assert not screen.builder.problems()
+
+
+def elements_are_locked_and_hidden(hand: Hand) -> None:
+    hand.click(0.5, 3.0)
+    wait(hand.page, "crs.model.selection.has('wall0')")
+    hand.press("k", "Control+a")
+    wait(hand.page, "crs.model.selection.size > 3 && !crs.model.selection.has('wall0')")
+    hand.press("i")
+    hand.click(1.0, 1.0)
+    wait(hand.page, "!crs.model.selection.size && crs.model.hidden.has('robot0')")
+    hand.press("u")
+    hand.click(1.0, 1.0)
+    wait(hand.page, "crs.model.selection.has('robot0')")
+    hand.page.locator(".thing", has_text="wall0").click()
+    hand.page.locator("canvas").focus()
+    hand.press("k")
+    wait(hand.page, "!crs.model.locked.size")
 
 
 def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder: Path) -> None:
@@ -197,4 +285,8 @@ def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder
     problems_are_listed_and_undone(hand)
     the_file_is_as_a_person_would_have_written_it(hand, folder)
     properties_are_typed_and_everything_is_undone_and_done_again(hand, screen)
+    goals_sounds_steps_and_ranges_are_drawn(hand)
+    the_ground_is_raised_by_a_brush_and_read_from_a_picture(hand, folder)
+    a_definition_is_edited_and_all_copies_follow(hand, screen)
+    elements_are_locked_and_hidden(hand)
     the_world_is_tried_and_editing_goes_on_where_it_was(hand, folder)

@@ -55,14 +55,17 @@ def step(operation: str, *names: str, **values: Any) -> dict[str, Any]:
 def test_a_page_is_told_everything_and_changes_it_by_operations(screen: BuildScreen) -> None:
     before = document(screen)
     assert before["area"] == {"x": 0, "y": 0, "length": 12, "width": 7, "edge": 0.1}
-    assert [each["name"] for each in before["things"]][-3:] == [
-        "surface/ramp[1]", "surface/plateau", "surface/ramp[2]"
+    assert [each["name"] for each in before["things"]][1:5] == [
+        "surface", "surface/ramp[0]", "surface/ramp[1]", "surface/plateau"
     ]  # fmt: skip
     assert before["shapes"]["surface/ramp[0]"][0]["points"][0] == [6, 3]
     assert ask(screen, "apply", **step("array", "sledge", columns=2, x=0.5)) == ["sledge-2"]
     assert document(screen)["undo"] == ["array"]
     assert ask(screen, "copy", names=["sledge"]).startswith("<clip>")
     assert ask(screen, "paste", values={"x": 1, "y": "50cm"}) == ["sledge-3"]
+    form = ask(screen, "form", "view", into="", kind="channel")
+    assert {"ramp", "channel", "reach", "robot"} < set(form["kinds"])
+    assert [row["name"] for row in form["rows"]][:2] == ["name", "range"]
     rows = ask(screen, "properties", "view", name="sledge")["rows"]
     mass = next(row for row in rows if row["name"] == "mass")
     assert (mass["value"], mass["units"]) == ("4kg", ["kg", "g", "lb"])

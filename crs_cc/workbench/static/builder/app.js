@@ -2,28 +2,32 @@
 
 import { button, el, fill, part } from "../dom.js";
 import { restoreTheme } from "../theme.js";
+import { Clipboard } from "./clipboard.js";
+import { toolsFor } from "./drawing.js";
 import { Model } from "./model.js";
+import { makeOptions } from "./options.js";
 import { makePanels } from "./panels.js";
-import { TOOLS, Tools } from "./tools.js";
+import { Tools } from "./tools.js";
 import { View } from "./view.js";
 
 restoreTheme();
 document.body.classList.add("build");
 const canvas = el("canvas", { tabIndex: 0, "aria-label": "The world from above", oncontextmenu: (event) => event.preventDefault() });
-fill(part("world"), canvas);
 const model = new Model();
 const view = new View(canvas, model);
 const tools = new Tools(model, view);
+const clipboard = new Clipboard(model, view);
+fill(part("world"), canvas, makeOptions(model, tools));
 makePanels(model, view);
 
-const pressed = TOOLS.map((tool) => button({ text: tool.id, title: tool.title, key: tool.key.toUpperCase(), onclick: () => tools.choose(tool.id) }));
+const bar = el("div.tools", { role: "toolbar", "aria-label": "Tools" });
 const undo = button({ text: "Undo", title: "Undo", key: "Ctrl-Z", onclick: () => model.ask("undo") });
 const redo = button({ text: "Redo", title: "Redo", key: "Ctrl-Y", onclick: () => model.ask("redo") });
 const save = button({ text: "Save", title: "Save", key: "Ctrl-S", className: "primary", onclick: () => store() });
 const attempt = button({ text: "Try", title: "Try: run the world, Back returns here", key: "F5", onclick: () => run() });
 const title = el("h1");
 const note = el("span.note-text.said", { role: "status" });
-fill(part("head"), title, ...pressed, el("span.spacer"), note, undo, redo, attempt, save);
+fill(part("head"), title, bar, el("span.spacer"), note, undo, redo, attempt, save);
 
 async function store() {
   const file = model.document.file || prompt("Save as", "room.xml");
@@ -37,11 +41,6 @@ async function run() {
   if (address) location.href = address;
 }
 
-async function copy(name) {
-  const clip = await model.ask("copy", { names: [...model.selection] });
-  if (clip && name === "x") await model.apply("remove");
-}
-
 async function duplicate() {
   const made = await model.apply("array", { values: { columns: 2, x: view.step() * 4 } });
   if (made?.length) model.choose(made);
@@ -51,13 +50,26 @@ const SHORTCUTS = {
   z: (event) => model.ask(event.shiftKey ? "redo" : "undo"),
   y: () => model.ask("redo"),
   s: () => store(),
-  c: () => copy("c"),
-  x: () => copy("x"),
-  v: () => model.paste({ x: view.step() * 4, y: -view.step() * 4 }),
+  c: () => clipboard.copy(),
+  x: () => clipboard.cut(),
   d: () => duplicate(),
-  a: () => model.select(model.document.things.map((thing) => thing.name).filter((name) => model.shapes(name).length)),
+  a: () => model.select(model.things.map((thing) => thing.name).filter((name) => model.isFree(name) && model.shapes(name).length)),
 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const ACTIONS = {
+  f: () => view.fit(),
+  F5: () => run(),
+  u: () => model.toggle(model.hidden, [...model.hidden]),
+};
+const ON_SELECTION = {
+  Delete: () => model.apply("remove"),
+  Backspace: () => model.apply("remove"),
+  "[": () => model.apply("turn", { values: { angle: "15deg" } }),
+  "]": () => model.apply("turn", { values: { angle: "-15deg" } }),
+  i: () => model.toggle(model.hidden),
+  k: () => model.toggle(model.locked),
+  Enter: () => model.enter([...model.selection][0]),
+};
 
 /** @param {KeyboardEvent} event */
 function key(event) {
@@ -69,15 +81,12 @@ function key(event) {
     return Boolean(act);
   }
   if (tools.key(event)) return true;
-  const tool = TOOLS.find((each) => each.key === event.key.toLowerCase());
+  const tool = toolsFor(model.document?.isRobot).find((each) => each.key === event.key.toLowerCase());
   const arrow = ARROWS[event.key];
+  const act = ACTIONS[event.key] ?? (model.selection.size && target.tagName !== "BUTTON" ? ON_SELECTION[event.key] : null);
   if (tool) tools.choose(tool.id);
-  else if (event.key === "f") view.fit();
-  else if (event.key === "F5") run();
-  else if (!model.selection.size) return false;
-  else if (event.key === "Delete" || event.key === "Backspace") model.apply("remove");
-  else if (arrow) model.apply("move", { values: { x: arrow[0] * view.step(), y: arrow[1] * view.step() } });
-  else if (event.key === "[" || event.key === "]") model.apply("turn", { values: { angle: event.key === "[" ? "15deg" : "-15deg" } });
+  else if (act) act();
+  else if (arrow && model.selection.size) model.apply("move", { values: { x: arrow[0] * view.step(), y: arrow[1] * view.step() } });
   else return false;
   return true;
 }
@@ -86,26 +95,38 @@ document.addEventListener("keydown", (event) => {
   if (key(event)) event.preventDefault();
 });
 
-let isFitted = false;
+let shown = "";
 model.addEventListener("change", () => {
   const { document: known } = model;
   if (!known) return;
   const name = known.file.split("/").at(-1) || "a new world";
   document.title = `${known.changed ? "* " : ""}${name} · crs build`;
   title.textContent = name + (known.changed ? " *" : "");
+  const wrong = known.problems.some((problem) => problem.severity === "error");
   undo.disabled = !known.undo.length || !model.mayChange;
   redo.disabled = !known.redo.length || !model.mayChange;
   undo.title = `Undo ${known.undo[0] ?? ""} (Ctrl-Z)`;
-  save.disabled = known.problems.length > 0 || !model.mayChange;
-  save.title = known.problems.length ? "Save: the problems at the left are in the way" : "Save (Ctrl-S)";
-  if (!isFitted && known.area) view.fit();
-  isFitted = true;
-  view.draw();
+  save.disabled = wrong || !model.mayChange;
+  save.title = wrong ? "Save: the problems at the left are in the way" : "Save (Ctrl-S)";
+  const where = model.path.join("/");
+  if (known.area && (shown === "" || where !== shown.slice(1))) {
+    view.fit();
+    shown = `.${where}`;
+  }
+  showTools();
 });
 model.addEventListener("note", () => (note.textContent = model.note));
-const showTool = () => pressed.forEach((each, index) => each.setAttribute("aria-pressed", String(TOOLS[index].id === tools.tool)));
-model.addEventListener("tool", showTool);
-showTool();
+model.addEventListener("tool", () => showTools());
+
+function showTools() {
+  const buttons = toolsFor(model.document?.isRobot).map((tool) => {
+    const made = button({ text: tool.id, title: tool.title, key: tool.key.toUpperCase(), onclick: () => tools.choose(tool.id) });
+    made.setAttribute("aria-pressed", String(tool.id === tools.tool));
+    return made;
+  });
+  if (bar.children.length !== buttons.length) fill(bar, ...buttons);
+  else buttons.forEach((made, at) => bar.children[at].setAttribute("aria-pressed", made.getAttribute("aria-pressed")));
+}
 
 /** For tests and the curious. */
 Object.assign(window, { crs: { model, view, tools } });

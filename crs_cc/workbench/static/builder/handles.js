@@ -1,20 +1,26 @@
 /** Handles of what is selected: a knob that turns, ends of walls, corners of boxes, a radius. */
 
-import { corners } from "./view.js";
+import { corners } from "./paint.js";
 
 const KNOB = 28; // [px] above the selection
 
 /** The rectangle around the selection [m]; null if nothing with a shape is selected. */
 export function bounds(model) {
-  const points = [...model.selection].flatMap((name) => model.shapes(name).flatMap(corners));
-  if (!points.length) return null;
-  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
-  return { left: Math.min(...xs), right: Math.max(...xs), low: Math.min(...ys), high: Math.max(...ys) };
+  const found = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
+  for (const name of model.selection) {
+    for (const [x, y] of model.shapes(name).flatMap(corners)) {
+      found.left = Math.min(found.left, x);
+      found.right = Math.max(found.right, x);
+      found.low = Math.min(found.low, y);
+      found.high = Math.max(found.high, y);
+    }
+  }
+  return found.left <= found.right ? found : null;
 }
 
 /**
  * The handles of the selection, each with its place and what a drag of it sets.
- * @returns {{kind: string, place: number[], set?: (to: number[]) => Record<string, number>}[]}
+ * @returns {{kind: string, place: number[], name?: string, set?: (to: number[]) => Record<string, number>}[]}
  */
 export function handles(model, view) {
   const around = bounds(model);
@@ -26,6 +32,8 @@ export function handles(model, view) {
   const [name] = model.selection;
   const thing = model.thing(name);
   const [shape] = model.shapes(name);
+  if (!shape || shape.kind === "heights") return [];
+  if (shape.kind === "range" || shape.kind === "goal") return model.shapes(name).map((each) => ring(name, each));
   if (thing?.tag === "wall") {
     found.push({ kind: "end", place: shape.points[0], set: ([x, y]) => ({ x1: x, y1: y }) });
     found.push({ kind: "end", place: shape.points[1], set: ([x, y]) => ({ x2: x, y2: y }) });
@@ -36,6 +44,14 @@ export function handles(model, view) {
     shape.points.forEach((place, index) => found.push({ kind: "size", place, set: (to) => resized(shape, index, to) }));
   }
   return found;
+}
+
+/** The handle of the radius of a goal's place, or of the range of a channel. */
+function ring(name, shape) {
+  const attribute = shape.kind === "range" ? "range" : "radius";
+  const set = ([x, y]) => ({ [attribute]: Math.max(0.01, Math.hypot(x - shape.x, y - shape.y)) });
+  const target = shape.element ? `${name}/${shape.element}` : name;
+  return { kind: "size", place: [shape.x + shape.radius, shape.y], name: target, set };
 }
 
 /** The attributes of a box of which one corner goes to a place, and the opposite one stays. */

@@ -1,12 +1,14 @@
 /** What the page knows of the world that is edited, and what it asks of the builder. */
 
 import { SocketChannel } from "../channel.js";
+import { byPart, compose } from "./frames.js";
 
 /**
  * @typedef {{kind: string, points?: number[][], x?: number, y?: number, radius?: number,
- *   thickness?: number, heading?: number, colour?: string, from?: number, to?: number}} Shape
- * @typedef {{name: string, tag: string, attributes: Record<string, string>}} Thing
- * @typedef {{text: string, hint: string, line: number, name: string}} Problem
+ *   thickness?: number, heading?: number, colour?: string, from?: number, to?: number,
+ *   part?: string, element?: string, rows?: number[][], pixel?: number}} Shape
+ * @typedef {{name: string, tag: string, attributes: Record<string, string>, pose?: [number, number, number]}} Thing
+ * @typedef {{root: string, pose: [number, number, number], things: Thing[], shapes: Record<string, Shape[]>}} Inside
  */
 
 export class Model extends EventTarget {
@@ -16,6 +18,15 @@ export class Model extends EventTarget {
     this.document = null;
     this.operations = [];
     this.selection = new Set();
+    /** Elements that are not drawn, and that the mouse leaves alone. */
+    this.hidden = new Set();
+    this.locked = new Set();
+    /** The objects whose definitions are opened, outermost first. @type {string[]} */
+    this.path = [];
+    /** The definition that is edited; null for the world. @type {Inside | null} */
+    this.inside = null;
+    /** @type {Map<string, Thing>} */
+    this.index = new Map();
     this.isConnected = false;
     this.mayChange = false;
     this.note = "";
@@ -32,8 +43,8 @@ export class Model extends EventTarget {
       this.say(message.isOver ? "crs build has ended" : "not connected");
     } else if (message.type === "document") {
       this.document = message;
-      const there = new Set(message.things.map((thing) => thing.name));
-      for (const name of this.selection) if (!there.has(name)) this.selection.delete(name);
+      this.settle();
+      for (const name of this.selection) if (!this.index.has(name)) this.selection.delete(name);
     }
     this.tell("change");
   }
@@ -48,26 +59,99 @@ export class Model extends EventTarget {
     this.tell("note");
   }
 
+  /** The elements that are edited: those of the world, or of a definition. @returns {Thing[]} */
+  get things() {
+    return this.inside?.things ?? this.document?.things ?? [];
+  }
+
   /** @returns {Thing | undefined} */
   thing(name) {
-    return this.document?.things.find((each) => each.name === name);
+    return this.index.get(name);
   }
 
   /** @returns {Shape[]} */
   shapes(name) {
-    return this.document?.shapes?.[name] ?? [];
+    return (this.inside?.shapes ?? this.document?.shapes)?.[name] ?? [];
   }
+
+  // -- definitions -------------------------------------------------------------------------------
+
+  /** Find again the definition that is edited, as far as it is still there. */
+  settle() {
+    const { parts, things, shapes } = this.document;
+    this.inside = null;
+    this.index = new Map(things.map((thing) => [thing.name, thing]));
+    for (const [depth, name] of this.path.entries()) {
+      const thing = this.index.get(name);
+      const known = thing?.pose && Object.hasOwn(parts, thing.attributes.ref) && parts[thing.attributes.ref];
+      if (!thing?.pose || !known) {
+        this.path = this.path.slice(0, depth);
+        break;
+      }
+      const root = `define[${thing.attributes.ref}]`;
+      const own = (this.inside?.shapes ?? shapes)?.[name] ?? [];
+      const pose = this.inside ? compose(this.inside.pose, thing.pose) : thing.pose;
+      this.inside = { root, pose, things: known, shapes: byPart(own, thing.pose, known, root) };
+      this.index = new Map(known.map((part) => [part.name, part]));
+    }
+  }
+
+  /** Edit the definition of an object: all its copies follow. */
+  enter(name) {
+    const thing = this.thing(name);
+    if (thing?.tag !== "object") return;
+    this.path = [...this.path, name];
+    this.settle();
+    if (this.path.at(-1) !== name) this.say(`${thing.attributes.ref} is defined in a file that is included: edit that, or ungroup`);
+    this.select([]);
+    this.tell("change");
+  }
+
+  /** Go back to the object or the world around the definition that is edited. */
+  leave() {
+    const name = this.path.at(-1);
+    this.path = this.path.slice(0, -1);
+    this.settle();
+    this.select(name ? [name] : []);
+    this.tell("change");
+  }
+
+  // -- selection ---------------------------------------------------------------------------------
 
   select(names) {
     this.selection = new Set(names);
     this.tell("select");
   }
 
+  /** Hide or lock elements, or undo that. @param {Set<string>} set */
+  toggle(set, names = [...this.selection]) {
+    const isOn = names.every((name) => set.has(name));
+    for (const name of names) {
+      if (isOn) set.delete(name);
+      else set.add(name);
+    }
+    this.tell("change");
+  }
+
+  /** Whether the mouse may take an element. */
+  isFree(name) {
+    return !this.hidden.has(name) && !this.locked.has(name);
+  }
+
+  /** Select elements that are new: at once, or when they are known. */
+  choose(names) {
+    const known = names.every((name) => this.thing(name));
+    if (known) this.select(names);
+    else this.addEventListener("change", () => this.select(names), { once: true });
+  }
+
+  // -- what is asked -----------------------------------------------------------------------------
+
   /** Ask the builder; what goes wrong is said. @returns {Promise<any>} */
   async ask(name, fields = {}) {
     try {
       const value = await this.channel.ask(name, fields);
-      if (name !== "properties") this.say("");
+      if (!["properties", "form"].includes(name)) this.say("");
       return value;
     } catch (error) {
       this.say(/** @type {Error} */ (error).message);
@@ -81,21 +165,15 @@ export class Model extends EventTarget {
   }
 
   /** Add an element and select it. */
-  async add(kind, attributes) {
-    const names = await this.apply("add", { names: [], values: { kind }, attributes });
-    if (names) this.choose(names);
+  async add(kind, attributes, into = this.inside?.root ?? "") {
+    const names = await this.apply("add", { names: [], values: { kind, into }, attributes });
+    if (names) this.choose(names.filter((name) => !name.includes("/visit/")));
     return names;
   }
 
-  /** Select elements that are new: at once, or when they are known. */
-  choose(names) {
-    const known = names.every((name) => this.thing(name));
-    if (known) this.select(names);
-    else this.addEventListener("change", () => this.select(names), { once: true });
-  }
-
-  async paste(values) {
-    const names = await this.ask("paste", { values });
+  async paste(clip, values) {
+    while (this.inside) this.leave();
+    const names = await this.ask("paste", { values, ...(clip ? { clip } : {}) });
     if (names) this.choose(names);
   }
 }

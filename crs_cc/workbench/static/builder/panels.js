@@ -1,108 +1,95 @@
 /** The sides of the page: elements, properties, operations, problems. */
 
 import { el, fill, part } from "../dom.js";
+import { drawProperties, makeAddForm } from "./properties.js";
 
 /** @param {import("./model.js").Model} model @param {import("./view.js").View} view */
 export function makePanels(model, view) {
-  const things = el("div.things", { role: "listbox", "aria-label": "Elements" });
+  const things = el("div.things", { role: "listbox", "aria-label": "Elements", "aria-multiselectable": "true" });
   const problems = el("div.problems", { role: "list", "aria-label": "Problems" });
   const table = el("div.properties");
   const operations = el("div.operations");
   fill(
     part("sides"),
     el("aside.left", {}, section("Elements", things), section("Problems", problems)),
-    el("aside.right", {}, section("Properties", table), section("Operation", operations)),
+    el("aside.right", {}, section("Properties", table), folded("Operation", operations), folded("Add", makeAddForm(model), false)),
   );
+  const list = new ThingList(model, things);
   let shown = "";
   model.addEventListener("change", () => {
-    drawThings(model, things);
+    list.draw();
     drawProblems(model, view, problems);
     shown = drawOperations(model, operations, shown);
     drawProperties(model, table);
   });
   model.addEventListener("select", () => {
-    drawThings(model, things);
+    list.mark();
     drawProperties(model, table);
-    view.draw();
   });
 }
 
-const section = (title, body) => el("section", {}, el("h2", {}, title), body);
+export const section = (title, body) => el("section", {}, el("h2", {}, title), body);
 
-function drawThings(model, root) {
-  const rows = (model.document?.things ?? []).map((thing) =>
-    el(
-      "button.thing",
-      {
-        type: "button",
-        role: "option",
-        "aria-selected": model.selection.has(thing.name),
-        onclick: (event) => model.select(event.shiftKey ? [...model.selection, thing.name] : [thing.name]),
-      },
-      el("b", {}, thing.name),
-      el("span", {}, thing.tag),
-    ),
-  );
-  fill(root, ...rows);
+export const folded = (title, body, open = true) => el("details.section", { open }, el("summary", {}, title), body);
+
+/** The list of elements; rows stay as they are while names and kinds do. */
+class ThingList {
+  constructor(model, root) {
+    this.model = model;
+    this.root = root;
+    /** @type {Map<string, any>} */
+    this.rows = new Map();
+  }
+
+  draw() {
+    const { model } = this;
+    const before = this.rows;
+    this.rows = new Map();
+    for (const { name, tag } of model.things) {
+      const key = `${tag} ${name}`;
+      this.rows.set(key, before.get(key) ?? this.row(name, tag));
+    }
+    const isSame = before.size === this.rows.size && [...this.rows.values()].every((row, at) => row === this.root.children[at]);
+    if (!isSame) fill(this.root, ...this.rows.values());
+    this.mark();
+  }
+
+  row(name, tag) {
+    const { model } = this;
+    const choose = (event) => model.select(event.shiftKey ? [...model.selection, name] : [name]);
+    const made = el("button.thing", { type: "button", role: "option", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name), el("span.state"), el("span", {}, tag));
+    made.dataset.name = name;
+    return made;
+  }
+
+  mark() {
+    const { selection, hidden, locked } = this.model;
+    for (const row of this.rows.values()) {
+      const { name } = row.dataset;
+      const state = [hidden.has(name) ? "hidden" : "", locked.has(name) ? "locked" : ""].join(" ").trim();
+      const isChosen = String(selection.has(name));
+      if (row.getAttribute("aria-selected") !== isChosen) row.setAttribute("aria-selected", isChosen);
+      if (row.children[1].textContent !== state) row.children[1].textContent = state;
+    }
+  }
 }
 
 function drawProblems(model, view, root) {
+  const go = (problem) => {
+    if (!problem.name) return;
+    while (model.inside) model.leave();
+    model.select([problem.name]);
+    view.show(problem.name);
+  };
   const rows = (model.document?.problems ?? []).map((problem) =>
     el(
-      "button.problem",
-      {
-        type: "button",
-        role: "listitem",
-        title: problem.hint,
-        onclick: () => {
-          if (!problem.name) return;
-          model.select([problem.name]);
-          const [shape] = model.shapes(problem.name);
-          if (shape) view.centre = shape.points?.[0] ?? [shape.x, shape.y];
-          view.draw();
-        },
-      },
-      el("b", {}, `line ${problem.line}`),
+      `button.problem.${problem.severity}`,
+      { type: "button", role: "listitem", title: problem.hint, onclick: () => go(problem) },
+      el("b", {}, problem.file ? `${problem.file}, line ${problem.line}` : `line ${problem.line}`),
       el("span", {}, problem.text),
     ),
   );
   fill(root, ...(rows.length ? rows : [el("p.note-text", {}, "none: the world can be saved")]));
-}
-
-async function drawProperties(model, root) {
-  const names = [...model.selection];
-  if (names.length !== 1) {
-    const text = names.length ? `${names.length} elements are selected` : "nothing is selected";
-    fill(root, el("p.note-text", {}, text));
-    return;
-  }
-  const [name] = names;
-  const found = await model.ask("properties", { name });
-  if (!found || !model.selection.has(name) || root.contains(document.activeElement)) return;
-  fill(root, el("p", {}, el("b", {}, name), ` <${found.tag}>`), ...found.rows.map((row) => property(model, name, row)));
-}
-
-function property(model, name, row) {
-  const set = async (value) => {
-    /** @type {HTMLElement} */ (document.activeElement)?.blur();
-    await model.apply("set", { names: [name], attributes: { [row.name]: value } });
-    if (row.name === "id" && value) model.choose([value]);
-  };
-  const properties = {
-    "aria-label": row.name,
-    title: row.help,
-    onchange: (event) => set(event.target.value),
-  };
-  const known = { material: model.document.materials, ref: model.document.definitions, definition: model.document.robots }[row.name];
-  let input;
-  if (row.choices.length || known) {
-    const options = ["", ...new Set([...(row.choices.length ? row.choices : known), row.value ?? ""])].filter((each, at) => each || !at);
-    input = el("select", properties, ...options.map((each) => el("option", { value: each, selected: each === (row.value ?? "") }, each || `(${row.default ?? "none"})`)));
-  } else {
-    const hint = row.default ?? (row.units.length ? row.units.join(", ") : "");
-    input = el("input", { ...properties, type: "text", value: row.value ?? "", placeholder: hint, spellcheck: false });
-  }
-  return el("label.property", {}, el("span", { className: row.required ? "required" : "" }, row.name), input);
 }
 
 /** The form of the operation that is chosen, made from the builder's table. */

@@ -2,12 +2,11 @@
 
 import { gridStep, lengthText } from "../units.js";
 import { palette } from "../theme.js";
+import { into, moved } from "./frames.js";
+import { corners, isOn, paintShape } from "./paint.js";
 
 const NEAR = 8; // [px]
-const KINDS = {
-  wall: "#5b6472", solid: "#8d95a3", movable: "#d9b88a", ground: "#b9a98c", goal: "#1a7f37",
-  robot: "#0b66b8", light: "#e0a800", sound: "#8e44ad",
-};
+const DIM = 0.3; // what is around a definition that is edited
 
 export class View {
   /** @param {HTMLCanvasElement} canvas @param {import("./model.js").Model} model */
@@ -21,29 +20,40 @@ export class View {
     /** How the selection is moved while it is dragged. @type {((point: number[]) => number[]) | null} */
     this.dragged = null;
     this.isWaiting = false;
+    /** What does not change while something is dragged. */
+    this.backdrop = document.createElement("canvas");
+    this.drawn = "";
+    this.version = 0;
     this.colours = palette();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       this.colours = palette();
-      this.draw();
+      this.renew();
     });
+    for (const kind of ["change", "select"]) model.addEventListener(kind, () => this.renew());
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
   toScreen([x, y]) {
-    const { clientWidth, clientHeight } = this.canvas;
+    const { clientWidth, clientHeight } = this.size;
     return [clientWidth / 2 + (x - this.centre[0]) * this.scale, clientHeight / 2 - (y - this.centre[1]) * this.scale];
   }
 
   toWorld([x, y]) {
-    const { clientWidth, clientHeight } = this.canvas;
+    const { clientWidth, clientHeight } = this.size;
     return [this.centre[0] + (x - clientWidth / 2) / this.scale, this.centre[1] - (y - clientHeight / 2) / this.scale];
   }
 
+  /** The canvas's size; while a picture is drawn, as it was at its start. */
+  get size() {
+    return this.frozen ?? this.canvas;
+  }
+
   fit() {
+    const { inside } = this.model;
     const area = this.model.document?.area;
     if (!area) return;
     const { clientWidth, clientHeight } = this.canvas;
-    this.centre = [area.x + area.length / 2, area.y + area.width / 2];
+    this.centre = inside ? [0, 0] : [area.x + area.length / 2, area.y + area.width / 2];
     this.scale = 0.9 * Math.min(clientWidth / area.length, clientHeight / area.width);
     this.draw();
   }
@@ -57,6 +67,13 @@ export class View {
     this.draw();
   }
 
+  /** Show an element in the middle. */
+  show(name) {
+    const [shape] = this.model.shapes(name);
+    if (shape) this.centre = shape.points?.[0] ?? [shape.x ?? 0, shape.y ?? 0];
+    this.draw();
+  }
+
   /** The step of the grid [m]. */
   step() {
     return gridStep(12 / this.scale);
@@ -64,24 +81,31 @@ export class View {
 
   /** The name of the element at a point of the world, the topmost; empty if there is none. */
   at(point) {
-    const things = this.model.document?.things ?? [];
-    for (let index = things.length - 1; index >= 0; index -= 1) {
-      const { name } = things[index];
-      if (this.model.shapes(name).some((shape) => isOn(shape, point, NEAR / 2 / this.scale))) return name;
-    }
-    return "";
+    const { model } = this;
+    const near = NEAR / 2 / this.scale;
+    const found = model.things.findLast(({ name }) => model.isFree(name) && model.shapes(name).some((shape) => isOn(shape, point, near)));
+    return found?.name ?? "";
   }
 
   /** The names of the elements whose corners are all inside of a rectangle of the world. */
   inside([x1, y1], [x2, y2]) {
+    const { model } = this;
     const [left, right] = [Math.min(x1, x2), Math.max(x1, x2)];
     const [low, high] = [Math.min(y1, y2), Math.max(y1, y2)];
     const isIn = ([x, y]) => x >= left && x <= right && y >= low && y <= high;
-    const names = (this.model.document?.things ?? []).map((thing) => thing.name);
+    const names = model.things.map((thing) => thing.name).filter((name) => model.isFree(name));
     return names.filter((name) => {
-      const shapes = this.model.shapes(name);
-      return shapes.length > 0 && shapes.every((shape) => corners(shape).every(isIn));
+      const shapes = model.shapes(name);
+      return shapes.length > 0 && shapes.every((shape) => shape.kind !== "range" && corners(shape).every(isIn));
     });
+  }
+
+  // -- the picture -------------------------------------------------------------------------------
+
+  /** Draw a picture soon, of which everything may be new. */
+  renew() {
+    this.version += 1;
+    this.draw();
   }
 
   draw() {
@@ -96,109 +120,106 @@ export class View {
   paint() {
     const { canvas } = this;
     const ratio = devicePixelRatio || 1;
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    if (canvas.width !== width * ratio || canvas.height !== height * ratio) {
-      canvas.width = width * ratio;
-      canvas.height = height * ratio;
+    this.frozen = { clientWidth: canvas.clientWidth, clientHeight: canvas.clientHeight };
+    const [width, height] = [this.frozen.clientWidth, this.frozen.clientHeight];
+    for (const each of [canvas, this.backdrop]) {
+      if (each.width === Math.round(width * ratio) && each.height === Math.round(height * ratio)) continue;
+      each.width = Math.round(width * ratio);
+      each.height = Math.round(height * ratio);
+      this.drawn = "";
     }
-    const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const { colours } = this;
+    const key = [this.version, this.centre, this.scale, Boolean(this.dragged)].join();
+    if (key !== this.drawn) this.paintAll(penOf(this.backdrop, ratio), width, height);
+    this.drawn = key;
+    const pen = penOf(canvas, ratio);
+    if (width && height) pen.drawImage(this.backdrop, 0, 0, width, height);
+    if (this.dragged) for (const name of this.model.selection) this.paintThing(pen, name);
+    if (this.model.document?.area) this.preview?.(pen);
+    this.frozen = null;
+  }
+
+  /** Everything but what is dragged. */
+  paintAll(pen, width, height) {
+    const { model, colours } = this;
     pen.fillStyle = colours.sky;
     pen.fillRect(0, 0, width, height);
-    if (!this.model.document?.area) return;
+    if (!model.document?.area) return;
     this.paintFloor(pen, colours, width, height);
-    const wrong = new Set(this.model.document.problems.map((each) => each.name));
-    for (const { name } of this.model.document.things) {
-      const isChosen = this.model.selection.has(name);
-      for (const shape of this.model.shapes(name)) {
-        this.paintShape(pen, isChosen && this.dragged ? moved(shape, this.dragged) : shape, {
-          outline: isChosen ? colours.accent : wrong.has(name) ? colours.danger : "",
-        });
+    if (model.inside) this.paintAround(pen, into(model.inside.pose));
+    this.wrong = new Set(model.document.problems.map((each) => each.name));
+    for (const { name } of model.things) if (!this.dragged || !model.selection.has(name)) this.paintThing(pen, name);
+  }
+
+  paintThing(pen, name) {
+    const { model, colours } = this;
+    if (model.hidden.has(name)) return;
+    const isChosen = model.selection.has(name);
+    const outline = isChosen ? colours.accent : this.wrong?.has(name) ? colours.danger : "";
+    for (const shape of model.shapes(name)) {
+      if (shape.kind === "range" && !isChosen) continue;
+      paintShape(pen, this, isChosen && this.dragged ? moved(shape, this.dragged) : shape, { outline });
+    }
+  }
+
+  /** The world around a definition that is edited, seen from the object that was opened. */
+  paintAround(pen, motion) {
+    const { document: known, path } = this.model;
+    for (const { name } of known.things) {
+      if (name === path[0] && path.length === 1) continue;
+      for (const shape of known.shapes[name] ?? []) {
+        if (shape.kind !== "range" && shape.kind !== "heights") paintShape(pen, this, moved(shape, motion), { alpha: DIM });
       }
     }
-    this.preview?.(pen);
   }
 
   paintFloor(pen, colours, width, height) {
     const { area } = this.model.document;
-    const [left, top] = this.toScreen([area.x, area.y + area.width]);
-    const size = [area.length * this.scale, area.width * this.scale];
+    const { inside } = this.model;
+    const motion = inside ? into(inside.pose) : (point) => point;
+    const [right, top] = [area.x + area.length, area.y + area.width];
+    const floor = [[area.x, area.y], [right, area.y], [right, top], [area.x, top]].map(motion);
+    pen.beginPath();
+    this.line(pen, floor);
+    pen.closePath();
     pen.fillStyle = colours.floor;
-    pen.fillRect(left, top, size[0], size[1]);
+    pen.fill();
+    this.paintGrid(pen, colours, width, height);
+    if (!(area.edge > 0)) return;
+    const out = area.edge / 2;
+    const line = [[area.x - out, area.y - out], [right + out, area.y - out], [right + out, top + out], [area.x - out, top + out]];
+    pen.strokeStyle = colours.edge;
+    pen.lineWidth = Math.max(1, area.edge * this.scale);
+    pen.beginPath();
+    this.line(pen, line.map(motion));
+    pen.closePath();
+    pen.stroke();
+  }
+
+  paintGrid(pen, colours, width, height) {
     const step = this.step();
     const [low, high] = [this.toWorld([0, height]), this.toWorld([width, 0])];
     pen.lineWidth = 1;
+    pen.strokeStyle = colours.grid;
     for (const strong of [false, true]) {
-      pen.strokeStyle = colours.grid;
       const each = strong ? step * 5 : step;
       pen.beginPath();
       for (let x = Math.ceil(low[0] / each) * each; x < high[0]; x += each) {
-        const [px] = this.toScreen([x, 0]);
-        pen.moveTo(Math.round(px) + 0.5, 0);
-        pen.lineTo(Math.round(px) + 0.5, height);
+        const px = Math.round(this.toScreen([x, 0])[0]) + 0.5;
+        pen.moveTo(px, 0);
+        pen.lineTo(px, height);
       }
       for (let y = Math.ceil(low[1] / each) * each; y < high[1]; y += each) {
-        const [, py] = this.toScreen([0, y]);
-        pen.moveTo(0, Math.round(py) + 0.5);
-        pen.lineTo(width, Math.round(py) + 0.5);
+        const py = Math.round(this.toScreen([0, y])[1]) + 0.5;
+        pen.moveTo(0, py);
+        pen.lineTo(width, py);
       }
       pen.globalAlpha = strong ? 1 : 0.5;
       pen.stroke();
-      pen.globalAlpha = 1;
     }
-    if (area.edge > 0) {
-      pen.strokeStyle = colours.edge;
-      pen.lineWidth = Math.max(1, area.edge * this.scale);
-      const out = pen.lineWidth / 2;
-      pen.strokeRect(left - out, top - out, size[0] + 2 * out, size[1] + 2 * out);
-    }
+    pen.globalAlpha = 1;
     pen.fillStyle = colours.muted;
     pen.font = "12px system-ui";
     pen.fillText(`grid ${lengthText(step)}`, 10, height - 10);
-  }
-
-  /** @param {CanvasRenderingContext2D} pen @param {import("./model.js").Shape} shape */
-  paintShape(pen, shape, { outline = "", alpha = 1 } = {}) {
-    const colour = shape.colour ?? KINDS[shape.kind] ?? KINDS.solid;
-    pen.globalAlpha = alpha * (shape.kind === "ground" || shape.kind === "goal" ? 0.45 : 1);
-    pen.fillStyle = colour;
-    pen.strokeStyle = outline || "rgb(0 0 0 / 35%)";
-    pen.lineWidth = outline ? 2.5 : 1;
-    pen.beginPath();
-    if (shape.kind === "wall") {
-      this.line(pen, shape.points);
-      pen.lineCap = "round";
-      const width = Math.max(2, (shape.thickness ?? 0.1) * this.scale);
-      if (outline) {
-        pen.lineWidth = width + 5;
-        pen.stroke();
-      }
-      pen.strokeStyle = colour;
-      pen.lineWidth = width;
-      pen.stroke();
-      pen.lineCap = "butt";
-    } else if (shape.points) {
-      this.line(pen, shape.points);
-      pen.closePath();
-      pen.fill();
-      pen.stroke();
-    } else {
-      const [x, y] = this.toScreen([shape.x, shape.y]);
-      const radius = Math.max(3, (shape.radius ?? 0.1) * this.scale);
-      pen.arc(x, y, radius, 0, 2 * Math.PI);
-      pen.fill();
-      pen.stroke();
-      if (shape.kind === "robot") {
-        pen.beginPath();
-        pen.moveTo(x, y);
-        pen.lineTo(x + radius * Math.cos(shape.heading ?? 0), y - radius * Math.sin(shape.heading ?? 0));
-        pen.strokeStyle = "white";
-        pen.lineWidth = 2.5;
-        pen.stroke();
-      }
-    }
-    pen.globalAlpha = 1;
   }
 
   line(pen, points) {
@@ -210,33 +231,8 @@ export class View {
   }
 }
 
-/** A shape after a motion of the plane. */
-export function moved(shape, motion) {
-  if (shape.points) return { ...shape, points: shape.points.map(motion) };
-  const [x, y] = motion([shape.x, shape.y]);
-  const ahead = motion([shape.x + Math.cos(shape.heading ?? 0), shape.y + Math.sin(shape.heading ?? 0)]);
-  return { ...shape, x, y, heading: Math.atan2(ahead[1] - y, ahead[0] - x) };
-}
-
-/** Points that span a shape. @param {import("./model.js").Shape} shape */
-export function corners(shape) {
-  if (shape.points) return shape.points;
-  const { x = 0, y = 0, radius = 0 } = shape;
-  return [[x - radius, y - radius], [x + radius, y + radius]];
-}
-
-function isOn(shape, [x, y], near) {
-  if (shape.kind === "wall") {
-    const [[x1, y1], [x2, y2]] = shape.points;
-    const [dx, dy] = [x2 - x1, y2 - y1];
-    const along = Math.max(0, Math.min(1, ((x - x1) * dx + (y - y1) * dy) / (dx * dx + dy * dy || 1)));
-    return Math.hypot(x - x1 - along * dx, y - y1 - along * dy) <= shape.thickness / 2 + near;
-  }
-  if (!shape.points) return Math.hypot(x - shape.x, y - shape.y) <= shape.radius + near;
-  let inside = false;
-  shape.points.forEach(([x1, y1], index) => {
-    const [x2, y2] = shape.points[(index + 1) % shape.points.length];
-    if (y1 > y !== y2 > y && x < ((x2 - x1) * (y - y1)) / (y2 - y1) + x1) inside = !inside;
-  });
-  return inside;
+function penOf(canvas, ratio) {
+  const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return pen;
 }

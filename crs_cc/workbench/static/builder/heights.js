@@ -1,0 +1,105 @@
+/** The ground's map of heights: painted with a brush, or read from a picture. */
+
+import { gridStep } from "../units.js";
+import { paintShape } from "./paint.js";
+
+const MOST_CELLS = 64; // on a side of a new map
+const LONGEST = 60_000; // letters that a message may have
+const DIGITS = 1000; // heights are written in millimetres
+
+export class Brush {
+  /** @param {import("./model.js").Model} model @param {import("./view.js").View} view */
+  constructor(model, view) {
+    this.model = model;
+    this.view = view;
+    this.radius = 0.5; // [m]
+    this.rise = 0.05; // of one stroke, in its middle [m]
+    /** What one stroke has raised. @type {any} */
+    this.stroke = null;
+  }
+
+  /** The map of the world: its name and shape, nothing if there is none. */
+  get map() {
+    const thing = this.model.things.find((each) => each.tag === "heightmap");
+    const [shape] = thing ? this.model.shapes(thing.name) : [];
+    return thing && shape ? { name: thing.name, shape } : null;
+  }
+
+  begin(point, lowers) {
+    const shape = this.map?.shape ?? flat(this.model.document.area);
+    this.stroke = { shape, before: shape.rows.map((row) => [...row]), reached: shape.rows.map((row) => row.map(() => 0)), sign: lowers ? -1 : 1 };
+    this.paint(point);
+  }
+
+  /** Raise the cells around a point, each at most once as far as the brush reaches. */
+  paint([x, y]) {
+    if (!this.stroke) return;
+    const { shape, before, reached, sign } = this.stroke;
+    const [left, top] = shape.points[3];
+    shape.rows.forEach((row, r) => row.forEach((_, c) => {
+      const [dx, dy] = [left + (c + 0.5) * shape.pixel - x, top - (r + 0.5) * shape.pixel - y];
+      const share = Math.max(0, 1 - (dx * dx + dy * dy) / (this.radius * this.radius));
+      reached[r][c] = Math.max(reached[r][c], share);
+      row[c] = Math.max(0, Math.round((before[r][c] + sign * this.rise * reached[r][c]) * DIGITS) / DIGITS);
+    }));
+    this.view.renew();
+  }
+
+  async end() {
+    const { shape } = this.stroke ?? {};
+    this.stroke = null;
+    if (shape) await this.store(shape);
+  }
+
+  /** Write a map into the world, in place of that which is there. */
+  async store(shape) {
+    const { map } = this;
+    if (shape.rows.flat().join(" ").length > LONGEST) {
+      this.model.say("the map of heights is too fine to be painted: at most 64 by 64 pixels");
+      await this.model.ask("again");
+      return;
+    }
+    const table = { columns: shape.rows[0].length, heights: shape.rows.flat().join(" ") };
+    if (map) await this.model.apply("set", { names: [map.name], attributes: { ...table, image: null, height: null } });
+    else await this.model.apply("add", { names: [], values: { kind: "heightmap" }, attributes: { resolution: shape.pixel, x: shape.points[0][0], y: shape.points[0][1], ...table } });
+  }
+
+  /** Show what the brush would reach. */
+  show(pen, point) {
+    if (this.stroke && !this.map) paintShape(pen, this.view, this.stroke.shape);
+    const [x, y] = this.view.toScreen(point);
+    pen.beginPath();
+    pen.arc(x, y, this.radius * this.view.scale, 0, 2 * Math.PI);
+    pen.stroke();
+  }
+
+  /** Make the ground as a picture shows: black is low, white is high. @param {Blob} file @param {number} most height of white [m] */
+  async read(file, most) {
+    const picture = await createImageBitmap(file).catch(() => null);
+    if (!picture) {
+      this.model.say("this is no picture that the browser can read");
+      return;
+    }
+    const shape = flat(this.model.document.area);
+    const [rows, columns] = [shape.rows.length, shape.rows[0].length];
+    const pen = new OffscreenCanvas(columns, rows).getContext("2d");
+    if (!pen) return;
+    pen.imageSmoothingQuality = "high";
+    pen.drawImage(picture, 0, 0, columns, rows);
+    const { data } = pen.getImageData(0, 0, columns, rows);
+    const grey = (index) => (0.299 * data[index] + 0.587 * data[index + 1] + 0.114 * data[index + 2]) / 255;
+    shape.rows.forEach((row, r) => row.forEach((_, c) => (row[c] = Math.round(grey(4 * (r * columns + c)) * most * DIGITS) / DIGITS)));
+    const old = this.map;
+    if (old) await this.model.apply("remove", { names: [old.name] });
+    await this.store(shape);
+  }
+}
+
+/** A map without heights on all of an area. */
+function flat(area) {
+  const pixel = gridStep(Math.max(area.length, area.width) / MOST_CELLS);
+  const [columns, rows] = [area.length, area.width].map((side) => Math.max(2, Math.ceil(side / pixel)));
+  const [right, top] = [area.x + columns * pixel, area.y + rows * pixel];
+  const points = [[area.x, area.y], [right, area.y], [right, top], [area.x, top]];
+  return { kind: "heights", pixel, points, rows: Array.from({ length: rows }, () => new Array(columns).fill(0)) };
+}

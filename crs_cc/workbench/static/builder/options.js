@@ -1,0 +1,25 @@
+/** Above the world: the way out of a definition, and the settings of the brush. */
+
+import { el, fill } from "../dom.js";
+
+/** @param {import("./model.js").Model} model @param {import("./tools.js").Tools} tools */
+export function makeOptions(model, tools) {
+  const root = el("div.options");
+  const { brush } = tools;
+  const size = (name, title) =>
+    el("label", { title }, name, el("input", {
+      type: "number", step: 0.01, min: 0.01, value: brush[name], "aria-label": `brush ${name} in metres`,
+      onchange: (event) => (brush[name] = Math.max(0.001, Number(event.target.value) || brush[name])),
+    }), "m");
+  const most = el("input", { type: "number", step: 0.1, min: 0.1, max: 100, value: 1, "aria-label": "height of white in metres" });
+  const picture = el("input", { type: "file", accept: "image/*", "aria-label": "picture of heights", onchange: () => picture.files?.[0] && brush.read(picture.files[0], Number(most.value) || 1) });
+  const brushes = [size("radius", "What the brush reaches"), size("rise", "How much one stroke raises the ground in its middle"), el("label.picture", { title: "Heights from a picture: black is low, white is high" }, "or from a picture", picture), el("label", {}, "white is", most, "m")];
+  const draw = () => {
+    const { inside, path } = model;
+    const crumbs = inside ? [el("span", {}, `definition of ${path.join(" › ")}: all copies follow`), el("button", { type: "button", onclick: () => model.leave() }, "Done (Esc)")] : [];
+    fill(root, ...crumbs, ...(tools.tool === "heights" ? brushes : []));
+    root.hidden = !root.children.length;
+  };
+  for (const kind of ["change", "tool"]) model.addEventListener(kind, draw);
+  return root;
+}
