@@ -85,10 +85,11 @@ def _ranges(document: Document, world: WorldModel) -> Iterator[tuple[str, list[S
         channel = known.get(node.attributes.get("name", "")) if node.tag == "channel" else None
         if channel is None or not math.isfinite(channel.range_m):
             continue
-        yield address(node), [
+        discs = [
             {"kind": "range", "x": place.x_m, "y": place.y_m, "radius": channel.range_m}
             for place in (robot.start for robot in world.robots)
         ]
+        yield address(node), discs
 
 
 def _solid(solid: Solid) -> Shape:
