@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.message_contents import MessageContents, shown
 from crs_cc.requests import REQUESTS
 from crs_cc.sim.state.messages import EVERYBODY
 
@@ -37,6 +38,7 @@ SENSORS: Final = (
 EVENTS: Final = ("time [s]", "kind", "robot", "text", "x [m]", "y [m]")
 MESSAGES: Final = (
     "time [s]", "fate", "channel", "sender", "receiver", "group", "type", "size [bytes]", "number",
+    "content", "content [hex]",
 )  # fmt: skip
 
 _MAX_COLUMN: Final = 1_000_000
@@ -136,6 +138,7 @@ def _events(recording: Recording) -> Iterator[Sequence[Any]]:
 
 def _messages(recording: Recording) -> Iterator[Sequence[Any]]:
     names = ("time_s", "fate", "channel", "sender", "receiver", "group", "type", "bytes", "number")
+    contents = MessageContents()
     for time_ns, data in recording.data(topics.MESSAGE.topic):
         with recording.errors():
             columns = [data[name] for name in names]
@@ -143,9 +146,11 @@ def _messages(recording: Recording) -> Iterator[Sequence[Any]]:
             if not all(isinstance(cell, str | int | float) for row in rows for cell in row):
                 raise ValueError("a message has an invalid value")
             people = [(int(row[3]), int(row[4])) for row in rows]
-        for row, (sender, receiver) in zip(rows, people, strict=True):
+            said = contents.of(data)
+        for row, (sender, receiver), content in zip(rows, people, said, strict=False):
             to = "all" if receiver == EVERYBODY else _robot(recording, receiver, time_ns)
-            yield (*row[:3], _robot(recording, sender, time_ns), to, *row[5:])
+            cells = ("", "") if content is None else (shown(content), content.hex())
+            yield (*row[:3], _robot(recording, sender, time_ns), to, *row[5:], *cells)
 
 
 def _robot(recording: Recording, robot: int, time_ns: int) -> str:

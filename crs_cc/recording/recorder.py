@@ -156,7 +156,7 @@ class Recorder:
         for event in events_of(step):
             self._add_json(topics.EVENT, ns(event.pop("time_s")), event)
         if len(step.traffic):
-            self._add_json(topics.MESSAGE, time_ns, traffic_of(step.traffic))
+            self._add_json(topics.MESSAGE, time_ns, traffic_of(step.traffic, step.posted))
         if self._options.sensors == "none":
             return
         for served in step.served:

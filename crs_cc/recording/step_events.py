@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -87,8 +87,24 @@ def _marks(served: Served) -> Iterator[dict[str, Any]]:
             }  # fmt: skip
 
 
-def traffic_of(traffic: Records) -> dict[str, list[Any]]:
-    """Return what became of messages, by column."""
+def traffic_of(traffic: Records, posted: Sequence[Records]) -> dict[str, list[Any]]:
+    """Return what became of messages, by column, with the content of those that were sent.
+
+    Args:
+        traffic: what became of messages, of dtype `TRAFFIC`.
+        posted: the messages that were posted at the same time, of dtype `PACKET`.
+    """
+    contents = {
+        (int(packet["sender"]), int(packet["number"])): packet["data"][: packet["size"]]
+        for packets in posted
+        for packet in packets
+    }
+    senders, numbers = traffic["sender"].tolist(), traffic["number"].tolist()
+    is_sent = (traffic["fate"] == Fate.SENT).tolist()
+    said = [
+        contents.get((sender, number)) if new else None
+        for sender, number, new in zip(senders, numbers, is_sent, strict=True)
+    ]
     return {
         "time_s": traffic["time_s"].round(_DECIMALS).tolist(),
         "fate": [_FATES[fate] for fate in traffic["fate"].tolist()],
@@ -97,7 +113,8 @@ def traffic_of(traffic: Records) -> dict[str, list[Any]]:
             for name in ("channel", "sender", "receiver", "group", "type")
         },
         "bytes": traffic["size"].tolist(),
-        "number": traffic["number"].tolist(),
+        "number": numbers,
+        "content": [None if each is None else each.tobytes().hex() for each in said],
     }
 
 

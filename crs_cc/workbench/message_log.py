@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any, Final
 
+from crs_cc.recording.message_contents import MessageContents, shown
 from crs_cc.sim.comms.message_log import MEANINGS, Fate
 
 if TYPE_CHECKING:
@@ -85,21 +86,14 @@ def _rows(traffic: Records, contents: dict[tuple[int, int], str]) -> list[Row]:
     return rows
 
 
-def shown(content: bytes) -> str:
-    r"""Return a message's content as people read it: text, with escapes for other bytes.
-
-    >>> shown(b"go\x00\x01\xc3\xa4"), shown(b"hello\x00")
-    ('go\\x00\\x01ä', 'hello')
-    """
-    text = content.rstrip(b"\0").decode("utf-8", "backslashreplace")
-    return "".join(each if each.isprintable() else f"\\x{ord(each):02x}" for each in text)
-
-
-def recorded_rows(columns: Mapping[str, Sequence[Any]], fates: dict[str, int]) -> list[Row]:
-    """Return the rows of a message of a recording, whose contents are not known."""
+def recorded_rows(
+    entry: Mapping[str, Sequence[Any]], fates: dict[str, int], contents: MessageContents
+) -> list[Row]:
+    """Return the rows of an entry of a recording."""
     names = ("time_s", "fate", "channel", "sender", "receiver", "group", "type", "bytes", "number")
-    table = zip(*(columns[name] for name in names), strict=True)
+    said = [None if each is None else shown(each) for each in contents.of(entry)]
+    table = zip(*(entry[name] for name in names), said, strict=True)
     return [
-        [float(time_s), fates.get(str(fate), int(Fate.LOSS)), *map(int, rest), None]
-        for time_s, fate, *rest in table
+        [float(time_s), fates.get(str(fate), int(Fate.LOSS)), *map(int, rest), content]
+        for time_s, fate, *rest, content in table
     ]

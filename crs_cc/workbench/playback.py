@@ -10,6 +10,7 @@ from crs_cc.core.units import inch_to_m
 from crs_cc.debug.errors import DebugError
 from crs_cc.recording import topics
 from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.message_contents import MessageContents
 from crs_cc.sim.comms.message_log import Fate
 from crs_cc.workbench.feed import rounded
 from crs_cc.workbench.message_log import recorded_rows
@@ -65,9 +66,10 @@ class Playback:
         for roster in recording.rosters:
             feed.roster(roster.time_ns / NS, roster.robots, roster.objects)
         fates = {fate.name.lower(): int(fate) for fate in Fate}
+        contents = MessageContents()
         for _, data in recording.data(topics.MESSAGE.topic):
             with recording.errors():
-                feed.messages.add(recorded_rows(data, fates))
+                feed.messages.add(recorded_rows(data, fates, contents))
         radius_m = world.robots[0].model.radius_m if world.robots else 0.0
         feed.description["marks"] = marks_in(recording, radius_m)[0] or None
         feed.fill(events_in(recording)[0], output_in(recording)[0])

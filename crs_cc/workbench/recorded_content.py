@@ -13,6 +13,7 @@ from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
 from crs_cc.recording.marks import marked_in
 from crs_cc.recording.mcap_records import NS
+from crs_cc.recording.message_contents import MessageContents, shown
 from crs_cc.workbench.frame_blocks import packed
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 MAX_EVENTS: Final = 20_000
 MAX_MARKS: Final = 5_000
 MAX_OUTPUT: Final = 4 * 2**20
+_MAX_CONTENT: Final = 60  # bytes of a message that an event shows
 
 _ARROWS: Final = {"sent": "sent", "delivered": "arrived", "corrupted": "corrupted"}
 
@@ -89,9 +91,10 @@ def events_in(recording: Recording) -> tuple[list[list[Any]], int]:
             if 0 <= robot < len(robots) and robots[robot] not in text:
                 text = f"{robots[robot]}{' ' if kind == 'collision' else ': '}{text}"
             found.append([time_ns / NS, kind, robot, text, *numbers])
+    contents = MessageContents()
     for time_ns, data in recording.data(topics.MESSAGE.topic):
         with recording.errors():
-            rows = list(_messages(data, recording.roster_at(time_ns).robots))
+            rows = list(_messages(data, recording.roster_at(time_ns).robots, contents))
         lost += max(0, len(found) + len(rows) - MAX_EVENTS)
         found += rows[: MAX_EVENTS - len(found)]
     return sorted(found, key=lambda each: float(each[0])), lost
@@ -114,13 +117,17 @@ def marks_in(recording: Recording, radius_m: float) -> tuple[list[list[Any]], in
     return found, len(marked) - len(shown)
 
 
-def _messages(data: dict[str, Any], robots: tuple[str, ...]) -> Iterator[list[Any]]:
+def _messages(
+    data: dict[str, Any], robots: tuple[str, ...], contents: MessageContents
+) -> Iterator[list[Any]]:
     """Yield what became of messages, as events."""
-    columns = (data["time_s"], data["fate"], data["sender"], data["receiver"])
-    for time_s, fate, sender, receiver in zip(*columns, strict=True):
+    columns = (data["time_s"], data["fate"], data["sender"], data["receiver"], contents.of(data))
+    for time_s, fate, sender, receiver, content in zip(*columns, strict=True):
         names = [robots[each] if 0 <= each < len(robots) else "all" for each in (sender, receiver)]
         kind = f"message-{_ARROWS.get(str(fate), 'lost')}"
         text = f"{names[0]} to {names[1]}: {str(fate)[:40]}"
+        if content and fate == "sent":
+            text += f" {shown(content[:_MAX_CONTENT])!r}"
         yield [float(time_s), kind, int(sender), text, None, None]
 
 

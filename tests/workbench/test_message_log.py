@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from crs_cc.recording.message_contents import MessageContents
 from crs_cc.workbench import message_log
 from crs_cc.workbench.message_log import MAX_SENT, MessageLog, recorded_rows
 
@@ -15,7 +16,7 @@ COLUMNS: dict[str, list[Any]] = {
 
 def test_what_a_page_does_not_have_yet_is_sent_in_pieces_and_the_future_is_forgotten() -> None:
     log = MessageLog()
-    log.add(recorded_rows(COLUMNS, {"sent": 0, "shut": 7}))
+    log.add(recorded_rows(COLUMNS, {"sent": 0, "shut": 7}, MessageContents()))
     assert [row[:5] for row in log.since(0)["rows"]] == [[0.5, 0, 0, 0, -1], [0.6, 7, 0, 0, 1]]
     assert log.since(1)["rows"][0][1] == 7
     assert log.since(2)["rows"] == []
@@ -26,7 +27,7 @@ def test_what_a_page_does_not_have_yet_is_sent_in_pieces_and_the_future_is_forgo
 
 def test_the_log_is_bounded() -> None:
     log = MessageLog()
-    row = recorded_rows(COLUMNS, {"sent": 0})[0]
+    row = recorded_rows(COLUMNS, {"sent": 0}, MessageContents())[0]
     log.add([row] * (message_log.MAX_ROWS + 1))
     found = log.since(0)
     assert found["first"] == message_log.MAX_ROWS // 2
