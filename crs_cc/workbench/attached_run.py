@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.session import Session
+    from crs_cc.sim.model.world import WorldModel
 
 
 class AttachedRun:
@@ -36,6 +37,11 @@ class AttachedRun:
     def stands(self) -> bool:
         """Return False: its programs are not asked."""
         return False
+
+    @property
+    def world(self) -> WorldModel:
+        """Its world, with the robots that have joined."""
+        return self._session.environment.world
 
     @property
     def time_s(self) -> float:

@@ -15,6 +15,7 @@ from crs_cc.debug.world.edits import FAULTS
 from crs_cc.sim.files.world_writer import fault_elements
 from crs_cc.sim.files.xml_document import document_of
 from crs_cc.sim.model.degradation import HOLD, degradables, described
+from crs_cc.workbench.devices_in_view import phase_now
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -86,15 +87,14 @@ def panel(debugger: Debugger) -> dict[str, Any]:
 def _faults(debugger: Debugger) -> Iterator[dict[str, Any]]:
     environment = debugger.session.environment
     models = {robot.id: robot.model for robot in environment.world.robots}
-    control = environment.degradations
-    for each in control.all():
+    for each in environment.degradations.all():
         yield {
             "id": each.id,
             "robot": each.robot,
             "device": each.device,
             "element": each.element,
             "text": described(each, models[each.robot]),
-            "phase": control.phase(each.id),
+            "phase": phase_now(environment, each),
             "onset": each.onset_s,
             "duration": each.duration_s,
             "recovery": each.recovery_s,

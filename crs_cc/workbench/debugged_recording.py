@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
+    from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.debugged_run import DebuggedRun
     from crs_cc.workbench.playback import Playback
 
@@ -47,6 +48,11 @@ class DebuggedRecording:
     def stands(self) -> bool:
         """Whether the programs stand at the time that is shown."""
         return self._is_here
+
+    @property
+    def world(self) -> WorldModel:
+        """Its world, with the robots that have joined."""
+        return self._playback.world if self._debugged is None else self._debugged.world
 
     @property
     def time_s(self) -> float:

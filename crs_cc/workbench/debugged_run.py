@@ -14,6 +14,7 @@ from crs_cc.workbench.world_data import world_data
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
+    from crs_cc.sim.model.world import WorldModel
     from crs_cc.workbench.watcher import Watcher
 
 _GOES_ON: Final = frozenset({"tick", "step", "goto", "start", "beginning", "interrupt"})
@@ -47,6 +48,11 @@ class DebuggedRun:
     def stands(self) -> bool:
         """Return True: its programs are always where it is."""
         return True
+
+    @property
+    def world(self) -> WorldModel:
+        """Its world, with the robots that have joined."""
+        return self._debugger.session.environment.world
 
     @property
     def time_s(self) -> float:

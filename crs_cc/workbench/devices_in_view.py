@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from crs_cc.sim.engine.environment import Environment
+    from crs_cc.sim.model.degradation import Degradation
 
 MAX_DEGRADED: Final = 500
 
@@ -70,11 +71,16 @@ def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str]]:
         return
     robots = {robot.id: row for row, robot in enumerate(environment.world.robots)}
     for each in environment.degradations.all()[:MAX_DEGRADED]:
-        phase = environment.degradations.phase(each.id)
-        begins = phase == "waits" and each.onset_s <= environment.time_s
-        if begins or phase in {"acts", "fades"}:
+        phase = phase_now(environment, each)
+        if phase in {"acts", "fades"}:
             element = -1 if each.element is None else each.element
             yield robots[each.robot], each.device, element, phase
+
+
+def phase_now(environment: Environment, degradation: Degradation) -> str:
+    """Return the phase of a degradation; one that begins with this timestep acts already."""
+    phase = environment.degradations.phase(degradation.id)
+    return "acts" if phase == "waits" and degradation.onset_s <= environment.time_s else phase
 
 
 def _laser(environment: Environment, robot: int) -> list[float | None]:

@@ -18,6 +18,7 @@ from crs_cc.core.arrays import FloatArray
 from crs_cc.workbench.frame_store import FrameStore
 from crs_cc.workbench.message_log import MessageLog
 from crs_cc.workbench.messages import VERSION, message
+from crs_cc.workbench.trace import Trace
 
 if TYPE_CHECKING:
     from crs_cc.workbench.clients import Client
@@ -35,6 +36,10 @@ Output = tuple[float, int, int, str]
 """Time [s], robot, stream, text."""
 
 
+Roster = tuple[float, tuple[str, ...], tuple[str, ...]]
+"""Time [s], robots and objects in the frames from then on."""
+
+
 class Feed:
     """What is known of a run.
 
@@ -42,6 +47,7 @@ class Feed:
         description: what does not change: title, world, what can be done.
         frames: where everything was.
         messages: what became of messages.
+        trace: what robots did and measured.
         server: passes on what is new; None to keep it only.
         end_s: the latest time that is known [s].
     """
@@ -56,6 +62,7 @@ class Feed:
         self.description = description
         self.frames = FrameStore()
         self.messages = MessageLog()
+        self.trace = Trace()
         self.server: Server | None = None
         self.end_s = 0.0
         self._lock = threading.Lock()
@@ -63,7 +70,7 @@ class Feed:
         self._events: list[Event] = []
         self._output: list[Output] = []
         self._output_size = 0
-        self._rosters: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = []
+        self._rosters: list[Roster] = []
         self._sent_s = -1.0
 
     def greet(self, client: Client) -> None:
@@ -90,6 +97,10 @@ class Feed:
             "output": list(self._output),
             "blocks": self.frames.index(),
         }
+
+    def rosters(self) -> list[Roster]:
+        """Return who and what has been in the frames, and from when on."""
+        return list(self._rosters)
 
     def settle(self) -> None:
         """Pass on the frames up to here: the run stands, and pages may go back."""
@@ -169,13 +180,14 @@ class Feed:
             self.end_s = time_s
             self.frames.forget(time_s)
             self.messages.forget(time_s)
+            self.trace.forget(time_s)
             self._events = [each for each in self._events if each[0] <= after_s]
             self._output = [each for each in self._output if each[0] <= after_s]
             self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
             self._rosters = [each for each in self._rosters if each[0] <= after_s]
             self._tell("forget", time_s=time_s, blocks=self.frames.index())
 
-    def _roster(self, roster: tuple[float, tuple[str, ...], tuple[str, ...]]) -> dict[str, Any]:
+    def _roster(self, roster: Roster) -> dict[str, Any]:
         return {"t": roster[0], "robots": roster[1], "objects": roster[2]}
 
     def _tell(self, kind: str, **fields: Any) -> None:

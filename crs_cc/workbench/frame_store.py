@@ -7,8 +7,9 @@ runs out, every second frame of the older half goes.
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -89,6 +90,18 @@ class FrameStore:
         with self._lock:
             found = (each.content for each in self._blocks if each.number == number)
             return next(found, None)
+
+    def between(self, begin_s: float, end_s: float) -> Iterator[tuple[float, FloatArray]]:
+        """Yield the times [s] and frames of a span."""
+        with self._lock:
+            blocks = [each for each in self._blocks if each.end_s >= begin_s]
+            last = list(zip(self._times_s, self._frames, strict=True))
+        stored = (
+            zip(*unpacked(each.content), strict=True) for each in blocks if each.begin_s <= end_s
+        )
+        for time_s, frame in chain(chain.from_iterable(stored), last):
+            if begin_s <= time_s <= end_s:
+                yield time_s, frame
 
     def forget(self, time_s: float) -> None:
         """Discard all frames after a time."""

@@ -1,7 +1,7 @@
 """What a robot's instruments show: `State[]`, readings, and any expression, now or over time.
 
-An expression is one of the robot's program, in C, or a quantity of the robot itself: `pose.x`,
-`pose.heading` [deg], `speed` [m/s], `battery` [%], or a reading by device and element, `sonar.3`.
+An expression is one of the robot's program, in C, or a quantity of the robot itself: one of
+`quantities`, or a reading by device and element, `sonar.3`.
 """
 
 from __future__ import annotations
@@ -15,21 +15,33 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.sim.model.degradation import degradables
 from crs_cc.sim.model.registry import devices
-from crs_cc.workbench.robot_table import row, speeds
+from crs_cc.workbench.clearances import Clearances, closest
+from crs_cc.workbench.quantities import (
+    CLEARANCE,
+    QUANTITIES,
+    reading_of,
+    reading_unit,
+    unit_of,
+)
+from crs_cc.workbench.robot_table import row
+from crs_cc.workbench.trace import thinned
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from crs_cc.debug.engine import Debugger
     from crs_cc.workbench.context import Context
+    from crs_cc.workbench.trace import Samples
 
 MAX_EXPRESSIONS: Final = 40
-MAX_SAMPLES: Final = 400
+MAX_SAMPLES: Final = 2000
 MAX_ROWS: Final = 100
 MAX_ELEMENTS: Final = 32
 """Of a reading that is shown; a laser has more."""
 
-_POSE: Final = {"pose.x": 0, "pose.y": 1, "pose.heading": 2}
+_LATEST_S: Final = 1.0  # frames are more frequent while anything moves
+
+NO_ECHO: Final = "no echo"
 
 Value = float | str
 """A number, or why there is none."""
@@ -51,7 +63,7 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
     """Return `State[]`, the readings and the values of expressions of a robot, as they are now."""
     if not screen.run.stands:
         raise DebugError("the programs do not stand at the time that is shown")
-    debugger = _debugger(screen, robot)
+    debugger, wanted = _debugger(screen, robot), _listed(expressions)
     try:
         state = [[each.name, each.text] for each in vendor_state_rows(debugger.view, robot)]
     except DebugError:  # before the program has any
@@ -61,8 +73,42 @@ def inspect(screen: Context, robot: int, expressions: str) -> dict[str, Any]:
         "robot": robot,
         "state": state,
         "sensors": readings(debugger, robot),
-        "values": [value(debugger, robot, each) for each in _listed(expressions)],
+        "values": [
+            _clearance(screen, robot) if each == CLEARANCE else value(debugger, robot, each)
+            for each in wanted
+        ],
+        "units": [unit_of(debugger.session.environment, robot, each) for each in wanted],
     }
+
+
+def history(
+    screen: Context, *, robot: int, expressions: str, begin_s: float, end_s: float, count: int
+) -> dict[str, Any]:
+    """Return what is known of expressions of a robot over time; null for those of its program."""
+    if not 1 <= count <= MAX_SAMPLES:
+        raise DebugError(f"at most {MAX_SAMPLES} instants")
+    found: list[Samples | None] = []
+    for each in _listed(expressions):
+        if each == CLEARANCE:
+            clearance = Clearances(screen.run.world, screen.feed, begin_s, end_s).of(robot)
+            found.append(thinned(clearance.times_s.tolist(), clearance.gap_m, count))
+        else:
+            found.append(screen.feed.trace.samples(robot, each, begin_s, end_s, count))
+    return {"t": screen.run.time_s, "end": screen.feed.end_s, "series": found}
+
+
+def _clearance(screen: Context, robot: int) -> Value:
+    now_s = screen.run.time_s
+    found = Clearances(screen.run.world, screen.feed, now_s - _LATEST_S, now_s).of(robot).gap_m
+    known = found[~np.isnan(found)]
+    return float(known[-1]) if len(known) else "not known"
+
+
+def near(screen: Context, robot: int) -> dict[str, Any]:
+    """Return who came close to what, in what is known of the run; a robot's own at first."""
+    if not 0 <= robot < len(screen.run.world.robots):
+        return {"approaches": [], "robots": 0}
+    return closest(screen.run.world, screen.feed, robot)
 
 
 def past(
@@ -72,8 +118,10 @@ def past(
     debugger, wanted = _debugger(screen, robot), _listed(expressions)
     if not (0.0 <= begin_s <= end_s and 1 <= count <= MAX_SAMPLES):
         raise DebugError(f"at most {MAX_SAMPLES} instants, from 0 on")
-    screen.player.pause()
-    here, timestep_s = debugger.position, screen.run.timestep_s
+    if screen.player.is_playing:
+        raise DebugError("the run goes on: pause it first")
+    here, stop, view = debugger.position, debugger.stop, debugger.view
+    looked_at, timestep_s = (view.robot, view.frame), screen.run.timestep_s
     first, last = round(begin_s / timestep_s), round(min(end_s, screen.feed.end_s) / timestep_s)
     timesteps = sorted({round(each) for each in np.linspace(first, max(first, last), count)})
     found: list[list[Value]] = []
@@ -86,6 +134,7 @@ def past(
                 now_s = debugger.session.time_s
                 found.append([now_s, *(value(debugger, robot, each) for each in wanted)])
         debugger.goto(here)
+        debugger.stop, (view.robot, view.frame) = stop, looked_at
     return {"rows": found}
 
 
@@ -106,25 +155,17 @@ def value(debugger: Debugger, robot: int, expression: str) -> Value:
 def _own(debugger: Debugger, robot: int, expression: str) -> Value | None:
     """Return a quantity of the robot itself; None for an expression of its program."""
     environment = debugger.session.environment
-    if expression in _POSE:
-        pose = debugger.session.state.robot_result(robot).pose
-        number = pose[_POSE[expression]]
-        return math.degrees(number) if expression == "pose.heading" else float(number)
-    if expression in ("speed", "turn"):
-        mps, radps = speeds(environment, robot)
-        return mps if expression == "speed" else math.degrees(radps)
-    if expression == "battery":
-        return 100.0 * min(environment.charges(robot))
-    name, dot, element = expression.partition(".")
-    if not (dot and element.isdecimal() and len(element) < 5):
+    if expression in QUANTITIES:
+        return QUANTITIES[expression].of(environment, robot)
+    reading = reading_of(expression)
+    if reading is None:
         return None
-    if name not in {each.name for each in devices()}:
-        return None
+    name, element = reading
     numbers = environment.reading(name, robot)
-    if numbers is None or numbers.dtype.names or int(element) >= numbers.size:
+    if numbers is None or numbers.dtype.names or element >= numbers.size:
         return f"the robot has no {expression}"
-    number = float(numbers.ravel()[int(element)])
-    return number if math.isfinite(number) else "no echo"
+    number = float(numbers.ravel()[element])
+    return number if math.isfinite(number) else NO_ECHO
 
 
 def readings(debugger: Debugger, robot: int) -> dict[str, Any]:
@@ -138,12 +179,10 @@ def readings(debugger: Debugger, robot: int) -> dict[str, Any]:
         degradable = degradables().get(device.name)
         flat = numbers.ravel().astype(float).tolist()
         names: Sequence[str] = [str(each) for each in range(len(flat))]
-        unit = ""
         if degradable is not None:
             names = degradable.elements(environment.world.robots[robot].model) or names
-            unit = degradable.kind_of(names[0]).default
         found[device.name] = {
-            "unit": unit,
+            "unit": reading_unit(environment, robot, device.name),
             "elements": [
                 [element, name, round(number, 5) if math.isfinite(number) else None]
                 for element, (name, number) in enumerate(zip(names, flat, strict=False))

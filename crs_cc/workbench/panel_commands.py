@@ -39,6 +39,12 @@ PANEL: Final = (
     Command("past", "Return expressions at instants of the past.", instruments.past,
             {"robot": int, "expressions": str, "begin_s": float, "end_s": float, "count": int},
             needs="debug"),
+    Command("history", "Return what is known of quantities of a robot over time.",
+            instruments.history,
+            {"robot": int, "expressions": str, "begin_s": float, "end_s": float, "count": int},
+            controls=False, asks=True),
+    Command("near", "Return who came close to what, a robot's own at first.", instruments.near,
+            {"robot": int}, controls=False, asks=True),
     Command("traffic", "Return what became of messages, from a number on.", _traffic,
             {"since": int}, controls=False, at_once=True),
 )  # fmt: skip

@@ -42,6 +42,7 @@ class Playback:
         halt: why it stands, or stood last.
         end_s: when the recording ends [s].
         robot: the selected robot.
+        world: its world.
     """
 
     def __init__(self, recording: Recording, world: WorldModel, feed: Feed) -> None:
@@ -53,7 +54,7 @@ class Playback:
         self.halt = Halt("start", "ready to play")
         self.timestep_s = recording.description.frame_s
         self.time_s = 0.0
-        self._recording, self._world = recording, world
+        self._recording, self.world = recording, world
         self._rows: list[Readings] = []
         self._read_ns = 0, -1  # what they were read for
         self.end_s = feed.end_s = recording.end_ns / NS
@@ -106,7 +107,7 @@ class Playback:
         rows = range(first, min(first + MAX_ROBOTS, len(names)))
         speeds = self._speeds_mps(now_ns)
         states = self._states(now_ns)
-        kinds = {robot.id: robot.model.name for robot in self._world.robots}
+        kinds = {robot.id: robot.model.name for robot in self.world.robots}
         return {
             "t": self.time_s,
             "first": first,

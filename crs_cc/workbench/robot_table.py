@@ -17,6 +17,7 @@ from crs_cc.sim.model.degradation import described
 from crs_cc.sim.state.degradation import ACTS, FADES, degradation_of
 from crs_cc.workbench.devices_in_view import devices_in_view
 from crs_cc.workbench.feed import rounded
+from crs_cc.workbench.quantities import speeds
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -62,16 +63,6 @@ def status(
 def row(session: Session, run: RecordedRun, robot: int) -> dict[str, Any]:
     """Return the row of a robot, with the line at which its program stands."""
     return _row(session, robot) | _place(run, robot)
-
-
-def speeds(environment: Environment, robot: int) -> tuple[float, float]:
-    """Return the speed [m/s] and the turn rate [rad/s] at which a robot's motors drive it."""
-    model = environment.world.robots[robot].model
-    axes = environment.state.drive.axes.speed[robot]
-    right, left = float(axes[0]), float(axes[1])
-    if model.drive.steering is not None:
-        return right, left
-    return (right + left) / 2, (right - left) / (model.drive.wheel_base_m or 1.0)
 
 
 def _row(session: Session, robot: int) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
+    from crs_cc.sim.model.world import WorldModel
 
 Ability = Literal["play", "seek", "debug"]
 
@@ -45,6 +46,10 @@ class Run(Protocol):
     @property
     def stands(self) -> bool:
         """Whether its programs stand at the time that is shown, so that they can be asked."""
+
+    @property
+    def world(self) -> WorldModel:
+        """Its world, with the robots that have joined."""
 
     @property
     def time_s(self) -> float:

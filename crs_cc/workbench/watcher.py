@@ -48,6 +48,7 @@ class Watcher:
     def step(self, step: Step) -> None:
         """Tell what happened in a timestep that has just ended."""
         session = self._session
+        self._feed.trace.add(session.environment)
         if session.timesteps <= self._timesteps:
             if session.timesteps == self._timesteps:  # as far as it is known, ends are told
                 self._alive = tuple(session.state.alive.tolist())
@@ -71,9 +72,11 @@ class Watcher:
                 text = f"{result.id}'s program {result.outcome}"
                 if result.exit_status is not None:
                     text += f" with {result.exit_status}"
+                text += f" at {result.time_s:.3f} s"
                 if result.error is not None:
                     text = f"{result.id}: {result.error.location}: {result.error.text}"
-                self._feed.event(result.time_s, result.outcome, robot, text)
+                time_s = min(result.time_s, session.time_s)  # the run may end inside a timestep
+                self._feed.event(time_s, result.outcome, robot, text)
         self._alive = alive
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
@@ -87,6 +90,7 @@ class Watcher:
     def show(self, *, is_last: bool = True) -> None:
         """Show where everything is now."""
         environment = self._session.environment
+        self._feed.trace.add(environment)
         if environment.names is not self._names:
             self._names = environment.names
             robots = [robot.id for robot in environment.world.robots]

@@ -63,10 +63,14 @@ def a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page: Any, debugger:
     page.wait_for_selector(".state-rows th:has-text('STATE_SONAR_0')")
     click(page, "Move", ".actions")
     x = page.locator(".action-form input").nth(0)
+    heading = page.locator(".action-form input").nth(2)
     x.fill("5 lb")
+    heading.fill("north")
     click(page, "Move", ".action-form")
     page.wait_for_selector(".action-form .field:first-child .wrong:has-text('is not a length')")
+    page.wait_for_selector(".action-form .field:nth-child(3) .wrong:has-text('is not an angle')")
     x.fill("3")
+    heading.fill("0")
     click(page, "Move", ".action-form")
     wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 0) - 3) < 1e-3")
     assert changes(debugger) == ["move bob to 3 2.50 0"]
@@ -81,10 +85,14 @@ def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> No
     devices.select_option("sonar")
     page.locator("#panel-faults select").nth(1).select_option("4")
     stuck = page.locator("#panel-faults .field:has(label:text-is('stuck')) input[type=text]")
+    share = page.locator("#panel-faults .field:has(label:text-is('dropouts')) input")
     stuck.fill("5 lb")
+    share.fill("7")
     click(page, "Degrade", "#panel-faults")
     page.wait_for_selector(".bad-field .wrong:has-text('is not a length')")
+    page.wait_for_selector(".bad-field:has(label:text-is('dropouts')) .wrong:has-text('0 to 1')")
     stuck.fill("1.27m")
+    share.fill("")
     click(page, "Degrade", "#panel-faults")
     page.wait_for_selector(".in-force:has-text('sonar 4, stuck at 1.27m')")
     page.evaluate("crs.model.ask('step', { timesteps: 20 })")
@@ -99,15 +107,39 @@ def a_sonar_is_degraded_and_reads_otherwise(page: Any, debugger: Debugger) -> No
 
 def an_expression_is_plotted_back_to_the_start(page: Any) -> None:
     page.keyboard.press("g")
-    page.fill("#panel-plot input", "i")
+    # What the robot did is there at once, a sample for each timestep.
+    times = "crs.instruments.series.of('1 speed').times"
+    wait(page, f"{times}.length > 14 && {times}.at(-1) >= crs.model.state.end - 1e-6")
+    page.fill("#panel-plot input", "j")
     page.press("#panel-plot input", "Enter")
-    page.wait_for_selector(".chips .chip:has-text('i')")
-    click(page, "Fill in the past", "#panel-plot")
+    page.wait_for_selector("#panel-plot .wrong:has-text('undeclared'):has-text('clearance')")
+    colour = "crs.el && document.querySelector('.chip:has(b) .dot').style.background"
+    before = page.evaluate(colour)
+    for name in ("clearance", "i"):
+        page.fill("#panel-plot input", name)
+        page.press("#panel-plot input", "Enter")
+        page.wait_for_selector(f".chips .chip b:text-is('{name}')")
+    page.wait_for_selector(".chips .chip:has-text('clearance'):has-text(' m')")
+    wait(page, "crs.instruments.series.of('1 clearance').times.length > 14")
     wait(page, "crs.instruments.series.of('1 i').times.length > 10")
+    assert page.evaluate(colour) == before
+    page.click(".chip:has-text('speed') .close")
+    page.wait_for_selector(".chip:has-text('speed')", state="detached")
     values = page.evaluate("crs.instruments.series.of('1 i').values")
     known = [each for each in values if each is not None]
     assert known == sorted(known)
     page.keyboard.press("Escape")
+
+
+def a_click_on_an_approach_goes_there(page: Any, debugger: Debugger) -> None:
+    """Bob started a metre from the edge, and is farther from all else since he was moved."""
+    page.click("#tab-events")
+    gap_m = 1.0 - debugger.session.environment.world.robots[1].model.radius_m
+    page.wait_for_selector(".event.closest")
+    page.click(f".events .event:has-text('bob came to {gap_m:.2f} m of edge-west')")
+    wait(page, "crs.model.state.t === 0 && crs.model.scene.time < 1e-6")
+    page.evaluate("crs.timeline.seek(crs.model.state.end)")
+    wait(page, "crs.model.state.t >= crs.model.state.end - 1e-6")
 
 
 def messages_are_listed_shut_and_sent(page: Any, debugger: Debugger) -> None:
@@ -172,6 +204,7 @@ def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path:
             a_robot_is_moved_and_what_is_wrong_is_said_at_its_field(page, debugger)
             a_sonar_is_degraded_and_reads_otherwise(page, debugger)
             an_expression_is_plotted_back_to_the_start(page)
+            a_click_on_an_approach_goes_there(page, debugger)
             messages_are_listed_shut_and_sent(page, debugger)
             changes_are_listed_taken_back_and_written_out(page, debugger)
             a_robot_joins_with_a_program_of_its_own(page, tmp_path)

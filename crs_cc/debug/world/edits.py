@@ -19,11 +19,11 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.core.quantity import ANGLE, HEAT, LENGTH
+from crs_cc.core.quantity import ANGLE, HEAT
 from crs_cc.core.source import Diagnostics
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.edit import Edit, Words, find_robot
+from crs_cc.debug.world.edit import Edit, Words, find_robot, pose_of
 from crs_cc.debug.world.message_edits import MESSAGES
 from crs_cc.debug.world.rows import angle, instant, pose_text
 from crs_cc.debug.world.steering_edits import STEERING
@@ -97,10 +97,7 @@ def _move(environment: Environment, words: Words) -> str:
     if len(words) not in (4, 5) or words[1] != "to":
         raise _wrong_words("move")
     name = _name(environment, words[0])
-    heading_rad = _heading_rad(environment, name)
-    if len(words) == 5:
-        heading_rad = ANGLE.parse(words[4])
-    place = Pose(LENGTH.parse(words[2]), LENGTH.parse(words[3]), heading_rad)
+    place = pose_of(words[2:], _heading_rad(environment, name))
     environment.carry(name, place)
     return f"{name} is at {pose_text(place.x_m, place.y_m, place.heading_rad)} now"
 
@@ -159,8 +156,8 @@ def _degrade(environment: Environment, words: Words) -> str:
     element = Element("degrade", 1, attributes)
     found = degradation(element, robot.model, Reader("", diagnostics))
     if found is None:
-        text = diagnostics.messages[0].text
-        raise ValueError(text.removeprefix("degrade, "))
+        texts = (each.text.removeprefix("degrade, ") for each in diagnostics.messages)
+        raise ValueError("\n".join(texts))
     name = environment.degradations.add(found)
     return f"{robot.id} has {name} now: {described(found, robot.model)}"
 

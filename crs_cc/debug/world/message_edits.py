@@ -37,7 +37,7 @@ def _open(environment: Environment, words: Words) -> str:
 
 def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
     """Return the link and the times that words describe: `radio from robot0 to robot1 at 5s`."""
-    left, way, times = list(words), {}, {}
+    left, way, times, wrong = list(words), {}, {}, []
     is_all = left[:1] == ["all"]
     if left and left[0] not in ("from", "to", "at", "for"):
         word = left.pop(0)
@@ -48,8 +48,13 @@ def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
             del left[:2]
     for word in ("at", "for") if name == "shut" else ("at",):
         if len(left) > 1 and left[0] == word:
-            times[word] = _time_s(left[1])
+            try:
+                times[word] = _time_s(left[1])
+            except ValueError as error:
+                wrong.append(str(error))
             del left[:2]
+    if wrong:
+        raise ValueError("\n".join(wrong))
     if left or not (way or is_all):
         raise _wrong_words(name)
     return way, times
@@ -58,7 +63,7 @@ def _way(words: Words, name: str) -> tuple[dict[str, str], dict[str, float]]:
 def _time_s(text: str) -> float:
     time_s = TIME.parse(text)
     if time_s < 0.0:
-        raise ValueError("a time must not be negative")
+        raise ValueError(f"a time must not be negative, as '{text[:20]}' is")
     return time_s
 
 

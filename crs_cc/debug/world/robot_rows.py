@@ -82,11 +82,31 @@ def activity(session: Session, robot: int) -> str:
         return "stopped by an error"
     if result.outcome != "running":
         return "left the world" if result.outcome == "left" else "has not joined"
+    what = _pause(session, robot)
+    return f"{_motion(session.environment, robot)}: {what}" if what else "runs"
+
+
+def _pause(session: Session, robot: int) -> str:
+    """Return what a running program waits for; empty if its processor runs."""
     on_link = session.state.request_on_link(robot)
     if on_link is not None:
         code, due_s = on_link
-        return f"{_function(code)} is on the link until {instant(due_s)}"
-    return _waits(session.environment, robot) or "runs"
+        return f"{_function(code)} waits for the link until {instant(due_s)}"
+    clock_s = float(session.state.clock_s[robot])
+    if math.isfinite(clock_s) and clock_s > session.time_s + session.environment.timestep_s:
+        return f"sleeps until {instant(clock_s)}"
+    return _waits(session.environment, robot)
+
+
+def _motion(environment: Environment, robot: int) -> str:
+    """Return how a robot's motors move it now."""
+    if not environment.state.presence.present[robot]:
+        return "is absent"
+    wheels = environment.state.drive.axes.speed[robot, :2]
+    if not wheels.any():
+        return "stands"
+    is_turn = environment.world.robots[robot].model.drive.steering is None and not wheels.sum()
+    return "turns" if is_turn else "drives"
 
 
 def _clock_s(session: Session, robot: int, result: RobotResult) -> float:
@@ -112,7 +132,7 @@ def _waits(environment: Environment, robot: int) -> str:
         if chosen:
             what = f"{' and '.join(chosen)} stand{'s' * (len(chosen) == 1)}"
     until_s = float(waits.until_s[robot])
-    most = f", or it is {instant(until_s)}" if math.isfinite(until_s) else ""
+    most = f", {instant(until_s)} at the latest" if math.isfinite(until_s) else ""
     return f"{name} waits until {what}{most}"
 
 

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.core.quantity import ANGLE, LENGTH, TIME
+from crs_cc.core.quantity import TIME
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.edit import Edit, Words, find_robot
+from crs_cc.debug.world.edit import Edit, Words, find_robot, pose_of
 from crs_cc.debug.world.edits import EDITS, edit, words_of
 from crs_cc.debug.world.rows import instant, pose_text
-from crs_cc.sim.model.world import Pose, Robot
+from crs_cc.sim.model.world import Robot
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
@@ -121,8 +121,7 @@ def _join(session: Session, programs: Sequence[Executable], words: Words) -> str
         raise ValueError("robots join between two timesteps: 'tick' goes to the end of this one")
     if len(session.fleet) >= MAX_ROBOTS:
         raise ValueError(f"too many robots (maximum: {MAX_ROBOTS:,})")
-    heading_rad = ANGLE.parse(place[2]) if len(place) == 3 else 0.0
-    start = Pose(LENGTH.parse(place[0]), LENGTH.parse(place[1]), heading_rad)
+    start = pose_of(place)
     session.add_robot(Robot(name, model.model, start, join_s=session.time_s), executable)
     return f"{name} joins at {pose_text(start.x_m, start.y_m, start.heading_rad)}"
 

@@ -29,6 +29,7 @@ from crs_cc.sim.model.degradation import (
     degradables,
     element_of,
     memory_size,
+    out_of_range,
     shown,
 )
 from crs_cc.sim.model.robot import RobotModel
@@ -94,6 +95,8 @@ def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradat
         recovery_s=reader.quantity(element, "recovery", TIME),
         id=element.attributes.get("id", ""),
     )
+    for wrong in out_of_range(found):
+        reader.refuse(element, wrong)
     if not element.broken and (wrong := complaint(found, model)):
         reader.refuse(element, wrong)
     return None if element.broken else found

@@ -17,7 +17,7 @@ in the device's unit: metres, radians, seconds, volts.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Final, Literal
@@ -155,7 +155,11 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
     element = degradation.element
     if element is not None and not _names_one(element, names):
         return f"unknown element {element!r} of {device.name} (known: {shown(names)})"
-    return _out_of_range(degradation) or _ambiguous(degradation, device, names)
+    if wrong := next(out_of_range(degradation), ""):
+        return wrong
+    if not degradation.faults(RATIO):
+        return "no fault given: set gain, bias, noise, step, stuck, delay, dropouts or dead"
+    return _ambiguous(degradation, device, names)
 
 
 def described(degradation: Degradation, model: RobotModel) -> str:
@@ -204,7 +208,8 @@ def _names_one(element: object, names: tuple[str, ...]) -> bool:
     return type(element) is int and 0 <= element < len(names) and bool(names[element])
 
 
-def _out_of_range(degradation: Degradation) -> str:
+def out_of_range(degradation: Degradation) -> Iterator[str]:
+    """Yield what is wrong with the values of a degradation, each with its field."""
     stuck, duration_s = degradation.stuck, degradation.duration_s
     fixed = 0.0 if stuck is None or stuck == HOLD else stuck
     limits = (
@@ -221,12 +226,9 @@ def _out_of_range(degradation: Degradation) -> str:
     )
     for name, value, least, most in limits:
         if not _is_between(value, least, most):
-            return f"{name} must be a number from {least:g} to {most:g}, not {value!r}"
+            yield f"{name} must be a number from {least:g} to {most:g}, not {value!r}"
     if type(degradation.dead) is not bool:
-        return f"dead must be True or False, not {degradation.dead!r}"
-    if not degradation.faults(RATIO):
-        return "no fault given: set gain, bias, noise, step, stuck, delay, dropouts or dead"
-    return ""
+        yield f"dead must be True or False, not {degradation.dead!r}"
 
 
 def _is_between(value: object, least: float, most: float) -> bool:

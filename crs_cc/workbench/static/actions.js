@@ -1,6 +1,6 @@
 /** What can be done with the selected robot, and how it is driven by hand. */
 import { button, el } from "crs/dom.js";
-import { change, changeOrSay, entry, field, setOptions, typed } from "crs/change.js";
+import { NOTHING, change, changeOrSay, entry, field, sayAtFields, setOptions, typed } from "crs/change.js";
 import { Driving } from "crs/driving.js";
 
 /** Forms that are opened by a button: what they ask for, and the change that they make. */
@@ -61,16 +61,10 @@ function simpleForm(model, form) {
   const values = form.fill(poseOf(model).map(String));
   const fields = form.fields.map(([label, unit], at) => field(label, entry({ value: values[at] }), unit));
   return formOf(fields, form.title, async () => {
-    const wrong = await change(model, form.text(model.selected.id, fields.map((each) => typed(each.input) || "?")));
-    place(fields, wrong);
+    const wrong = await change(model, form.text(model.selected.id, fields.map((each) => typed(each.input) || NOTHING)));
+    sayAtFields(fields, wrong);
     return !wrong;
   });
-}
-
-/** Say what is wrong at the field whose value is quoted, else at the first. */
-function place(fields, wrong) {
-  const about = wrong && fields.find(({ input }) => wrong.includes(`'${typed(input) || "?"}'`));
-  for (const each of fields) each.say(each === (about || fields[0]) ? wrong : "");
 }
 
 function addForm(model) {
@@ -105,9 +99,9 @@ function addForm(model) {
         return false;
       }
     }
-    const line = `join ${typed(named.input)} like ${like.value} to ${pose.map(({ input }) => typed(input) || "?").join(" ")}`;
+    const line = `join ${typed(named.input)} like ${like.value} to ${pose.map(({ input }) => typed(input) || NOTHING).join(" ")}`;
     const wrong = await change(model, running ? `${line} running ${running}` : line);
-    place([named, ...pose], wrong);
+    sayAtFields([named, ...pose], wrong);
     if (!wrong) named.input.value = free();
     return !wrong;
   });

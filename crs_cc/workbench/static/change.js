@@ -47,6 +47,23 @@ export function field(label, input, unit = "") {
   return { row, input, say, unit: (text) => (shown.textContent = text) };
 }
 
+/**
+ * Say what is wrong, a line for each fault, at the field whose value it quotes; else at the first.
+ * @param {{input: any, say: (text: string) => void}[]} fields @param {string} wrong
+ */
+export function sayAtFields(fields, wrong) {
+  const texts = new Map();
+  for (const line of wrong.split("\n").filter((each) => each)) {
+    const quoting = fields.filter(({ input }) => line.includes(`'${typed(input) || NOTHING}'`));
+    const about = quoting.find((each) => !texts.has(each)) ?? fields[0];
+    texts.set(about, line);
+  }
+  for (const each of fields) each.say(texts.get(each) ?? "");
+}
+
+/** What stands in a command for a field that is empty. */
+export const NOTHING = "?";
+
 /** A text to type. */
 export const entry = (properties = {}) => el("input", { type: "text", spellcheck: false, autocomplete: "off", ...properties });
 

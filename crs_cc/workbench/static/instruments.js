@@ -1,33 +1,58 @@
 /**
- * What the instruments of a robot show, now and since the page looks. Panels say what they want
+ * What the instruments of a robot show, now and since the run began. Panels say what they want
  * (`want`), listen to `instruments`, and read `series`.
+ *
+ * The server keeps the history of what robots did and measured (`history`); what programs computed
+ * is read at instants of the past, to which the run goes and comes back (`fill`).
+ *
+ * @typedef {{isShown: boolean, expressions: string[], since?: number}} Wish
+ *   since: from which time on; by default from the start
  */
 import { oneAtATime } from "crs/one_at_a_time.js";
 import { Series } from "crs/series.js";
 
 const SPAN = 20; // how far back sparklines go [s]
-const SAMPLES = 120;
+const SAMPLES = 120; // of an expression, over a whole run
+const PIECE = 12; // samples that are read at once
+const MOST = 1000; // samples of a history that are asked for at once
+const NO_VALUE = ["no echo", "not finite"]; // of expressions that may have one at other times
 
 export class Instruments {
   /** @param {any} model */
   constructor(model) {
     this.model = model;
     this.series = new Series();
-    /** @type {Map<string, () => {isShown: boolean, expressions: string[]}>} */
+    /** @type {Map<string, () => Wish>} */
     this.wishes = new Map();
+    /** @type {Map<string, string>} the units of expressions */
+    this.units = new Map();
+    /** @type {Map<string, number>} until when the history of a series is known */
+    this.known = new Map();
+    /** @type {Set<string>} series of which the server keeps no history */
+    this.untraced = new Set();
+    /** @type {Map<string, [number, number]>} the spans of those that have been filled in */
+    this.filled = new Map();
+    this.isFilling = false;
     /** @type {any} the last answer, of the selected robot */
     this.now = null;
     this.ask = oneAtATime(() => this.inspect());
     model.on("status", () => this.ask());
     model.on("look", () => this.ask());
-    model.on("forget", ({ time_s }) => this.series.forget(time_s));
+    model.on("forget", ({ time_s }) => this.forget(time_s));
     model.on("hello", () => {
       this.series.clear();
+      for (const each of [this.known, this.untraced, this.filled]) each.clear();
       this.now = null;
     });
   }
 
-  /** Say what a panel wants to know while it is shown. */
+  forget(time) {
+    this.series.forget(time);
+    for (const [name, until] of this.known) this.known.set(name, Math.min(until, time));
+    for (const [name, [begin, end]] of this.filled) this.filled.set(name, [Math.min(begin, time), Math.min(end, time)]);
+  }
+
+  /** Say what a panel wants to know while it is shown. @param {string} name @param {() => Wish} wish */
   want(name, wish) {
     this.wishes.set(name, wish);
   }
@@ -40,10 +65,12 @@ export class Instruments {
   async inspect() {
     const wishes = [...this.wishes.values()].map((wish) => wish()).filter((wish) => wish.isShown);
     if (!wishes.length || !this.model.run?.can.includes("debug") || !this.model.isConnected) return;
-    const expressions = [...new Set(["speed", "battery", ...wishes.flatMap((wish) => wish.expressions)])];
     const { robot } = this.model.state;
+    const expressions = [...new Set(["speed", "battery", ...wishes.flatMap((wish) => wish.expressions)])].slice(0, 40);
     try {
       this.note(await this.model.channel.ask("inspect", { robot, expressions: expressions.join("\n") }), expressions);
+      for (const wish of wishes) await this.catchUp(robot, wish);
+      this.model.tell("instruments", this.now);
     } catch {
       this.now = null; // the robot is no more, or the programs of a recording stand elsewhere
       this.model.tell("instruments", null);
@@ -51,23 +78,90 @@ export class Instruments {
   }
 
   note(answer, expressions) {
-    const { t, robot, sensors, values } = answer;
+    const { t, robot, sensors, values, units } = answer;
     for (const [device, { elements }] of Object.entries(sensors)) {
       for (const [element, , value] of elements) this.series.add(this.name(`${device}.${element}`, robot), t, value);
     }
-    expressions.forEach((expression, at) => this.series.add(this.name(expression, robot), t, values[at]));
+    expressions.forEach((expression, at) => {
+      this.series.add(this.name(expression, robot), t, values[at]);
+      this.units.set(expression, units[at]);
+    });
     this.now = { ...answer, byName: new Map(expressions.map((each, at) => [each, values[at]])) };
-    this.model.tell("instruments", this.now);
   }
 
-  /** Fill in a span of the past: the run goes there and back. */
-  async fill(expressions, begin, end, count = SAMPLES) {
-    const { robot } = this.model.state;
-    const answer = await this.model.ask("past", { robot, expressions: expressions.join("\n"), begin_s: Math.max(0, begin), end_s: Math.max(0, begin, end), count });
-    for (const [time, ...values] of answer?.rows ?? []) {
-      expressions.forEach((each, at) => this.series.add(this.name(each, robot), time, values[at]));
+  /** Ask for the history of what a panel shows, as far as it is not known. @param {number} robot @param {Wish} wish */
+  async catchUp(robot, { expressions, since = 0 }) {
+    const until = (each) => Math.max(since, this.known.get(this.name(each, robot)) ?? 0);
+    const { end } = this.model.state;
+    const wanted = expressions.filter((each) => !this.untraced.has(this.name(each, robot)) && until(each) < end - 1e-9);
+    if (!wanted.length) return;
+    const begin = Math.min(...wanted.map(until));
+    const answer = await this.model.channel.ask("history", { robot, expressions: wanted.join("\n"), begin_s: begin, end_s: end, count: MOST });
+    answer.series.forEach((samples, at) => {
+      const name = this.name(wanted[at], robot);
+      if (!samples) this.untraced.add(name);
+      else {
+        this.series.merge(name, samples[0], samples[1]);
+        this.known.set(name, end);
+      }
+    });
+  }
+
+  /** What is wrong with an expression; empty if it can be plotted. */
+  async check(expression) {
+    try {
+      const { values } = await this.model.channel.ask("inspect", { robot: this.model.state.robot, expressions: expression });
+      const [value] = values;
+      return typeof value === "string" && !NO_VALUE.includes(value) ? value : "";
+    } catch {
+      return ""; // it is not known while the programs stand elsewhere
     }
-    this.model.tell("instruments", this.now);
+  }
+
+  /** The part of a span in which an expression of the program has not been read; null for none. */
+  missing(expression, begin, end) {
+    const name = this.name(expression);
+    if (!this.untraced.has(name)) return null;
+    const [from, to] = this.filled.get(name) ?? [end, end];
+    if (end > to + 0.1) return [Math.max(begin, to), end];
+    return begin < from - 0.1 ? [begin, from] : null;
+  }
+
+  /**
+   * Read what is missing of expressions in a span: the run goes there and back, a piece at a time,
+   * the latest at first, while it stands.
+   * @param {string[]} expressions @param {number} begin @param {number} end
+   * @param {number} patience after which it stops [ms]
+   */
+  async fill(expressions, begin, end, patience = Infinity) {
+    const { model } = this;
+    const { robot } = model.state;
+    if (this.isFilling) return;
+    this.isFilling = true;
+    const until = performance.now() + patience;
+    const isFree = () => !model.state.playing && model.state.robot === robot && performance.now() < until;
+    for (let parts = this.parts(expressions, begin, end); parts && isFree(); parts = this.parts(expressions, begin, end)) {
+      const [wanted, from, to] = parts;
+      const answer = await model.channel.ask("past", { robot, expressions: wanted.join("\n"), begin_s: from, end_s: to, count: PIECE }).catch(() => null);
+      if (!answer?.rows.length) break;
+      for (const [time, ...values] of answer.rows) wanted.forEach((each, at) => this.series.add(this.name(each, robot), time, values[at]));
+      for (const each of wanted) {
+        const [first, last] = this.filled.get(this.name(each, robot)) ?? [to, to];
+        this.filled.set(this.name(each, robot), [Math.min(first, from), Math.max(last, to)]);
+      }
+      model.tell("instruments", this.now);
+    }
+    this.isFilling = false;
+    model.tell("instruments", this.now);
+  }
+
+  /** The next piece to be read: expressions, and from when to when. */
+  parts(expressions, begin, end) {
+    const found = expressions.map((each) => [each, this.missing(each, begin, end)]).filter(([, part]) => part);
+    if (!found.length) return null;
+    const [from, to] = found[0][1];
+    const wanted = found.filter(([, part]) => part[0] === from && part[1] === to).map(([each]) => each);
+    return [wanted, Math.max(from, to - Math.max(0.5, ((end - begin) * PIECE) / SAMPLES)), to];
   }
 
   /** The span that sparklines show. */

@@ -1,6 +1,6 @@
 /** Forms that shut and open links, and send a message in the name of a robot. */
 import { button, el, fill } from "crs/dom.js";
-import { change, changeOrSay, choice, entry, field, setOptions, typed } from "crs/change.js";
+import { change, changeOrSay, choice, entry, field, sayAtFields, setOptions, typed } from "crs/change.js";
 
 /** @param {any} model @returns {{shut: HTMLElement, send: HTMLElement}} */
 export function linkForms(model) {
@@ -11,8 +11,7 @@ export function linkForms(model) {
     event.preventDefault();
     const way = words([["", channel.value], ["from", from.value], ["to", to.value]]) || "all";
     const wrong = await change(model, `shut ${way}${words([["at", typed(at.input)], ["for", typed(lasts.input)]], " ")}`);
-    at.say(wrong && !wrong.includes(`'${typed(lasts.input)}'`) ? wrong : "");
-    lasts.say(wrong && wrong.includes(`'${typed(lasts.input)}'`) ? wrong : "");
+    sayAtFields([at, lasts], wrong);
   } },
   field("channel", channel).row, field("sent by", from).row, field("sent to", to).row, at.row, lasts.row,
   el("div.row-end", {}, el("button.primary", { type: "submit" }, "Shut")));

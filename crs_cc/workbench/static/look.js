@@ -19,6 +19,7 @@ export class Look {
     this.time = 0;
     this.version = 0; // rises when something must be drawn anew
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);
+    for (const kind of ["block", "forget", "hello"]) model.on(kind, () => (this.trails.isStale = true));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
   }
 

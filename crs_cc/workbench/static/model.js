@@ -5,6 +5,7 @@
  * robots), `where` (line, stack, variables), `event`, `output`, `forget`, `link` (connected or not),
  * `panel` (changes, faults, links), `look` (what the user looks at has changed: selection, overlays, theme).
  */
+import { Approaches } from "crs/approaches.js";
 import { Clock } from "crs/clock.js";
 import { Frames, fromBase64 } from "crs/frames.js";
 
@@ -25,6 +26,7 @@ export class Model {
     /** @type {any} */
     this.panel = null;
     this.isConnected = false;
+    this.approaches = new Approaches(this);
     /** Errors and what commands have answered, for the line below the view. */
     this.said = "";
   }
@@ -122,6 +124,7 @@ export class Model {
 
   hear_block({ block }) {
     this.frames?.addBlock(block);
+    this.tell("block");
   }
 
   hear_roster({ roster }) {

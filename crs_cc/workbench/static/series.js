@@ -1,6 +1,6 @@
 /** Values over time, by name: what sparklines and plots draw. */
 
-const MOST = 2000; // points of a series
+const MOST = 4000; // points of a series
 
 export class Series {
   constructor() {
@@ -26,10 +26,27 @@ export class Series {
       times.splice(at, 0, time);
       values.splice(at, 0, number);
     }
-    if (times.length > MOST) {
-      times.splice(0, MOST / 4);
-      values.splice(0, MOST / 4);
-    }
+    this.thin(name);
+  }
+
+  /** Put samples in place of those that are known of the same span. @param {string} name @param {number[]} added @param {any[]} numbers */
+  merge(name, added, numbers) {
+    if (!added.length) return;
+    const { times, values } = this.of(name);
+    const first = times.findIndex((time) => time >= added[0] - 1e-9);
+    const from = first < 0 ? times.length : first;
+    const after = times.findIndex((time) => time > added[added.length - 1] + 1e-9);
+    const count = (after < 0 ? times.length : after) - from;
+    times.splice(from, count, ...added);
+    values.splice(from, count, ...numbers.map((each) => each ?? NaN));
+    this.thin(name);
+  }
+
+  /** Leave out every second one of the older half, if there are too many. */
+  thin(name) {
+    const { times, values } = this.of(name);
+    if (times.length <= MOST) return;
+    for (const each of [times, values]) each.splice(0, MOST / 2, ...each.slice(0, MOST / 2).filter((_, at) => at % 2 === 0));
   }
 
   /** Discard what was after a time. @param {number} time */

@@ -9,6 +9,7 @@ const ASK = 80; // [ms] between two questions while the user drags
 export const MARKS = [
   { name: "error", title: "Errors", colour: "danger", is: (kind) => kind === "failed" || kind === "error" },
   { name: "collision", title: "Collisions", colour: "#e8590c", is: (kind) => kind === "collision" },
+  { name: "near", title: "Close approaches", colour: "#b08900", is: (kind) => kind === "near" },
   { name: "message", title: "Messages", colour: "#8250df", is: (kind) => kind.startsWith("message") },
   { name: "print", title: "Prints", colour: "#1a7f37", is: (kind) => kind === "print" },
   { name: "other", title: "Other events", colour: "muted", is: () => true },
@@ -52,7 +53,7 @@ export class Timeline {
           button({ text: "›", title: "To the next event", key: "N", onclick: () => this.jump(1) }))),
       this.track);
     this.listen();
-    for (const kind of ["state", "hello", "forget", "event", "output", "look"]) model.on(kind, () => (this.isStale = true));
+    for (const kind of ["state", "hello", "forget", "event", "output", "look", "near"]) model.on(kind, () => (this.isStale = true));
     this.isStale = true;
   }
 
@@ -138,7 +139,7 @@ export class Timeline {
     const box = this.track.getBoundingClientRect();
     const width = box.width / this.end;
     const x = event.clientX - box.left;
-    const near = this.model.run?.events.filter((each) => Math.abs(each[0] * width - x) < 4).slice(0, 6) ?? [];
+    const near = [...(this.model.run?.events ?? []), ...this.model.approaches.events].filter((each) => Math.abs(each[0] * width - x) < 4).slice(0, 6) ?? [];
     this.track.title = near.map((each) => `${each[0].toFixed(3)} s  ${each[3]}`).join("\n");
   }
 
@@ -208,7 +209,7 @@ export class Timeline {
   /** The times of what is marked, with its kind. */
   marks() {
     const { events, output } = this.model.run;
-    return [...events.map((each) => [each[0], each[1]]), ...output.map((each) => [each[0], "print"])];
+    return [...events, ...this.model.approaches.events].map((each) => [each[0], each[1]]).concat(output.map((each) => [each[0], "print"]));
   }
 
   /** Go to the next event, or the one before. @param {number} way 1 or -1 */
@@ -216,7 +217,7 @@ export class Timeline {
     const now = this.model.clock.held ?? this.model.state.t;
     const least = this.model.run.timestep_s ? 1e-6 + this.model.run.timestep_s * (way > 0 ? 1 : 0) : 1e-6;
     const all = this.marks()
-      .filter(([, kind]) => this.kind === "any" || markOf(kind).name === this.kind)
+      .filter(([, kind]) => (this.kind === "any" ? kind !== "near" : markOf(kind).name === this.kind))
       .map(([at]) => at);
     const times = all.filter((at) => (at - now) * way > least);
     if (!all.length) this.model.say("there is no such event in the run so far");

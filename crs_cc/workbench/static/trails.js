@@ -10,7 +10,8 @@ export class Trails {
     /** @type {Map<number, {t: number, x: number, y: number}[]>} */
     this.paths = new Map();
     this.time = -1;
-    this.version = 0;
+    this.isStale = false; // whether frames hold more than the paths
+    this.isLooking = false;
   }
 
   of(row) {
@@ -19,9 +20,10 @@ export class Trails {
 
   /** @param {import("./scene.js").Scene} scene @param {any} frames @param {number} time */
   update(scene, frames, time) {
-    if (time < this.time || time > this.time + GAP) this.lookUp(scene, frames, time);
+    if (time < this.time || time > this.time + GAP) this.isStale = true;
     else for (const body of scene.bodies.slice(0, MOST)) this.add(body.row, { t: time, x: body.x, y: body.y });
     this.time = time;
+    if (this.isStale && !this.isLooking) this.lookUp(scene, frames);
     for (const path of this.paths.values()) while (path.length && path[0].t < time - SECONDS) path.shift();
   }
 
@@ -32,11 +34,12 @@ export class Trails {
     if (!last || Math.hypot(point.x - last.x, point.y - last.y) > STEP) path.push(point);
   }
 
-  async lookUp(scene, frames, time) {
-    const version = ++this.version;
-    this.paths.clear();
-    const found = await frames.span(Math.max(0, time - SECONDS), time).catch(() => []);
-    if (version !== this.version) return;
+  /** Take the paths from the frames; meanwhile the run may go on. */
+  async lookUp(scene, frames) {
+    [this.isLooking, this.isStale] = [true, false];
+    const found = await frames.span(Math.max(0, this.time - SECONDS), this.time).catch(() => []);
+    this.isLooking = false;
+    const { time } = this;
     this.paths.clear();
     const rows = Math.min(MOST, scene.roster(time).robots.length);
     for (const frame of found) {

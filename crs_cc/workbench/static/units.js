@@ -11,7 +11,8 @@ export const lengthText = (metres) => (metres < 1 ? `${+(metres * 100).toPrecisi
 
 /** Where something on a robot looks. @param {number} radians counter-clockwise from ahead */
 export function sideText(radians) {
-  const degrees = Math.round((Math.atan2(Math.sin(radians), Math.cos(radians)) * 180) / Math.PI);
+  const exact = (Math.atan2(Math.sin(radians), Math.cos(radians)) * 180) / Math.PI;
+  const degrees = Math.sign(exact) * Math.round(Math.abs(exact) - 1e-6); // both sides alike
   if (!degrees) return "ahead";
   return Math.abs(degrees) === 180 ? "behind" : `${Math.abs(degrees)}° ${degrees > 0 ? "left" : "right"}`;
 }

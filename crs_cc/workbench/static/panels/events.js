@@ -17,14 +17,19 @@ export const events = {
         else chosen.delete(mark.name);
         isStale = true;
       } }), mark.title)));
+    const closest = el("button.event.closest", { type: "button", title: "Go there", onclick: () => page.timeline.seek(model.approaches.closest[0]) });
     const list = el("div.events");
-    root.append(filters, list);
+    root.append(filters, closest, list);
     let isStale = true;
 
     const draw = () => {
       if (!isStale || !model.run || !root.offsetParent) return;
       isStale = false;
-      const found = model.run.events.filter(([, kind]) => chosen.has(markOf(kind).name)).slice(-MOST);
+      const first = model.approaches.closest;
+      closest.hidden = !first;
+      if (first) fill(closest, el("b", {}, "Closest"), el("span.when", {}, `${first[0].toFixed(3)} s`), el("span", {}, first[3]));
+      const found = [...model.run.events, ...model.approaches.events]
+        .filter(([, kind]) => chosen.has(markOf(kind).name)).sort((one, other) => one[0] - other[0]).slice(-MOST);
       if (!found.length) return fill(list, el("p.hint", {}, "Nothing has happened yet."));
       fill(list, ...found.reverse().map(([time, kind, , text]) => {
         const dot = el("i.dot");
@@ -34,7 +39,7 @@ export const events = {
       }));
     };
 
-    for (const kind of ["hello", "event", "forget"]) model.on(kind, () => (isStale = true));
+    for (const kind of ["hello", "event", "forget", "near"]) model.on(kind, () => (isStale = true));
     model.on("tick", draw);
   },
 };

@@ -97,9 +97,10 @@ export const faults = {
       const wrong = await change(model, `degrade ${model.selected.id} ${device} ${words.join(" ")}`);
       for (const each of parts.laws) each.say("");
       if (!wrong) return;
-      const about = parts.laws.find(({ law }) => wrong.startsWith(`${law.name}:`) || wrong.startsWith(`${law.name} `));
-      const text = words.length ? wrong : "choose at least one fault";
-      (about ?? parts.laws[0]).say(text.replace(`${about?.law.name}: `, ""));
+      for (const line of (words.length ? wrong : "choose at least one fault").split("\n")) {
+        const about = parts.laws.find(({ law }) => line.startsWith(`${law.name}:`) || line.startsWith(`${law.name} `));
+        (about ?? parts.laws[0]).say(line.replace(`${about?.law.name}: `, ""));
+      }
     };
 
     const show = () => {

@@ -16,20 +16,12 @@ export const robot = {
     const title = el("h2.robot-name");
     const sensors = el("div.sensors");
     const state = el("table.state-rows");
-    const fillIn = button({ text: "Fill in the last 20 s", title: "Go back and read them at earlier instants", onclick: () => past() });
     const body = el("div.robot-body", {}, title, actions(model, page),
-      el("details", { open: true }, el("summary", {}, "Sensors"), sensors, el("div.row-end", {}, fillIn)),
+      el("details", { open: true }, el("summary", {}, "Sensors"), sensors),
       el("details", { open: true }, el("summary", {}, "State[] of the program"), state));
     root.append(body);
-    instruments.want("robot", () => ({ isShown: Boolean(root.offsetParent), expressions: [] }));
-
-    const past = async () => {
-      const names = Object.entries(instruments.now?.sensors ?? {}).flatMap(([device, { elements }]) => elements.map(([at]) => `${device}.${at}`));
-      const [begin, end] = instruments.span;
-      fillIn.disabled = true;
-      await instruments.fill(["speed", ...names].slice(0, 40), begin, end, 80);
-      fillIn.disabled = false;
-    };
+    instruments.want("robot", () => ({ isShown: Boolean(root.offsetParent), since: instruments.span[0],
+      expressions: ["speed", ...(instruments.now?.sensors.sonar?.elements ?? []).map(([at]) => `sonar.${at}`)] }));
 
     const spark = (expression, label, text) => {
       const canvas = el("canvas", { width: WIDTH * 2, height: HEIGHT * 2 });

@@ -2,6 +2,7 @@
 import { el, fill } from "crs/dom.js";
 
 const MANY = 200;
+const HINTS = { does: "How its motors move it, and what its program waits for. A command takes time on the link, the line between computer and robot." };
 const OUTCOMES = { exited: "ended", failed: "error", left: "left", running: "" };
 
 /** @type {import("./index.js").Panel} */
@@ -47,7 +48,7 @@ export const robots = {
       speed.textContent = outcome || (isPressed ? "bumper" : data.present ? `${data.speed.toFixed(2)} m/s` : "absent");
       speed.className = `speed ${data.outcome === "failed" || isPressed ? "bad" : ""}`;
       place.textContent = data.line ? `${data.file}:${data.line} ${data.function}` : data.program;
-      does.textContent = data.outcome === "running" && data.does !== "runs" ? data.does : "";
+      does.textContent = data.outcome === "running" ? data.does : "";
     };
 
     const describe = () => {
@@ -66,7 +67,7 @@ export const robots = {
         ["does", data.does],
         data.fails?.length ? ["fails", data.fails.join("; ")] : null,
       ];
-      fill(details, ...rows.filter((each) => each).flatMap(([name, text]) => [el("dt", {}, name), el("dd", {}, text)]));
+      fill(details, ...rows.filter((each) => each).flatMap(([name, text]) => [el("dt", {}, name), el("dd", { title: HINTS[name] }, text)]));
     };
 
     for (const kind of ["hello", "status", "look", "roster"]) model.on(kind, () => model.run && draw());

@@ -1,0 +1,49 @@
+/** Who came close to what, as far as the run is known: asked for while it stands, and now and then. */
+import { oneAtATime } from "crs/one_at_a_time.js";
+
+const EVERY = 3000; // while the run goes on [ms]
+
+export class Approaches {
+  /** @param {any} model */
+  constructor(model) {
+    this.model = model;
+    /** @type {[number, string, number, string, number, number, number][]} like events, and the distance [m] */
+    this.events = [];
+    this.asked = "";
+    this.askedAt = 0;
+    this.ask = oneAtATime(() => this.find());
+    for (const kind of ["state", "look"]) model.on(kind, () => this.ask());
+    model.on("hello", () => (this.asked = ""));
+    model.on("forget", ({ time_s }) => {
+      this.events = this.events.filter(([time]) => time <= time_s + 1e-9);
+      this.asked = "";
+      model.tell("near");
+    });
+  }
+
+  async find() {
+    const { model } = this;
+    const { playing, busy, end, robot } = model.state;
+    const what = `${end} ${robot}`;
+    if (!model.isConnected || model.channel.isLocal || what === this.asked) return;
+    if ((playing || busy) && performance.now() - this.askedAt < EVERY) return;
+    this.askedAt = performance.now();
+    try {
+      const { approaches } = await model.channel.ask("near", { robot });
+      this.asked = what;
+      const names = model.run.rosters.at(-1)?.robots ?? [];
+      this.events = approaches.map(([time, row, other, gap, x, y]) =>
+        [time, "near", row, `${names[row]} came to ${distanceText(gap)} of ${other}`, x, y, gap]);
+      model.tell("near");
+    } catch {
+      // the connection is lost, or the robot is no more
+    }
+  }
+
+  /** The closest one. */
+  get closest() {
+    return this.events[0] ?? null;
+  }
+}
+
+const distanceText = (gap) => (gap < 0.0005 ? "0 m" : gap < 0.1 ? `${(gap * 100).toFixed(1)} cm` : `${gap.toFixed(2)} m`);
