@@ -126,6 +126,17 @@ def _index(among: Iterator[Node], node: Node) -> Iterator[int]:
     return (number for number, each in enumerate(among) if each is node)
 
 
+def named(root: Node) -> list[tuple[Node, str]]:
+    """Return the elements below the root, those of ground and communication too, by their names."""
+    known = {id(node): name for name, node in ids(root).items()}
+    nodes = list[Node]()
+    for each in root.children:
+        nodes.append(each)
+        if each.tag in ("surface", "communication"):
+            nodes += each.children
+    return [(node, known.get(id(node)) or address(node)) for node in nodes]
+
+
 def fresh(name: str, used: Collection[str]) -> str:
     """Return a name like another that is not used: the next number.
 

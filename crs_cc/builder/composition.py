@@ -26,9 +26,9 @@ from crs_cc.builder.addresses import address, fresh, ids, outermost
 from crs_cc.builder.arrangement import Extents, around, written
 from crs_cc.builder.changes import Plan, pins
 from crs_cc.builder.document import Document, Splice
-from crs_cc.builder.motion import Motion, measure, moved, position, quantity
+from crs_cc.builder.motion import Motion, frame, measure, moved, quantity
 from crs_cc.builder.spans import Node
-from crs_cc.core.quantity import ANGLE, LENGTH, MASS
+from crs_cc.core.quantity import LENGTH, MASS
 from crs_cc.core.suggest import unknown
 from crs_cc.core.units import INCH_M
 
@@ -127,19 +127,13 @@ def ungroup(document: Document, node: Node) -> Plan:
     ref = node.attributes.get("ref", "")
     if ref not in known:
         raise ValueError(unknown("definition in this file", ref, tuple(known)))
-    x_m, y_m = position(document, node)
-    turn_rad = quantity(node, "heading", ANGLE, 0.0)
-    turned, shift = Motion.turn(turn_rad, 0.0, 0.0), Motion.shift(x_m, y_m)
-    frame = Motion(
-        shift.x_m, shift.y_m, turned.xx, turned.xy, turned.yx, turned.yy, turned.turn_rad
-    )
     whole, used = address(node).rpartition("/")[2], set(ids(node.parent))
     plan, texts = Plan([]), []
     for name, part in ids(known[ref]).items():
         new = fresh(f"{whole}-{name}", used)
         used.add(new)
         plan.names.append(new)
-        texts.append(written(document, part, {**moved(document, part, frame), "id": new}))
+        texts.append(written(document, part, {**moved(document, part, frame(node)), "id": new}))
     plan.splices = _replaced(document, [node], texts)
     plan.splices += pins(document, {"object", *(part.tag for part in known[ref].children)}, [node])
     return plan

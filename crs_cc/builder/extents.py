@@ -81,6 +81,13 @@ def element_of(name: str, known: Collection[str]) -> str:
     return whole
 
 
+def bounds_m(solid: Solid) -> tuple[float, float, float, float]:
+    """Return the bounding box of a solid: left, bottom, right, top."""
+    corners = list(_corners(solid))
+    xs, ys = [x for x, _ in corners], [y for _, y in corners]
+    return min(xs), min(ys), max(xs), max(ys)
+
+
 def _corners(solid: Solid) -> Iterator[tuple[float, float]]:
     """Yield points that span what a solid covers."""
     if isinstance(solid, Wall):

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Self
 
 from crs_cc.builder.addresses import address
@@ -116,7 +116,7 @@ def unit_of(document: Document, node: Node, kind: Kind, text: str) -> str:
     return document.length_unit
 
 
-def _like(document: Document, node: Node, kind: Kind, value: float, text: str) -> str:
+def like(document: Document, node: Node, kind: Kind, value: float, text: str) -> str:
     """Return a value as another one is written, which stays as it is if it is the same."""
     if text and abs(kind.parse(text) - value) <= _STEP[kind] / 2:
         return text
@@ -148,7 +148,7 @@ def position(document: Document, node: Node) -> tuple[float, float]:
         ends = [quantity(node, name, LENGTH) for name in ("x1", "y1", "x2", "y2")]
         return (ends[0] + ends[2]) / 2, (ends[1] + ends[3]) / 2
     if node.tag == "polygon" and not _has_frame(node):
-        return _corners(node)[0]
+        return corners(node)[0]
     if node.tag in PLACED or node.tag == "polygon":
         corner = _corner(document) if node.tag in _AT_CORNER else (None, None)
         absent = (0.0, 0.0) if node.tag == "polygon" else corner
@@ -192,8 +192,8 @@ def moved(document: Document, node: Node, motion: Motion) -> dict[str, str | Non
         raise ValueError(f"{address(node)}: an image cannot be turned or mirrored like this")
     x_m, y_m = motion.point(*position(document, node))
     found: dict[str, str | None] = {
-        "x": _like(document, node, LENGTH, x_m, node.attributes.get("x", "")),
-        "y": _like(document, node, LENGTH, y_m, node.attributes.get("y", "")),
+        "x": like(document, node, LENGTH, x_m, node.attributes.get("x", "")),
+        "y": like(document, node, LENGTH, y_m, node.attributes.get("y", "")),
     }
     if node.tag in POSED:
         found |= _heading(document, node, motion)
@@ -210,7 +210,7 @@ def _heading(document: Document, node: Node, motion: Motion) -> dict[str, str | 
     text = node.attributes.get("heading", "")
     if not text and abs(after_rad) < _STEP[ANGLE]:
         return {}
-    return {"heading": _like(document, node, ANGLE, after_rad, text)}
+    return {"heading": like(document, node, ANGLE, after_rad, text)}
 
 
 def _points_moved(
@@ -220,15 +220,21 @@ def _points_moved(
     for pair in names:
         place = motion.point(*(quantity(node, name, LENGTH) for name in pair))
         for name, value_m in zip(pair, place, strict=True):
-            found[name] = _like(document, node, LENGTH, value_m, node.attributes[name])
+            found[name] = like(document, node, LENGTH, value_m, node.attributes[name])
     return found
+
+
+def frame(node: Node) -> Motion:
+    """Return the motion from an element's own coordinates to those around it."""
+    turn = Motion.turn(quantity(node, "heading", ANGLE, 0.0), 0.0, 0.0)
+    return replace(turn, x_m=quantity(node, "x", LENGTH, 0.0), y_m=quantity(node, "y", LENGTH, 0.0))
 
 
 def _has_frame(node: Node) -> bool:
     return not {"x", "y", "heading"}.isdisjoint(node.attributes)
 
 
-def _corners(node: Node) -> list[tuple[float, float]]:
+def corners(node: Node) -> list[tuple[float, float]]:
     """Return the corners of a polygon, in its frame."""
     words = node.attributes.get("points", "").split()
     try:
@@ -242,24 +248,24 @@ def _corners(node: Node) -> list[tuple[float, float]]:
 
 def _polygon_moved(document: Document, node: Node, motion: Motion) -> dict[str, str | None]:
     if not _has_frame(node):
-        return {"points": _points(document, node, motion)}
+        return {"points": points_moved(document, node, motion)}
     x_m, y_m = motion.point(*position(document, node))
     found: dict[str, str | None] = {
-        "x": _like(document, node, LENGTH, x_m, node.attributes.get("x", "")),
-        "y": _like(document, node, LENGTH, y_m, node.attributes.get("y", "")),
+        "x": like(document, node, LENGTH, x_m, node.attributes.get("x", "")),
+        "y": like(document, node, LENGTH, y_m, node.attributes.get("y", "")),
     }
     found |= _heading(document, node, motion)
     if motion.mirrors:
-        found["points"] = _points(document, node, Motion(yy=-1.0))
+        found["points"] = points_moved(document, node, Motion(yy=-1.0))
     return found
 
 
-def _points(document: Document, node: Node, motion: Motion) -> str:
+def points_moved(document: Document, node: Node, motion: Motion) -> str:
     """Return the corners of a polygon after a motion, each in its unit."""
     words = [word.split(",") for word in node.attributes["points"].split()]
     pairs = []
-    for (x, y), corner in zip(words, _corners(node), strict=True):
+    for (x, y), corner in zip(words, corners(node), strict=True):
         x_m, y_m = motion.point(*corner)
-        texts = (_like(document, node, LENGTH, x_m, x), _like(document, node, LENGTH, y_m, y))
+        texts = (like(document, node, LENGTH, x_m, x), like(document, node, LENGTH, y_m, y))
         pairs.append(",".join(texts))
     return " ".join(pairs)

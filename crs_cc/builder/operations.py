@@ -10,7 +10,9 @@ from crs_cc.builder import arrangement, changes, clips, composition
 from crs_cc.builder.arrangement import Extents
 from crs_cc.builder.changes import Plan
 from crs_cc.builder.document import Document
+from crs_cc.builder.mirroring import mirror
 from crs_cc.builder.motion import Motion, position, quantity
+from crs_cc.builder.scaling import scale
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import Values
 from crs_cc.core.quantity import ANGLE
@@ -90,7 +92,12 @@ def _mirror(builder: Workspace, nodes: Sequence[Node], values: Values, _: object
     at = values["at"]
     centre = _centre(builder, nodes, at if swaps_x else None, None if swaps_x else at)
     motion = Motion.mirror(math.pi / 2 if swaps_x else 0.0, *centre)
-    return changes.move(builder.document, nodes, motion)
+    return mirror(builder.document, nodes, motion, builder.library())
+
+
+def _scale(builder: Workspace, nodes: Sequence[Node], values: Values, _: object) -> Plan:
+    centre = _centre(builder, nodes, values["x"], values["y"])
+    return scale(builder.document, nodes, values["factor"], centre)
 
 
 def _array(builder: Workspace, nodes: Sequence[Node], values: Values, _: object) -> Plan:
@@ -134,6 +141,7 @@ _MAKE: Final[Mapping[str, Callable[[Workspace, list[Node], Values, Attributes], 
     "place": _place,
     "turn": _turn,
     "mirror": _mirror,
+    "scale": _scale,
     "array": _array,
     "ring": _ring,
     "align": _align,

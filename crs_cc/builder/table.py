@@ -34,14 +34,14 @@ class Field:
 
     Attributes:
         name: its name.
-        kind: a quantity, a whole number, a text, or the words that are allowed.
+        kind: a quantity, a number, a whole number, a text, or the words that are allowed.
         help: what it means.
         default: its default; None if there is one that depends on the elements, or none.
         required: whether it must be given.
     """
 
     name: str
-    kind: type[int | str] | Kind | tuple[str, ...]
+    kind: type[int | float | str] | Kind | tuple[str, ...]
     help: str
     default: float | int | str | None = None
     required: bool = False
@@ -73,9 +73,21 @@ class Field:
             if not text.isdecimal() or len(text) > 9:
                 raise ValueError(f"{given!r} is not a whole number")
             return int(text)
+        if self.kind is float:
+            return _number(given)
         if isinstance(self.kind, tuple) and given not in self.kind:
             raise ValueError(unknown("word", str(given), self.kind))
         return str(given)
+
+
+def _number(given: str | float) -> float:
+    try:
+        value = float(given)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ValueError(f"{given!r} is not a number")
+    return value
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,9 +150,12 @@ ROWS: Final = (
     Operation("turn", "Turn elements as one body, counter-clockwise.", "some", (
         Field("angle", ANGLE, "By how much.", required=True), *_ABOUT,
     )),
-    Operation("mirror", "Mirror elements; objects of parts keep their shape.", "some", (
+    Operation("mirror", "Mirror elements; objects get mirrored definitions.", "some", (
         Field("axis", ("x", "y"), "x exchanges left and right, y up and down.", "x"),
         Field("at", LENGTH, "Where the mirror stands. Default: in the middle."),
+    )),
+    Operation("scale", "Scale elements from above; heights stay.", "some", (
+        Field("factor", float, "By how much: 2 for twice as large.", required=True), *_ABOUT,
     )),
     Operation("array", "Copy elements into columns and rows.", "some", (
         Field("columns", int, "How many along x.", 1),

@@ -37,6 +37,7 @@ from crs_cc.builder.extents import extents, free_place
 from crs_cc.builder.importing.plan import THICKNESS_M, read_plan
 from crs_cc.builder.motion import measure
 from crs_cc.builder.operations import planned
+from crs_cc.builder.reaching import unreachable
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import OPERATIONS, Operation, Value
 from crs_cc.builder.world_file import replace_file
@@ -85,6 +86,7 @@ class WorldBuilder:
         self._saved = given if self.path is None else read_file(self.path)
         self._before: bytes | None = None if self.path is None else self._saved
         self.document = Document(self._saved, "world" if self.path is None else str(self.path))
+        self._warned: tuple[bytes, Sequence[Diagnostic]] | None = None
         self._examined: tuple[bytes, Model | None, Sequence[Diagnostic]] | None = None
 
     @classmethod
@@ -136,6 +138,15 @@ class WorldBuilder:
     def problems(self) -> tuple[Diagnostic, ...]:
         """Return what is wrong with the file, in the words of `crs check`; empty if nothing is."""
         return tuple(self._examine()[1])
+
+    def warnings(self) -> tuple[Diagnostic, ...]:
+        """Return what may be a mistake, as `crs check` does: goals that robots cannot reach."""
+        world = self.visible()
+        if world is None:
+            return ()
+        if self._warned is None or self._warned[0] is not self.document.text:
+            self._warned = (self.document.text, unreachable(self.document, world))
+        return tuple(self._warned[1])
 
     def world(self) -> WorldModel:
         """Return the world that the file describes, as `load_world` would.
@@ -316,6 +327,12 @@ class WorldBuilder:
     ) -> None:
         """Mirror elements: `x` exchanges left and right, `y` up and down."""
         self.apply("mirror", _several(names), {"axis": axis, "at": at})
+
+    def scale(
+        self, names: str | Sequence[str], factor: float, x: Value = None, y: Value = None
+    ) -> None:
+        """Scale elements from above, by default about their middle."""
+        self.apply("scale", _several(names), {"factor": factor, "x": x, "y": y})
 
     def array(
         self, names: str | Sequence[str], columns: int = 1, rows: int = 1,

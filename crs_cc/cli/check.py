@@ -18,6 +18,7 @@ from crs_cc.frontend.preprocess.options import Dialect
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
+    from crs_cc.sim.model.world import WorldModel
 
 _EXAMPLES: Final = """
 \b
@@ -43,10 +44,11 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     """Check C, world and robot files without running anything.
 
     For a world, robot definition or included file, also list its contents. The programs that a
-    world names for its robots are compiled, as in crs run. Each C file is checked on its own, so
-    that a part of a program can be checked too. If one of the C files defines main (or runcode),
-    they are also linked, as in crs run. The exit status is 0 if there are no errors (warnings are
-    allowed), else that of the first error: 121 for C, 122 for a world.
+    world names for its robots are compiled, as in crs run, and there are warnings about goals that
+    no robot can reach. Each C file is checked on its own, so that a part of a program can be
+    checked too. If one of the C files defines main (or runcode), they are also linked, as in crs
+    run. The exit status is 0 if there are no errors (warnings are allowed), else that of the first
+    error: 121 for C, 122 for a world.
     """
     status = 0
     messages: list[Diagnostic] = []
@@ -118,7 +120,7 @@ def _world_messages(
         return error.diagnostics, error.exit_status
     if not isinstance(found, WorldModel):
         return (), 0
-    messages: list[Diagnostic] = []
+    messages = _goal_messages(path, found)
     status = 0
     programs = [(robot.program, robot.dialect) for robot in found.robots if robot.program]
     for program, dialect in dict.fromkeys(programs):
@@ -127,6 +129,19 @@ def _world_messages(
         messages = merged(messages, about)
         status = status or error_status
     return messages, status
+
+
+def _goal_messages(path: Path, world: WorldModel) -> list[Diagnostic]:
+    """Return warnings about goals of a world that no robot can reach."""
+    from crs_cc.builder.document import Document
+    from crs_cc.builder.reaching import unreachable
+    from crs_cc.sim.files.xml_document import read_file
+
+    try:
+        document = Document(read_file(path), str(path))
+    except WorldError:
+        return []  # an encoding that only the loader reads
+    return unreachable(document, world)
 
 
 def _program_messages(

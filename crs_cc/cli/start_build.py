@@ -96,7 +96,7 @@ def building(world: Path | None, program: Path | None, port: int) -> Iterator[Bu
     try:
         yield screen
     finally:
-        screen.server.close()
+        screen.close()
         trial.end()
 
 

@@ -152,8 +152,8 @@ def _option(field: Field) -> click.Option:
         kind, metavar = click.Choice(field.kind), "|".join(field.kind)
     elif isinstance(field.kind, Kind):
         metavar = field.kind.name.split()[-1].upper()
-    elif field.kind is int:
-        metavar = "COUNT"
+    elif field.kind in (int, float):
+        metavar = "COUNT" if field.kind is int else "NUMBER"
     return click.Option(
         [f"--{field.name}"], type=kind, metavar=metavar, required=field.required, help=field.help
     )

@@ -10,14 +10,13 @@ from __future__ import annotations
 import contextlib
 import threading
 from collections.abc import Callable
-from itertools import chain
 from pathlib import Path
 from typing import Any, Final
 
-from crs_cc.builder.addresses import address, ids
-from crs_cc.builder.changes import path_inside, path_of, schema_of
+from crs_cc.builder.addresses import address, named
 from crs_cc.builder.composition import definitions
 from crs_cc.builder.document import Document
+from crs_cc.builder.library import LibraryObject, library, put_object
 from crs_cc.builder.motion import quantity
 from crs_cc.builder.shapes import shapes
 from crs_cc.builder.spans import Node
@@ -26,24 +25,19 @@ from crs_cc.builder.world_builder import WorldBuilder
 from crs_cc.core.errors import CrsError
 from crs_cc.core.file_names import displayed
 from crs_cc.core.quantity import ANGLE, LENGTH
-from crs_cc.core.source import Diagnostic
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.known_robots import known_robots
-from crs_cc.sim.files.schema_properties import Property, children, properties
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.workbench.clients import Client
+from crs_cc.workbench.element_forms import element_form, new_form
 from crs_cc.workbench.messages import VERSION, answer, message, refusal
+from crs_cc.workbench.problem_list import problems
+from crs_cc.workbench.program_checks import ProgramChecks
 from crs_cc.workbench.server import Server
 
 MAX_NAMES: Final = 10_000
-MAX_SHOWN: Final = 100
-"""Elements in another whose attributes are shown with it."""
-
-_LOOKS: Final = ("properties", "form")
+_LOOKS: Final = ("properties", "form", "library")
 """Commands that change nothing."""
-
-_HOMES: Final = ("surface", "communication", "goal")
-"""Elements of a world that come with what is in them."""
 
 _LONGEST: Final = 60_000
 
@@ -84,7 +78,10 @@ class BuildScreen:
             "apply": self._apply, "undo": self._undo, "redo": self._redo, "save": self._save,
             "copy": self._copy, "paste": self._paste, "properties": self._properties,
             "try": self._try, "read": self._read, "form": self._form, "again": lambda _: None,
+            "library": self._library, "take": self._take,
         }  # fmt: skip
+        self._shelf: list[LibraryObject] = []
+        self._programs = ProgramChecks(lambda: self.server.soon(self._tell))
         self.server = Server(self, port, "/build")
 
     def wait(self) -> None:
@@ -95,6 +92,11 @@ class BuildScreen:
     def end(self) -> None:
         """End waiting."""
         self._over.set()
+
+    def close(self) -> None:
+        """End serving, and what is done in the background."""
+        self._programs.end()
+        self.server.close()
 
     # -- what pages are told ---------------------------------------------------------------------
 
@@ -109,7 +111,7 @@ class BuildScreen:
         if world is not None:
             self._shown = {"area": _area(world), "shapes": shapes(builder.document, world)}
         root = builder.document.root
-        things = [_thing(node, name) for node, name in _named(root)]
+        things = [_thing(node, name) for node, name in named(root)]
         return message(
             "document",
             file=displayed(str(builder.path or self._target or "")),
@@ -127,7 +129,7 @@ class BuildScreen:
             definitions=_names(root, "define", builder.library()),
             robots=list(known_robots()),
             channels=[] if world is None else [each.name for each in world.communication.channels],
-            problems=_problems(builder),
+            problems=problems(builder, {} if world is None else self._programs.messages(world)),
             clip=bool(self._clip),
             **self._shown,
         )
@@ -154,7 +156,10 @@ class BuildScreen:
             wrong = " ".join(f"{type(error).__name__}: {error}".split())
             client.put(refusal(number, f"internal error: {wrong}; please report it"))
         if name not in _LOOKS:
-            self.server.broadcast_latest("document", self._document())
+            self._tell()
+
+    def _tell(self) -> None:
+        self.server.broadcast_latest("document", self._document())
 
     def _apply(self, given: dict[str, Any]) -> list[str]:
         """Do operations, which are one to undo; each has `operation`, `names` and values."""
@@ -204,54 +209,31 @@ class BuildScreen:
         return self.builder.apply("paste", (), {**values, "clip": str(clip)})
 
     def _properties(self, given: dict[str, Any]) -> dict[str, Any]:
-        """Return the attributes that an element has and may have."""
-        node = self.builder.element(_text(given, "name"))
-        schema = schema_of(self.builder.document)
-        inner = node.children if node.tag not in ("world", "surface", "communication") else []
-        return {
-            **_filled(schema, node),
-            "children": [_filled(schema, each) for each in inner[:MAX_SHOWN]],
-            "may": children(schema, path_of(node)),
-        }
+        return element_form(self.builder.document, self.builder.element(_text(given, "name")))
 
     def _form(self, given: dict[str, Any]) -> dict[str, Any]:
-        """Return the attributes that a new element may have, and the kinds that can be added."""
-        document = self.builder.document
         parent = self.builder.element(given.get("into") or "")
-        schema = schema_of(document)
-        kinds = children(schema, path_of(parent))
-        if parent.tag == "world":
-            inner = [children(schema, [parent.tag, each]) for each in _HOMES]
-            kinds = (*(each for each in kinds if each not in (*_HOMES, "area")), *chain(*inner))
-        kind = given.get("kind") or kinds[0]
-        rows = properties(schema, path_inside(parent, str(kind)))
-        return {"kinds": kinds, "kind": kind, "rows": [_row(row, None) for row in rows]}
+        return new_form(self.builder.document, parent, str(given.get("kind") or ""))
+
+    def _library(self, _: dict[str, Any]) -> list[dict[str, Any]]:
+        """Return the objects that can be put into the world; pages name them by their places."""
+        self._shelf = library(self.builder.path and self.builder.path.parent)
+        return [
+            {"name": each.name, "file": each.file.name, "shapes": each.shapes}
+            for each in self._shelf
+        ]
+
+    def _take(self, given: dict[str, Any]) -> str:
+        """Put an object of the library into the world."""
+        index, place = given.get("index"), _values(given.get("values", {}))
+        if not isinstance(index, int) or not 0 <= index < len(self._shelf):
+            raise ValueError("unknown object of the library")
+        x_m, y_m = (LENGTH.parse(str(place.get(name, 0))) for name in ("x", "y"))
+        return put_object(self.builder, self._shelf[index], x_m, y_m)
 
     def _try(self, _: dict[str, Any]) -> str:
         self.builder.world()  # or says what is wrong
         return self._start_run(self.builder)
-
-
-def _filled(schema: str, node: Node) -> dict[str, Any]:
-    """Return an element with the attributes that it has and may have."""
-    rows = properties(schema, path_of(node))
-    known = {row.name for row in rows}
-    listed = [_row(row, node.attributes.get(row.name)) for row in rows]
-    listed += [
-        {"name": name, "value": value, "choices": [], "help": "unknown", "units": []}
-        for name, value in node.attributes.items()
-        if name not in known
-    ]
-    text = None if rows or node.children else node.text.strip()
-    return {"name": address(node), "tag": node.tag, "rows": listed, "text": text}
-
-
-def _row(row: Property, value: str | None) -> dict[str, Any]:
-    return {
-        "name": row.name, "value": value, "default": row.default,
-        "choices": row.choices, "required": row.required, "help": row.help,
-        "type": row.type, "units": [unit for unit, _ in row.kind.units] if row.kind else [],
-    }  # fmt: skip
 
 
 def _operations() -> list[dict[str, Any]]:
@@ -272,19 +254,8 @@ def _operations() -> list[dict[str, Any]]:
     ]  # fmt: skip
 
 
-def _named(root: Node) -> list[tuple[Node, str]]:
-    """Return the elements below the root, those of ground and communication too, by their names."""
-    known = {id(node): name for name, node in ids(root).items()}
-    nodes = list[Node]()
-    for each in root.children:
-        nodes.append(each)
-        if each.tag in ("surface", "communication"):
-            nodes += each.children
-    return [(node, known.get(id(node)) or address(node)) for node in nodes]
-
-
 def _thing(node: Node, name: str) -> dict[str, Any]:
-    found = {"name": name, "tag": node.tag, "attributes": node.attributes}
+    found: dict[str, Any] = {"name": name, "tag": node.tag, "attributes": node.attributes}
     if node.tag == "object":
         with contextlib.suppress(ValueError):  # the loader says what is wrong with it
             x_m, y_m = quantity(node, "x", LENGTH), quantity(node, "y", LENGTH)
@@ -303,29 +274,6 @@ def _area(world: WorldModel) -> dict[str, float]:
         "x": area.x_min_m, "y": area.y_min_m, "length": area.length_m, "width": area.width_m,
         "edge": area.edge_m,
     }  # fmt: skip
-
-
-def _problems(builder: WorldBuilder) -> list[dict[str, Any]]:
-    """Return what is wrong, with the elements that it is about, by the lines of these."""
-    found = builder.problems()
-    document, rows = builder.document, list[tuple[int, int, str]]()
-    for node, name in _named(document.root) if found else ():
-        rows.append((node.line, node.line + document.text.count(b"\n", node.begin, node.end), name))
-    return [
-        {
-            "severity": each.severity, "text": each.text, "hint": each.hint,
-            "file": "", "line": each.location.line,
-            "name": _at(rows, each) if each.location.file == document.file else "",
-        }
-        for each in found
-    ]  # fmt: skip
-
-
-def _at(rows: list[tuple[int, int, str]], found: Diagnostic) -> str:
-    """Return the name of the smallest element at the line of a message."""
-    line = found.location.line
-    around = [(last - first, name) for first, last, name in rows if first <= line <= last]
-    return min(around)[1] if around else ""
 
 
 def _text(given: dict[str, Any], name: str) -> str:

@@ -103,7 +103,7 @@ class Server:
 
     def send(self, client: Client, message: str | bytes) -> None:
         """Send a message to a page."""
-        self._do(lambda: client.put(message))
+        self.soon(lambda: client.put(message))
 
     def broadcast(self, message: str) -> None:
         """Send a message to all pages, except those whose first message says it already."""
@@ -115,7 +115,7 @@ class Server:
                 if number > client.since:
                     client.put(message)
 
-        self._do(put)
+        self.soon(put)
 
     def broadcast_latest(self, kind: str, message: str) -> None:
         """Send a message to all pages, in place of one of its kind that still waits."""
@@ -124,7 +124,7 @@ class Server:
             for client in self._clients:
                 client.put_latest(kind, message)
 
-        self._do(put)
+        self.soon(put)
 
     def broadcast_frame(self, time_s: float, values: FloatArray) -> None:
         """Send a frame to all pages, in place of one that still waits."""
@@ -140,14 +140,15 @@ class Server:
             for client in self._clients:
                 client.put_latest("frame", frame)
 
-        self._do(put)
+        self.soon(put)
 
     def close(self) -> None:
         """Say good-bye to all pages, and end."""
-        self._do(self._closing.set)
+        self.soon(self._closing.set)
         self._thread.join(_STOP_S)
 
-    def _do(self, action: Callable[[], None]) -> None:
+    def soon(self, action: Callable[[], None]) -> None:
+        """Do something in the server's thread; nothing if that has ended."""
         with contextlib.suppress(RuntimeError):  # the loop has ended
             self._loop.call_soon_threadsafe(action)
 

@@ -117,6 +117,7 @@ class Editor:
             "place": place,
             "turn": {"angle": self.angle()},
             "mirror": {"axis": self.random.choice("xy")},
+            "scale": {"factor": self.random.choice((0.5, "2", 1.25))},
             "array": {"columns": 2, "rows": self.random.choice((1, 2)), **place},
             "ring": {"count": 3, **place},
             "align": {"side": self.random.choice(("left", "top", "centre-x"))},

@@ -127,6 +127,20 @@ def test_programs_that_a_world_names_are_compiled(capfd: pytest.CaptureFixture[s
     assert capfd.readouterr().err == "3 files checked: 0 errors, 0 warnings\n"
 
 
+def test_goals_that_no_robot_can_reach_are_warned_of(capfd: pytest.CaptureFixture[str]) -> None:
+    wall = '<wall x1="2m" y1="0" x2="2m" y2="3m"/>'
+    goal = '<goal id="there">\n<reach x="3m" y="1m" radius="20cm"/></goal>'
+    robot = '<robot x="1m" y="1m"/>'
+    world = f'<world version="1"><area length="4m" width="3m"/>\n{wall}{robot}{goal}</world>'
+    Path("world.xml").write_text(world)
+    assert main(["check", "world.xml"]) == 0
+    shown = capfd.readouterr().err
+    assert "world.xml:2: warning: goal 'there': no robot can get there" in shown
+    Path("world.xml").write_text(world.replace(wall, ""))
+    assert main(["check", "world.xml"]) == 0
+    assert "warning:" not in capfd.readouterr().err
+
+
 def test_channels_that_a_world_changes_are_described(capfd: pytest.CaptureFixture[str]) -> None:
     channels = """<communication>
         <channel name="radio" range="20m" delay="0s" jitter="0s" loss="0.1"/>

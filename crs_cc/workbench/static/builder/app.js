@@ -102,7 +102,7 @@ model.addEventListener("change", () => {
   const name = known.file.split("/").at(-1) || "a new world";
   document.title = `${known.changed ? "* " : ""}${name} · crs build`;
   title.textContent = name + (known.changed ? " *" : "");
-  const wrong = known.problems.some((problem) => problem.severity === "error");
+  const wrong = known.problems.some((problem) => problem.blocks);
   undo.disabled = !known.undo.length || !model.mayChange;
   redo.disabled = !known.redo.length || !model.mayChange;
   undo.title = `Undo ${known.undo[0] ?? ""} (Ctrl-Z)`;

@@ -151,7 +151,7 @@ export class Model extends EventTarget {
   async ask(name, fields = {}) {
     try {
       const value = await this.channel.ask(name, fields);
-      if (!["properties", "form"].includes(name)) this.say("");
+      if (!["properties", "form", "library"].includes(name)) this.say("");
       return value;
     } catch (error) {
       this.say(/** @type {Error} */ (error).message);

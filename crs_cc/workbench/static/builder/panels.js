@@ -1,6 +1,7 @@
 /** The sides of the page: elements, properties, operations, problems. */
 
 import { el, fill, part } from "../dom.js";
+import { makeLibrary } from "./library.js";
 import { drawProperties, makeAddForm } from "./properties.js";
 
 /** @param {import("./model.js").Model} model @param {import("./view.js").View} view */
@@ -12,7 +13,7 @@ export function makePanels(model, view) {
   fill(
     part("sides"),
     el("aside.left", {}, section("Elements", things), section("Problems", problems)),
-    el("aside.right", {}, section("Properties", table), folded("Operation", operations), folded("Add", makeAddForm(model), false)),
+    el("aside.right", {}, section("Properties", table), folded("Operation", operations), folded("Add", makeAddForm(model), false), folded("Library", makeLibrary(model, view), false)),
   );
   const list = new ThingList(model, things);
   let shown = "";
