@@ -13,7 +13,7 @@ import ntpath
 import os
 import stat
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path, PureWindowsPath
 from typing import TYPE_CHECKING, Final
 
@@ -238,3 +238,24 @@ def _regular(descriptor: int) -> int:
         os.close(descriptor)
         raise
     return descriptor
+
+
+def open_terminal() -> tuple[int, str, Callable[[], None]]:
+    """Return a pseudo terminal: our end, the name of the other, and a function that closes both.
+
+    Raises:
+        OSError: the system has none.
+    """
+    try:
+        import tty
+
+        ours, theirs = os.openpty()
+    except (ImportError, AttributeError):
+        raise OSError(errno.ENOSYS, "this system has no pseudo terminals") from None
+    tty.setraw(theirs)
+
+    def close() -> None:
+        os.close(ours)
+        os.close(theirs)
+
+    return ours, os.ttyname(theirs), close

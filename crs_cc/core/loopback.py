@@ -66,6 +66,11 @@ def listen(port: int) -> socket.socket:
     return socket.create_server((LOOPBACK, port))
 
 
+def is_loopback(client: socket.socket) -> bool:
+    """Return whether a connection over IPv4 is one between two programs of this machine."""
+    return client.family == socket.AF_INET and client.getsockname()[0] == LOOPBACK
+
+
 def is_own_host(host: str, port: int) -> bool:
     """Return whether a request's `Host` names this server."""
     return host in {f"{name}:{port}" for name in _NAMES}

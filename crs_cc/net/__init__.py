@@ -1,0 +1,1 @@
+"""Runs whose parts are in other programs: servers of an environment, and who connects to them."""

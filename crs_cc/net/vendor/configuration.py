@@ -1,0 +1,67 @@
+"""What both of the vendor's protocols configure: the mask, the order of sensors, and speech.
+
+>>> mask = Mask.of_nclient((255, 255, 255, 255, 255, 15, 2))
+>>> mask.positions, mask.selects(43), sum(mask.content[1:])
+(2, True, 43)
+>>> Mask().selects(17)
+False
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, Self
+
+from crs_cc.net.vendor.exchange import Exchange, Posted, posted
+
+NUM_MASK: Final = 44
+_END: Final = 255
+_SENSORS: Final = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Mask:
+    """The vendor's `Smask`: which elements of State replies renew.
+
+    Attributes:
+        content: one byte each; the first has the kinds of sensors whose positions follow.
+    """
+
+    content: bytes = bytes(NUM_MASK)
+
+    @classmethod
+    def of_nclient(cls, elements: Sequence[int]) -> Self:
+        """Return it from the seven elements of Nclient's CT."""
+        flags = [(each >> bit) & 1 for each in elements[:5] for bit in range(8)]
+        flags += [(elements[5] >> bit) & 1 for bit in (1, 2, 3)]
+        return cls(bytes((elements[6] & 255, *flags)))
+
+    @classmethod
+    def of_ndirect(cls, content: bytes) -> Self:
+        """Return it from the seven bytes of Ndirect's CT, which do not have the motor status."""
+        flags = [(each >> bit) & 1 for each in content[:5] for bit in range(8)]
+        return cls(bytes((content[6] >> 1 & 31, *flags, 1, content[5] & 1, content[6] & 1)))
+
+    def selects(self, element: int) -> bool:
+        """Return whether replies renew an element of State."""
+        return self.content[element] != 0
+
+    @property
+    def positions(self) -> int:
+        """The kinds of sensors whose positions replies have, as the vendor's bits."""
+        return self.content[0]
+
+
+def firing_order(name: str, value: int, order: Sequence[int]) -> Posted:
+    """Return a request that sets the order of sensors, which ends before the first 255."""
+    sensors = [each & 255 for each in order[:_SENSORS]]
+    end = sensors.index(_END) if _END in sensors else len(sensors)
+    return posted(name, value, data=bytes(sensors[:end]))
+
+
+def talk(text: bytes) -> Exchange[None]:
+    """Speak a text up to its zero: it is what the robot's program writes."""
+    text = text.partition(b"\0")[0][:247]
+    yield posted("TK", data=text)
+    yield posted("WRITE", 1, data=text + b"\n")

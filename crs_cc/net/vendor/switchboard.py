@@ -1,0 +1,235 @@
+"""Where requests of outside clients and the relays of their robots meet.
+
+Clients are served in a thread of their own, programs run in that of the session. A client asks for
+an exchange; the relay of its robot finds the exchange's requests on its standard input, one by one,
+and each reply continues it. What the relay is told of its input is recorded as for any program, so
+neither the thread nor the clock here is part of the results.
+
+Time goes by the wall clock, or by requests: then it stands still until every client has asked for
+something, and no robot is waited for that has no client.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Any, Final, TypeAlias
+
+from crs_cc.net.vendor.exchange import Exchange, ReplyReader, posted
+
+LOOK_S: Final = 0.05
+"""Real time between two looks at the wall clock and at interrupts."""
+
+PATIENCE_S: Final = 2.0
+"""How long time stands still for a client that asks for nothing, while others do; chosen by us."""
+
+_LEAST_S: Final = 1e-3
+"""The shortest time that a relay sleeps; chosen by us."""
+
+_ROUNDING: Final = 1e-6  # [timesteps]
+
+Done: TypeAlias = Callable[[Any, float], None]
+"""Is told what an exchange has come to, and at what simulated time [s]; in the run's thread."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Call:
+    exchange: Exchange[Any]
+    done: Done
+    asked_s: float
+
+
+@dataclass(slots=True)
+class _Line:
+    """A robot's end of the switchboard."""
+
+    inbox: bytearray = field(default_factory=bytearray)
+    calls: deque[_Call] = field(default_factory=deque)
+    call: _Call | None = None
+    replies: ReplyReader = field(default_factory=ReplyReader)
+    has_client: bool = False
+    has_ended: bool = False
+    idle_since_s: float = 0.0
+
+    @property
+    def is_busy(self) -> bool:
+        return self.call is not None or bool(self.calls)
+
+
+class Switchboard:
+    """Joins relays with clients.
+
+    Attributes:
+        robots: the numbers of the robots that run a relay.
+    """
+
+    def __init__(
+        self,
+        robots: Iterable[int],
+        timestep_s: float,
+        now_s: Callable[[], float] | None = None,
+    ) -> None:
+        """Join no relay with any client yet.
+
+        Args:
+            robots: the numbers of the robots that run a relay.
+            timestep_s: the length of a timestep [s].
+            now_s: returns the simulated time by the wall clock [s]; None if requests move time.
+        """
+        self._lines = {robot: _Line() for robot in robots}
+        self.robots = frozenset(self._lines)
+        self._timestep_s = timestep_s
+        self._now_s = now_s
+        self._changed = threading.Condition()
+        self._clock_s: Callable[[int], float] = lambda _robot: 0.0
+
+    # -- the run's side --------------------------------------------------------------------------
+
+    def begin(self, clock_s: Callable[[int], float]) -> None:
+        """Store the function that returns the clock of a robot's program [s]."""
+        self._clock_s = clock_s
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return what a relay can read, and for how long it is to sleep, see `session.host`.
+
+        Wait for clients as far as time may not go on.
+        """
+        line = self._lines[robot]
+        with self._changed:
+            while True:
+                self._begin_call(line)
+                if line.inbox:
+                    late_s = line.call.asked_s - clock_s if line.call else 0.0
+                    return (0, late_s) if late_s >= _LEAST_S else (len(line.inbox), 0.0)
+                if line.has_ended:
+                    return 0, 0.0
+                pause_s = self._pause_s(line, clock_s)
+                if pause_s > 0.0:
+                    return 0, max(pause_s, _LEAST_S)
+                self._changed.wait(min(-pause_s, LOOK_S))
+
+    def read(self, robot: int, size: int) -> bytes:
+        """Return what a relay reads: requests that `waiting` has announced."""
+        line = self._lines[robot]
+        content = bytes(line.inbox[:size])
+        del line.inbox[:size]
+        return content
+
+    def reply(self, robot: int, _stream: int, content: bytes) -> None:
+        """Continue the exchange of a robot with a piece of a reply that its relay has written."""
+        line = self._lines.get(robot)
+        if line is None or line.call is None:
+            return
+        reply = line.replies.add(content)
+        if reply is not None:
+            with self._changed:
+                self._advance(line, lambda call: call.exchange.send(reply), self._clock_s(robot))
+
+    def _begin_call(self, line: _Line) -> None:
+        """Begin the next exchange if there is none."""
+        while line.call is None and line.calls:
+            line.call = line.calls.popleft()
+            self._advance(line, lambda call: next(call.exchange), line.call.asked_s)
+
+    def _advance(self, line: _Line, go: Callable[[_Call], Any], at_s: float) -> None:
+        """Let an exchange post its next request, or end."""
+        call = line.call
+        assert call is not None
+        try:
+            line.inbox += go(call).encoded()
+        except StopIteration as end:
+            line.call = None
+            line.idle_since_s = time.monotonic()
+            call.done(end.value, at_s)
+
+    def _pause_s(self, line: _Line, clock_s: float) -> float:
+        """Return for how long a relay without input sleeps [s].
+
+        If it is negative, the relay waits so long in real time and asks again.
+        """
+        cycle = math.floor(clock_s / self._timestep_s + _ROUNDING)
+        end_s = (cycle + 1) * self._timestep_s
+        others = any(each.is_busy for each in self._lines.values())
+        if self._now_s is not None:
+            now_s = self._now_s()
+            if now_s >= end_s:
+                return end_s - clock_s
+            return max(now_s - clock_s, _LEAST_S) if others else now_s - end_s
+        held_s = line.idle_since_s + PATIENCE_S - time.monotonic() if line.has_client else 0.0
+        if others and held_s <= 0.0:
+            return end_s - clock_s
+        return -held_s if others else -LOOK_S
+
+    # -- the clients' side -----------------------------------------------------------------------
+
+    def take(self, wanted: int, *, others: bool = True) -> int | None:
+        """Reserve a robot for a client, and return its number.
+
+        Args:
+            wanted: the number of the robot in the order of the world, 1 for the first.
+            others: whether another one will do.
+
+        Returns:
+            that robot; if it is not free the first that is; or None.
+        """
+        with self._changed:
+            free = [
+                robot
+                for robot, line in self._lines.items()
+                if not (line.has_client or line.has_ended)
+            ]
+            if wanted - 1 in free:
+                robot = wanted - 1
+            elif free and others:
+                robot = free[0]
+            else:
+                return None
+            self._lines[robot].has_client = True
+            self._lines[robot].idle_since_s = time.monotonic()
+            return robot
+
+    def take_only(self, robot: int) -> bool:
+        """Reserve this robot for a client; return False if it is not free."""
+        return self.take(robot + 1, others=False) is not None
+
+    def ask(self, robot: int, exchange: Exchange[Any], done: Done) -> None:
+        """Have an exchange with a robot; `done` is told what it has come to."""
+        asked_s = -math.inf if self._now_s is None else self._now_s()
+        with self._changed:
+            self._lines[robot].calls.append(_Call(exchange, done, asked_s))
+            self._changed.notify_all()
+
+    def release(self, robot: int, *, connected: bool = True, ends: bool = False) -> None:
+        """Take leave of a client that has gone; its robot is free when it has been told.
+
+        Args:
+            robot: the robot.
+            connected: whether the robot still is connected to it.
+            ends: whether the robot's program ends.
+        """
+
+        def free(_value: object, _at_s: float) -> None:
+            line.has_client = False
+            line.has_ended |= ends
+
+        line = self._lines[robot]
+        self.ask(robot, _leave() if connected else _nothing(), free)
+
+    def close(self) -> None:
+        """End all relays."""
+        with self._changed:
+            for line in self._lines.values():
+                line.has_ended = True
+            self._changed.notify_all()
+
+
+def _leave() -> Exchange[None]:
+    yield posted("DISCONNECT", 1)
+
+
+def _nothing() -> Exchange[None]:
+    yield from ()
