@@ -1,1 +1,1 @@
-"""Runs whose parts are in other programs: servers of an environment, and who connects to them."""
+"""Programs, viewers and clients on other machines."""

@@ -46,6 +46,9 @@ def never_waits(_robot: int, _clock_s: float, _read: int = 0) -> tuple[int, floa
     return 0, 0.0
 
 
+CLIENT: Final = 3
+"""The stream of what a program writes for a client outside of the run."""
+
 HOST_CODES: Final = frozenset(code for code, row in REQUESTS.items() if row.server == "host")
 
 
@@ -70,6 +73,8 @@ class Host:
     Attributes:
         exit_status: by robot, its program's exit status; None while it runs.
         disks: by robot, its files.
+        reply: receives what a robot's program writes for a client outside, see `net.vendor`; it is
+            no output of the run.
     """
 
     def __init__(
@@ -101,6 +106,7 @@ class Host:
         for row in arguments:
             self.add(row)
         self._output = output
+        self.reply: Output = discard
         self._read = read
         self._serve: dict[int, Callable[[HostRequest], None]] = {
             CODES["EXIT"]: self._exit,
@@ -138,10 +144,11 @@ class Host:
     def _write(self, request: HostRequest) -> None:
         message = request.message
         stream, size = int(message["i"][0]), int(message["size"])
-        if stream not in (1, 2) or not 0 <= size <= DATA_SIZE:
+        if stream not in (1, 2, CLIENT) or not 0 <= size <= DATA_SIZE:
             message["result"] = -1
         else:
-            self._output(request.robot, stream, message["data"][:size].tobytes())
+            write = self.reply if stream == CLIENT else self._output
+            write(request.robot, stream, message["data"][:size].tobytes())
             message["result"] = size
 
     def _read_stream(self, request: HostRequest) -> None:

@@ -32,6 +32,10 @@ if TYPE_CHECKING:
 MAX_WAITING: Final = 64
 """Packets of a client that may wait for their answers; chosen by us."""
 
+TRY_S: Final = 0.02
+TRIES: Final = 50
+"""How often, and in what intervals, a client's request for a robot is tried; chosen by us."""
+
 SILENCE_S: Final = 1.0
 """After what silence a packet on a line is given up: as long as the client waits for a byte
 (vendor source `Ndirect.c` 2.7)."""
@@ -130,14 +134,31 @@ class NserverConversation(Conversation):
             self._wire.close()
 
     def _begin(self, packet: Packet) -> None:
-        opens = packet.type in (CONNECT, CREATE)
-        if self.robot is None and opens:
-            self.robot = self._board.take(packet.elements[0])
         if self.robot is None:
-            self._send(_REFUSED if opens else refusal())
+            if packet.type in (CONNECT, CREATE):
+                self._take(packet, TRIES)
+            else:
+                self._send(refusal())
         elif packet.type == DISCONNECT:
             self.gone()
             self._wire.close()
+        else:
+            self._ask(self._client.answer(packet), self._answered)
+
+    def _take(self, packet: Packet, tries: int) -> None:
+        """Take a robot, and answer the packet that asks for it.
+
+        Whoever had the robot before may just be leaving it, or it still does what he has asked for.
+        """
+        if self._has_gone:
+            return
+        self.robot = self._board.take(packet.elements[0])
+        self._is_busy = self.robot is None and (tries > 0 or self._board.is_one_left)
+        if self._is_busy:
+            self._loop.call_later(TRY_S, self._take, packet, tries - 1)
+        elif self.robot is None:
+            self._send(_REFUSED)
+            self._go_on()
         else:
             self._ask(self._client.answer(packet), self._answered)
 

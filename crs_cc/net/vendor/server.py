@@ -36,7 +36,11 @@ _CHUNK: Final = 4096
 
 
 class Server:
-    """Serves clients until it is closed."""
+    """Serves clients until it is closed.
+
+    Attributes:
+        loop: runs in the clients' thread.
+    """
 
     def __init__(
         self,
@@ -55,8 +59,8 @@ class Server:
         self._delay_s = delay_s
         self._host = host
         self._wires: set[_TcpWire] = set()
-        self._loop = asyncio.new_event_loop()
-        self._loop.set_exception_handler(lambda _loop, _context: None)  # of clients that have gone
+        self.loop = asyncio.new_event_loop()
+        self.loop.set_exception_handler(lambda _loop, _context: None)  # of clients that have gone
         self._thread = threading.Thread(target=self._run, name="vendor clients", daemon=True)
         self._closers: list[Callable[[], None]] = []
         self._thread.start()
@@ -72,7 +76,7 @@ class Server:
         """
 
         def talk(wire: _TcpWire) -> Conversation:
-            return NserverConversation(self._board, wire, self._loop, opened)
+            return NserverConversation(self._board, wire, self.loop, opened)
 
         opened = self._listen(port, talk)
         return opened
@@ -91,7 +95,7 @@ class Server:
         def talk(wire: _TcpWire) -> Conversation | None:
             if not self._board.take_only(robot):
                 return None
-            return LineConversation(self._board, wire, self._loop, robot, greets=True)
+            return LineConversation(self._board, wire, self.loop, robot, greets=True)
 
         return self._listen(port, talk)
 
@@ -106,24 +110,24 @@ class Server:
         terminal, name, close = open_terminal()
         self._closers.append(close)
         self._do(
-            lambda: _TerminalWire(self._loop, terminal).begin(self._board, robot, self._delay_s)
+            lambda: _TerminalWire(self.loop, terminal).begin(self._board, robot, self._delay_s)
         )
         return name
 
     def close(self) -> None:
         """Say good-bye to all clients."""
-        self._loop.call_soon_threadsafe(self._loop.stop)
+        self.loop.call_soon_threadsafe(self.loop.stop)
         self._thread.join(_STOP_S)
         for close in self._closers:
             close()
 
     def _run(self) -> None:
-        asyncio.set_event_loop(self._loop)
-        self._loop.run_forever()
+        asyncio.set_event_loop(self.loop)
+        self.loop.run_forever()
         for wire in list(self._wires):
             wire.abort()
-        self._loop.run_until_complete(self._loop.shutdown_asyncgens())
-        self._loop.close()
+        self.loop.run_until_complete(self.loop.shutdown_asyncgens())
+        self.loop.close()
 
     def _do(self, work: Callable[[], Any]) -> None:
         """Do something in the clients' thread, and wait for it."""
@@ -131,14 +135,14 @@ class Server:
         async def job() -> None:
             work()
 
-        asyncio.run_coroutine_threadsafe(job(), self._loop).result(_STOP_S)
+        asyncio.run_coroutine_threadsafe(job(), self.loop).result(_STOP_S)
 
     def _listen(self, port: int, talk: Callable[[_TcpWire], Conversation | None]) -> int:
         def wire() -> _TcpWire:
-            return _TcpWire(self._loop, self._wires, talk, self._delay_s)
+            return _TcpWire(self.loop, self._wires, talk, self._delay_s)
 
-        opening = self._loop.create_server(wire, self._host, port)
-        server = asyncio.run_coroutine_threadsafe(opening, self._loop).result(_STOP_S)
+        opening = self.loop.create_server(wire, self._host, port)
+        server = asyncio.run_coroutine_threadsafe(opening, self.loop).result(_STOP_S)
         return int(server.sockets[0].getsockname()[1])
 
 

@@ -24,7 +24,7 @@ from crs_cc.net.vendor.exchange import Exchange, ReplyReader, posted
 LOOK_S: Final = 0.05
 """Real time between two looks at the wall clock and at interrupts."""
 
-PATIENCE_S: Final = 2.0
+PATIENCE_S: Final = 0.5
 """How long time stands still for a client that asks for nothing, while others do; chosen by us."""
 
 _LEAST_S: Final = 1e-3
@@ -52,6 +52,7 @@ class _Line:
     call: _Call | None = None
     replies: ReplyReader = field(default_factory=ReplyReader)
     has_client: bool = False
+    is_left: bool = False
     has_ended: bool = False
     idle_since_s: float = 0.0
 
@@ -104,7 +105,9 @@ class Switchboard:
                 self._begin_call(line)
                 if line.inbox:
                     late_s = line.call.asked_s - clock_s if line.call else 0.0
-                    return (0, late_s) if late_s >= _LEAST_S else (len(line.inbox), 0.0)
+                    # A run that is behind the clock answers as soon as it can.
+                    is_early = _LEAST_S <= late_s <= self._timestep_s
+                    return (0, late_s) if is_early else (len(line.inbox), 0.0)
                 if line.has_ended:
                     return 0, 0.0
                 pause_s = self._pause_s(line, clock_s)
@@ -196,6 +199,11 @@ class Switchboard:
         """Reserve this robot for a client; return False if it is not free."""
         return self.take(robot + 1, others=False) is not None
 
+    @property
+    def is_one_left(self) -> bool:
+        """Return whether a client has gone whose robot will be free."""
+        return any(line.is_left for line in self._lines.values())
+
     def ask(self, robot: int, exchange: Exchange[Any], done: Done) -> None:
         """Have an exchange with a robot; `done` is told what it has come to."""
         asked_s = -math.inf if self._now_s is None else self._now_s()
@@ -213,10 +221,11 @@ class Switchboard:
         """
 
         def free(_value: object, _at_s: float) -> None:
-            line.has_client = False
+            line.has_client = line.is_left = False
             line.has_ended |= ends
 
         line = self._lines[robot]
+        line.is_left = True
         self.ask(robot, _leave() if connected else _nothing(), free)
 
     def close(self) -> None:

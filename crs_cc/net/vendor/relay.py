@@ -1,0 +1,8 @@
+"""The program of a robot that is driven from outside, `relay.c`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+RELAY: Final = Path(__file__).with_suffix(".c")

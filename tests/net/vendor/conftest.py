@@ -1,0 +1,13 @@
+"""Clients of these tests ask without a pause, so nobody has to wait long for them."""
+
+from __future__ import annotations
+
+import pytest
+
+from crs_cc.net.vendor import conversation, switchboard
+
+
+@pytest.fixture(autouse=True)
+def no_patience(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(switchboard, "PATIENCE_S", 0.02)
+    monkeypatch.setattr(conversation, "TRIES", 5)

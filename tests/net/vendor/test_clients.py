@@ -1,0 +1,153 @@
+"""Several clients, for several robots; clients that vanish, and those that are none."""
+
+from __future__ import annotations
+
+import random
+import socket
+import struct
+import time
+from pathlib import Path
+
+from crs_cc.sim.files.world_xml import load_world
+from tests.net.vendor.nclient import Nclient
+from tests.net.vendor.ndirect import over_tcp
+from tests.net.vendor.served import served
+
+PAIR = load_world(Path(__file__).parents[3] / "worlds" / "pair.xml")
+
+
+def connected(port: int, robot: int = 1) -> Nclient:
+    client = Nclient(port)
+    assert client.connect_robot(robot) == port
+    return client
+
+
+def test_each_client_drives_its_robot_and_a_third_is_refused() -> None:
+    with served(PAIR) as run:
+        port = run.server.serve_nserver(0)
+        second, first = connected(port, 2), connected(port, 1)
+        third = Nclient(port)
+        third._socket = socket.create_connection(("127.0.0.1", port), timeout=30)
+        assert third.exchange(102, 1, 1) == 82
+        assert third.received == [0]
+        assert third.exchange(16, *[0] * 7) == 91  # Nclient 2.6.11 goes on and waits for it
+        first.state_call(13, 100, 100, 0)
+        assert second.state_call(39, 1, 1, 1, 2)
+        assert first.state_call(39, 1, 1, 1, 9)
+        assert first.state[34] == 100
+        assert second.state[34] == 0
+        second.disconnect_robot()
+        third.vanish()
+        fourth = connected(port)
+        assert fourth.get_rpx()
+        assert fourth.received[0] == 2
+        assert fourth.received[1] == 394 + 100
+
+
+def test_what_a_robot_says_is_its_output() -> None:
+    with served(PAIR) as run:
+        client = connected(run.server.serve_nserver(0))
+        assert client.tk("it is warm")
+        assert run.output == [b"it is warm\n"]
+
+
+def test_masked_elements_stay_as_they_were() -> None:
+    with served(PAIR) as run:
+        client = connected(run.server.serve_nserver(0))
+        before = client.state
+        assert any(before[17:33])
+        client.mask[17:33] = [0] * 16
+        client.ct()
+        client.state_call(13, 300, -300, 0)
+        client.state_call(39, 1, 1, 1, 9)
+        assert client.state[17:33] == before[17:33]
+        assert client.state[36] != before[36]
+        client.group(28, 17, 32, 2)
+        assert client.state[17:33] != before[17:33]
+
+
+def test_a_client_that_vanishes_leaves_its_robot_to_the_next() -> None:
+    with served(PAIR) as run:
+        port = run.server.serve_nserver(0)
+        others = connected(port, 2)
+        for _ in range(3):
+            client = connected(port)
+            client.state_call(12, 50, 50, 0)
+            client.send(39, 1, 1, 1, 5)  # it waits for a robot that does not stop
+            client.vanish()
+            assert others.state_call(39, 1, 1, 1, 1)
+            others.state_call(26, 0)
+        assert not run.failed
+
+
+def test_strangers_disturb_nobody() -> None:
+    noise = random.Random(7)
+    with served(PAIR) as run:
+        port = run.server.serve_nserver(0)
+        client = connected(port)
+        strangers = []
+        for number in range(150):
+            stranger = socket.create_connection(("127.0.0.1", port), timeout=5)
+            if number % 3:
+                stranger.sendall(noise.randbytes(noise.randrange(1, 60)))
+            strangers.append(stranger)
+        assert client.state_call(15)
+        for stranger in strangers:
+            stranger.close()
+        again = Nclient(port)
+        deadline_s = time.monotonic() + 10.0
+        while not again_connects(again) and time.monotonic() < deadline_s:
+            pass
+        assert again.state_call(15)
+        assert not run.failed
+
+
+def again_connects(client: Nclient) -> bool:
+    """Return whether a client is served; while strangers are there it may not be."""
+    try:
+        return bool(client.connect_robot(2))
+    except (OSError, IndexError):
+        return False
+
+
+def test_any_packet_is_answered_and_does_no_harm() -> None:
+    noise = random.Random(11)
+    with served(PAIR) as run:
+        client = connected(run.server.serve_nserver(0))
+        for _ in range(300):
+            kind = noise.choice([*range(10, 63), 71, 74, 75, 150, 159, 200, 300, 400, 65535])
+            count = noise.choice([0, 1, 2, 3, 4, 5, 6, 7, 8, 17, 21, 300])
+            elements = [
+                noise.choice([0, 1, 5, -1, 2**31 - 1, -(2**31), 1000]) for _ in range(count)
+            ]
+            if kind in (20, 39):
+                continue  # they wait
+            assert client.exchange(kind, *elements) is not None
+        assert client.exchange(15) == 80
+        assert not run.failed
+
+
+def test_a_flood_is_answered_packet_by_packet() -> None:
+    with served(PAIR) as run:
+        port = run.server.serve_nserver(0)
+        client, other = connected(port), connected(port, 2)
+        assert client._socket is not None
+        client._socket.sendall(client.packet(29) * 500)
+        assert other.state_call(15)
+        replies = client._receive(500 * (4 + 16))
+        assert [struct.unpack_from(">HH", replies, at) for at in range(0, len(replies), 20)] == [
+            (88, 4)
+        ] * 500
+
+
+def test_noise_on_a_line_is_skipped() -> None:
+    noise = random.Random(3)
+    with served(PAIR) as run:
+        client = over_tcp(run.server.serve_line(0, 1), model=2)
+        for _ in range(20):
+            client.write(noise.randbytes(40).replace(b"\x01", b"\x02"))
+            assert client.state_call(7)
+        client.send(17, bytes(6))  # a Scout has no laser
+        assert client.receive() == (8, b"")
+        client.send(12, bytes(3))
+        assert client.receive() == (8, b"")
