@@ -128,8 +128,7 @@ class Recorder:
         self._last = session.timesteps
         self._next_hash = session.timesteps + self._per_second
         self._alive = session.state.alive.copy()
-        is_debug_build = len(session.fleet) > 0 and session.fleet.executable(0).has_marks
-        self._hides_state = is_debug_build and not self._options.for_debugger
+        self._hides_state = session.fleet.has_marks and not self._options.for_debugger
         if self._options.foxglove:
             from crs_cc.recording.foxglove.messages import FoxgloveView
 

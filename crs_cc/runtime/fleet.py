@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
+import numpy.typing as npt
 import wasmtime
 
 from crs_cc.core.arrays import ByteArray, IndexArray, Records
@@ -164,6 +165,12 @@ class Fleet:
         self.codes, self._asks = self.slots["code"], self.timing["asks"]
         self._messages = self.slots["message"].view(_BYTES)
         self.sizes = self.slots["message"]["size"]
+
+    def table(self) -> npt.NDArray[np.uint64]:
+        """Return slots and clocks as 64-bit words, a row for each program."""
+        size = len(self) * RECORD.itemsize
+        words = self._mailbox.view()[SLOTS : SLOTS + size].view(np.uint64)
+        return words.reshape(len(self), RECORD.itemsize // 8)
 
     def _instantiate(self, executable: Executable) -> None:
         """Append a new program."""
@@ -446,7 +453,7 @@ class Fleet:
     def snapshot(self, robot: int) -> Snapshot:
         """Return the whole state of one robot's program, breakpoints excluded."""
         slot = self.slots[robot : robot + 1].copy()
-        for wish in _WISHES:
+        for wish in WISHES:
             slot[wish] = 0
         sandbox = self._sandboxes[robot]
         kept = resident_pages.save(sandbox.memory, sandbox.initial)
@@ -458,7 +465,7 @@ class Fleet:
         resident_pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
         resident_pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         slot = self.slots[robot : robot + 1]
-        wishes = {name: slot[name].copy() for name in _WISHES}
+        wishes = {name: slot[name].copy() for name in WISHES}
         slot[:] = snapshot.slot
         for name, wish in wishes.items():
             slot[name] = wish
@@ -490,5 +497,5 @@ _WITH_OBJECT: Final = frozenset(
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 _UNLIMITED: Final = 2**31
-_WISHES: Final = ("stop_before_all", "stop_from")
+WISHES: Final = ("stop_before_all", "stop_from")
 """Fields that control where a program stops, which are not part of its state."""

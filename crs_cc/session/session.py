@@ -54,7 +54,7 @@ from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import Robot, WorldModel
 
 if TYPE_CHECKING:
-    pass
+    from crs_cc.runtime.fleet import Fleet
 
 _ON_LINK = np.isin(
     np.arange(DEVICE_CODES.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *DEVICE_CODES]
@@ -94,6 +94,7 @@ class Session:
         trace: Listener | None = None,
         threads: int | None = None,
         observer: Listener | None = None,
+        fleet: Fleet | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.
 
@@ -112,6 +113,7 @@ class Session:
             threads: how many threads may run programs, see `Fleet`; results do not depend on it.
             observer: is notified of those in which something can happen, without `slices` if
                 there is no trace.
+            fleet: the programs where they are loaded already, perhaps on other machines.
 
         Raises:
             ValueError: there is not one program for each robot.
@@ -127,7 +129,7 @@ class Session:
         seed = world.seed or 0 if seed is None else seed
         self._world, self._seed = world, seed
         self._host = Host(rows, output, read, files, client, waiting=waiting)
-        self.state = SessionState(world, executables, seed, self._host, threads)
+        self.state = SessionState(world, executables, seed, self._host, threads, fleet)
         self.environment = self.state.environment
         self.fleet = self.state.fleet
         self._trace = trace

@@ -85,6 +85,7 @@ class SessionState:
         seed: int,
         host: Host,
         threads: int | None = None,
+        fleet: Fleet | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.
 
@@ -94,9 +95,10 @@ class SessionState:
             seed: the random seed.
             host: the robots' host computers.
             threads: how many threads may run programs, see `Fleet`.
+            fleet: the programs, if they are loaded already.
         """
         self.environment = Environment(world, seed)
-        self.fleet = Fleet(executables, build_driver(), threads)
+        self.fleet = fleet or Fleet(executables, build_driver(), threads)
         self.host = host
         count = len(executables)
         self._added: list[Added] = []

@@ -1,0 +1,206 @@
+"""Messages over a connection: bounded, numbered and checked.
+
+A message has a kind, a number that rises by one, a checksum, and a content whose size depends on
+its kind. So what is cut, lost, damaged, doubled or in the wrong order on the way ends the
+connection, and never becomes part of a run. Each side says that it is alive while it has nothing to
+say; whoever hears nothing for `SILENCE_S` gives the other up.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import selectors
+import socket
+import struct
+import threading
+import time
+import zlib
+from enum import IntEnum
+from typing import Any, Final, NamedTuple
+
+SILENCE_S: Final = 1.5
+"""How long a side may say nothing [s]; with `ALIVE_S`, a loss is noticed in two seconds."""
+
+ALIVE_S: Final = 0.4
+"""How often a side says that it is alive [s]."""
+
+MAGIC: Final = b"CRS slots\r\n\x1a"
+"""The first bytes of a connection: no request of HTTP and no greeting of TLS begins so."""
+
+PROTOCOL: Final = 1
+"""The version of what is said here."""
+
+
+class Kind(IntEnum):
+    """The kinds of messages."""
+
+    HELLO = 1  # a host, first: who it is, as JSON
+    WELCOME = 2  # the environment: the robots, as JSON
+    REFUSED = 3  # the environment: why not, as text
+    PROGRAM = 4  # a host: its program's files, as JSON
+    RESTORE = 5  # the environment: where the programs stand, see `memories`
+    GRANT = 6  # the environment: until when programs may run, with answers
+    RAN = 7  # a host: rounds, and what the programs ask for
+    ALIVE = 8  # either
+    SAVE = 9  # the environment: asks for memories
+    SAVED = 10  # a host: memories
+    FAILED = 11  # a host: what a robot's program did wrong, as JSON
+    READ = 12  # the environment: asks for standard input
+    INPUT = 13  # a host: standard input
+    END = 14  # the environment: the run has ended for these programs, as JSON
+    STARTED = 15  # a host: it can run its programs
+
+
+_SMALL, _LARGE = 64 * 2**10, 256 * 2**20
+_MOST: Final = {
+    Kind.GRANT: _LARGE,
+    Kind.RAN: _LARGE,
+    Kind.SAVED: _LARGE,
+    Kind.RESTORE: _LARGE,
+    Kind.PROGRAM: 64 * 2**20,
+    Kind.FAILED: 2**20,
+    Kind.END: 2**20,
+}
+"""The largest content of a kind [bytes]; others are small. Chosen by us."""
+
+_HEAD: Final = struct.Struct("<IIII")  # kind, size, number, CRC-32 of the content
+_CHUNK: Final = 2**20
+
+
+class ConnectionLostError(ConnectionError):
+    """The other side is gone, is silent, or does not keep to the protocol."""
+
+
+class Message(NamedTuple):
+    """A message that has arrived."""
+
+    kind: Kind
+    content: bytes
+
+
+class Channel:
+    """A connection, over which any thread may send and one may receive."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        """Store a connection."""
+        with contextlib.suppress(OSError):  # a socket of another family
+            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connection.settimeout(SILENCE_S)
+        self._connection = connection
+        self._sending = threading.Lock()
+        self._sent = self._received = 0
+        self._sent_s = time.monotonic()
+
+    def send(self, kind: Kind, content: bytes = b"") -> None:
+        """Send a message.
+
+        Raises:
+            ConnectionLostError: it cannot be sent.
+        """
+        with self._sending:
+            head = _HEAD.pack(kind, len(content), self._sent, zlib.crc32(content))
+            self._sent = (self._sent + 1) & 0xFFFFFFFF
+            rest = memoryview(head + content)
+            try:
+                while rest:  # as long as something is taken, however slowly
+                    rest = rest[self._connection.send(rest) :]
+            except OSError as error:
+                raise ConnectionLostError(_reason(error)) from None
+            self._sent_s = time.monotonic()
+
+    def stay_alive(self) -> None:
+        """Say that this side is alive, if it has said nothing lately and is not sending."""
+        if time.monotonic() - self._sent_s < ALIVE_S or self._sending.locked():
+            return
+        with contextlib.suppress(ConnectionLostError, OSError, ValueError):  # who receives finds out
+            if self._can_send():
+                self.send(Kind.ALIVE)
+
+    def _can_send(self) -> bool:
+        """Return whether sending a short message does not have to wait."""
+        with selectors.DefaultSelector() as selector:
+            selector.register(self._connection, selectors.EVENT_WRITE)
+            return bool(selector.select(0.0))
+
+    def receive(self, *allowed: Kind, within_s: float | None = None) -> Message:
+        """Wait for a message.
+
+        Args:
+            allowed: the kinds that are expected.
+            within_s: how long it may take in all; for ever if the other side is alive.
+
+        Raises:
+            ConnectionLostError: it does not come, or is not valid.
+        """
+        end_s = None if within_s is None else time.monotonic() + within_s
+        while True:
+            kind, size, number, checksum = _HEAD.unpack(self._read(_HEAD.size, end_s))
+            if kind != Kind.ALIVE and kind not in allowed:
+                raise ConnectionLostError(f"unexpected message of kind {kind}")
+            if size > _MOST.get(kind, _SMALL):
+                raise ConnectionLostError(f"message of {size} bytes is too long")
+            content = self._read(size, end_s)
+            if number != self._received or zlib.crc32(content) != checksum:
+                raise ConnectionLostError("a message is missing, doubled or damaged")
+            self._received = (self._received + 1) & 0xFFFFFFFF
+            if kind != Kind.ALIVE:
+                return Message(Kind(kind), content)
+
+    def _read(self, size: int, end_s: float | None) -> bytes:
+        """Return so many bytes; memory is taken as they come."""
+        content = bytearray()
+        while len(content) < size:
+            if end_s is not None and time.monotonic() > end_s:
+                raise ConnectionLostError("too slow")
+            try:
+                part = self._connection.recv(min(size - len(content), _CHUNK))
+            except TimeoutError:
+                raise ConnectionLostError(f"nothing heard for {SILENCE_S:g} s") from None
+            except OSError as error:
+                raise ConnectionLostError(_reason(error)) from None
+            if not part:
+                raise ConnectionLostError("the other side has closed the connection")
+            content += part
+        return bytes(content)
+
+    def close(self) -> None:
+        """Close the connection; who waits for it is told."""
+        with contextlib.suppress(OSError):
+            self._connection.shutdown(socket.SHUT_RDWR)
+        with contextlib.suppress(OSError):
+            self._connection.close()
+
+
+class Pulse:
+    """A thread in which channels say that they are alive, for use in a `with` block."""
+
+    def __init__(self) -> None:
+        self._channels: list[Channel] = []
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._beat, name="crs-pulse", daemon=True)
+
+    def add(self, channel: Channel) -> None:
+        """Keep a channel alive."""
+        self._channels.append(channel)
+
+    def remove(self, channel: Channel) -> None:
+        """Forget a channel."""
+        with contextlib.suppress(ValueError):
+            self._channels.remove(channel)
+
+    def __enter__(self) -> Pulse:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self._ended.set()
+        self._thread.join()
+
+    def _beat(self) -> None:
+        while not self._ended.wait(ALIVE_S / 2):
+            for channel in tuple(self._channels):
+                channel.stay_alive()
+
+
+def _reason(error: OSError) -> str:
+    return error.strerror or str(error) or "the connection is closed"

@@ -1,0 +1,194 @@
+"""A fleet whose programs run elsewhere: a session uses it as any other.
+
+Each host runs rounds of its own programs until one of them asks for something. So hosts are ahead
+of each other by some rounds of the cycle; what they ask for is handed on in the order of the
+rounds, as it would be if all programs were here. Hence output and recordings are the same, too.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.core.source import Location
+from crs_cc.net.host_link import HostGoneError, HostLink
+from crs_cc.requests import FAILED
+from crs_cc.runtime.driver import SLOTS
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import WISHES, Fleet, Snapshot
+from crs_cc.runtime.shard import Mailbox
+from crs_cc.runtime.turns import RECORD
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.diagnosis.compared_pointers import ComparedPointers
+    from crs_cc.runtime.diagnosis.lost_blocks import LostBlocks
+    from crs_cc.runtime.diagnosis.report import ErrorReport
+
+_NOT_YET: Final = -1.0
+
+
+class DistantFleet(Fleet):
+    """The programs of hosts, and their slots.
+
+    Attributes:
+        links: the hosts.
+    """
+
+    def __init__(
+        self,
+        executables: Sequence[Executable],
+        links: Sequence[HostLink],
+        is_lost: Callable[[HostLink, str], None] = lambda _link, _reason: None,
+    ) -> None:
+        """Create the slots.
+
+        Args:
+            executables: each robot's program, of which its names are used.
+            links: the hosts, which have each robot once.
+            is_lost: is told of a host that is lost for good, with the reason.
+        """
+        self._programs = list(executables)
+        self._mailbox = Mailbox.of_size(SLOTS + len(executables) * RECORD.itemsize)
+        self._shards = []
+        self.has_marks = False
+        self.links = list(links)
+        self._is_lost = is_lost
+        self._lost: dict[int, str] = {}
+        self._resize_slots(0, len(executables))
+        self._table = self.table()
+        self._end_s = _NOT_YET
+        self._round = 0
+
+    def add(self, executable: Executable) -> int:
+        """Raise ValueError: robots join before the run begins."""
+        raise ValueError("a robot cannot be added to a run whose programs are on other hosts")
+
+    def executable(self, robot: int) -> Executable:
+        """Return the names of a robot's program."""
+        return self._programs[robot]
+
+    # -- rounds ----------------------------------------------------------------------------------
+
+    @property
+    def is_whole(self) -> bool:
+        """Return True: `run_rounds` runs as many rounds as no program asks for anything."""
+        return True
+
+    def run_rounds(self, end_s: float) -> int:
+        """Run rounds of all hosts, see `Fleet.run_rounds`."""
+        if end_s != self._end_s:
+            self._end_s, self._round = end_s, 0
+            for link in self.links:
+                link.round = 0
+        self._run_hosts(end_s)
+        ahead = [link for link in self.links if link.is_ahead]
+        asking = [link for link in ahead if link.asks]
+        reached = min((link.round for link in asking), default=None)
+        if reached is None:
+            reached = max((link.round for link in ahead), default=self._round)
+        for link in ahead:
+            if not link.asks or link.round == reached:
+                link.enter(self._table)
+        rounds, self._round = reached - self._round, reached
+        return max(rounds, int(bool(ahead) or bool(self._asks.any())))
+
+    def _run_hosts(self, end_s: float) -> None:
+        """Let all hosts that have something to run, and whose requests are answered, run."""
+        timing = self.timing
+        runs = timing["alive"] & (timing["clock_s"] < end_s) & (timing["due_s"] == np.inf)
+        granted = []
+        for link in self.links:
+            if link.ended or link.is_ahead or not runs[link.robots].any():
+                continue
+            if self._try(link, functools.partial(link.grant, end_s, self._table)):
+                granted.append(link)
+        for link in granted:
+            self._try(link, link.collect)
+
+    def _try(self, link: HostLink, action: Callable[[], object]) -> bool:
+        """Do something with a host; stop its programs and return False if it is lost for good."""
+        try:
+            action()
+        except HostGoneError as error:
+            self._stop(link, str(error))
+            return False
+        return True
+
+    def _stop(self, link: HostLink, reason: str) -> None:
+        """Stop the programs of a host, which is lost for good, where they last stood."""
+        link.give_up()
+        robots = link.robots[self.timing["alive"][link.robots]]
+        self.slots["status"][robots] = FAILED
+        self.timing["asks"][robots] = 1
+        self._lost |= dict.fromkeys(robots.tolist(), reason)
+        self._is_lost(link, reason)
+
+    def dismiss(self, outcome: Callable[[int], object], *, everyone: bool = False) -> None:
+        """Dismiss hosts whose programs have all ended.
+
+        Args:
+            outcome: returns what has become of a robot's program, as JSON.
+            everyone: dismiss all hosts, as the run has ended.
+        """
+        for link in self.links:
+            if everyone or not self.timing["alive"][link.robots].any():
+                outcomes = [outcome(robot) for robot in link.robots.tolist()]
+                self._try(link, functools.partial(link.end, outcomes))
+
+    def close(self) -> None:
+        """Close all connections."""
+        for link in self.links:
+            link.close()
+
+    # -- the programs' state ---------------------------------------------------------------------
+
+    def snapshot(self, robot: int) -> Snapshot:
+        """Return the whole state of one robot's program; the memories of all are fetched at once.
+
+        Of a program whose host is lost for good, it has the memory that was fetched last.
+        """
+        unknown = [link for link in self.links if not link.is_saved]
+        for ask in (HostLink.ask_memories, HostLink.take_memories):
+            for link in unknown:
+                self._try(link, functools.partial(ask, link))
+        link = self.link(robot)
+        slot = self.slots[robot : robot + 1].copy()
+        for wish in WISHES:
+            slot[wish] = 0
+        return Snapshot(slot, *link.memories()[link.position(robot)])
+
+    def link(self, robot: int) -> HostLink:
+        """Return the host of a robot."""
+        return next(link for link in self.links if robot in link.robots)
+
+    def restore(self, robot: int, snapshot: Snapshot) -> None:
+        """Raise ValueError: a run on hosts goes forward only."""
+        raise ValueError("a run whose programs are on other hosts cannot go back")
+
+    def report(self, robot: int) -> ErrorReport:
+        """Return the report of a program's error, which its host has made."""
+        from crs_cc.runtime.diagnosis.report import ErrorReport
+
+        link = self.link(robot)
+        found = link.reports.get(link.position(robot))
+        if found is not None:
+            return found
+        reason = self._lost.get(robot, "its host has not said why")
+        return ErrorReport("host lost", Location(self.executable(robot).name), reason)
+
+    def current_call(self, robot: int) -> ActiveCall | None:
+        """Return None: only the host knows."""
+
+    def library_call(self, robot: int) -> ActiveCall | None:
+        """Return None: only the host knows."""
+
+    def lost_blocks(self, robot: int) -> tuple[LostBlocks, ...]:
+        """Return nothing: the host reports them."""
+        return ()
+
+    def compared_pointers(self, robot: int) -> ComparedPointers | None:
+        """Return None: the host reports them."""

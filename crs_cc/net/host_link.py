@@ -1,0 +1,306 @@
+"""The environment's end of a connection to a host, which runs the programs of some robots.
+
+The environment grants: programs may run until some time, and here are the answers that they wait
+for. The host runs them until they ask for something or have come so far, and says what has changed.
+What has been granted is kept, since the last time that the programs' memories were fetched. So if
+the host is lost, another one is given these memories and runs the same again: it comes to the same
+bits, because a program is a function of what it is answered.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
+
+import numpy as np
+
+from crs_cc.core.arrays import IndexArray, Records
+from crs_cc.net import changed_words, memories
+from crs_cc.net.changed_words import WORDS, Table
+from crs_cc.net.channel import Channel, ConnectionLostError, Kind
+from crs_cc.net.error_data import report_of
+from crs_cc.net.memories import Memory
+from crs_cc.requests import ERROR_KINDS, FAILED
+from crs_cc.runtime.turns import RECORD
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.report import ErrorReport
+
+GRANT: Final = struct.Struct("<Qd?")
+"""Number of the grant, end of the cycle [s], whether the answer is wanted; changes follow."""
+
+RAN: Final = struct.Struct("<QI")
+"""Number of the grant, rounds; changes follow."""
+
+RESTORE: Final = struct.Struct("<Q?")
+"""Number of the last grant, whether memories follow the rows of the table."""
+
+MAX_LOG_GRANTS: Final = 500
+MAX_LOG_BYTES: Final = 512 * 2**10
+"""What is kept of grants before memories are fetched again; chosen by us, so that it fits into the
+buffers of a connection."""
+
+MAX_ROUNDS: Final = 2**31
+
+Replace: TypeAlias = Callable[["HostLink", str], Channel]
+"""Returns a connection to a host in place of one that is lost for a reason; raises HostGoneError if
+its programs are not to go on."""
+
+Result = TypeVar("Result")
+
+
+class HostGoneError(Exception):
+    """A host is lost, and its programs are not to go on."""
+
+
+class HostLink:
+    """The programs of one host.
+
+    Attributes:
+        names: its robots.
+        robots: their numbers.
+        is_ahead: whether what they ask for has not been looked at.
+        asks: whether they ask for anything.
+        round: how many rounds of this cycle they have run.
+        reports: by position in `robots`, what a program has done wrong.
+        ended: whether the host has been dismissed.
+    """
+
+    def __init__(
+        self, names: tuple[str, ...], robots: IndexArray, channel: Channel, replace: Replace
+    ) -> None:
+        """Store a connection to a host that is ready.
+
+        Args:
+            names: the robots.
+            robots: their numbers in the world.
+            channel: the connection.
+            replace: returns a connection to another host in its place, see `Replace`.
+        """
+        self.names, self.robots = names, robots
+        self.is_ahead = self.asks = self.ended = False
+        self.round = 0
+        self.reports: dict[int, ErrorReport] = {}
+        self._channel = channel
+        self._replace = replace
+        self._known: Table = np.zeros((len(robots), WORDS), np.uint64)
+        self._found = self._known
+        self._log: list[bytes] = []
+        self._log_bytes = 0
+        self._number = 0
+        self._waits = False
+        self._saved: list[Memory] | None = None
+        self._kept = [_NO_MEMORY] * len(robots)  # those that were fetched last
+        self._start = self._restoring()
+        self._recover(lambda: self._channel.send(Kind.RESTORE, self._start))
+
+    # -- rounds ----------------------------------------------------------------------------------
+
+    def grant(self, end_s: float, table: Table) -> None:
+        """Let the programs run until a time, with what has been changed in the table."""
+        if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= MAX_LOG_BYTES:
+            self.memories()
+        changes = changed_words.pack(self._known, table[self.robots])
+        self._saved = None
+        self._number += 1
+        self._log.append(GRANT.pack(self._number, end_s, True) + changes)  # noqa: FBT003
+        self._log_bytes += len(self._log[-1])
+        self._waits = True
+        self._recover(lambda: self._channel.send(Kind.GRANT, self._log[-1]))
+
+    def collect(self) -> None:
+        """Wait until the programs have run."""
+        self._recover(self._collect)
+        self._waits, self.is_ahead = False, True
+
+    def _collect(self) -> None:
+        while True:
+            kind, content = self._channel.receive(Kind.RAN, Kind.FAILED)
+            try:
+                if kind == Kind.RAN:
+                    self._note(content)
+                    return
+                self._note_failure(json.loads(content))
+            except (ValueError, RecursionError, struct.error) as error:
+                raise ConnectionLostError(f"it says what is not valid: {error}") from None
+
+    def _note(self, content: bytes) -> None:
+        number, rounds = RAN.unpack_from(content)
+        if number != self._number or rounds > MAX_ROUNDS:
+            raise ValueError("answer to another grant")
+        found = self._known.copy()
+        rows = changed_words.apply(content[RAN.size :], found)
+        before, after = _records(self._known)[rows], _records(found)[rows]
+        _check(before, after)
+        self._found = found
+        self.round += rounds
+        self.asks = bool(after["timing"]["asks"].any())
+        if self.asks and not rounds:
+            raise ValueError("requests without a round")
+
+    def _note_failure(self, data: Any) -> None:
+        robot = data.get("robot") if isinstance(data, dict) else None
+        if not isinstance(robot, int) or not 0 <= robot < len(self.robots):
+            raise ValueError("the failure of a robot that is not there")
+        self.reports[robot] = report_of(data)
+
+    def enter(self, table: Table) -> None:
+        """Enter what the programs have done into the table."""
+        self.is_ahead = False
+        self._known = self._found
+        table[self.robots] = self._known
+
+    # -- memories and input ----------------------------------------------------------------------
+
+    def memories(self) -> list[Memory]:
+        """Return the memories of the programs where they stand."""
+        self.ask_memories()
+        return self.take_memories()
+
+    @property
+    def is_saved(self) -> bool:
+        """Whether the memories are known as they are now."""
+        return self._saved is not None
+
+    def ask_memories(self) -> None:
+        """Have the memories sent, if they are not known."""
+        if self._saved is None:
+            self._recover(lambda: self._channel.send(Kind.SAVE))
+
+    def take_memories(self) -> list[Memory]:
+        """Return the memories that were asked for."""
+        if self._saved is None:
+            self._saved = self._recover(self._receive_memories, again=self.ask_memories)
+            self._kept = self._saved
+            self._start = self._restoring()
+            self._log.clear()
+            self._log_bytes = 0
+        return self._saved
+
+    def _receive_memories(self) -> list[Memory]:
+        content = self._channel.receive(Kind.SAVED).content
+        try:
+            return memories.unpack(content, len(self.robots))
+        except ValueError as error:
+            raise ConnectionLostError(str(error)) from None
+
+    def read(self, robot: int, wanted: int, clock_s: float) -> bytes:
+        """Return what a host answers about standard input.
+
+        Args:
+            robot: the robot's number.
+            wanted: the maximum number of bytes; -1 to ask how much there is.
+            clock_s: the program's clock [s].
+        """
+        question = json.dumps([self.position(robot), wanted, clock_s]).encode()
+
+        def ask() -> bytes:
+            self._channel.send(Kind.READ, question)
+            return self._channel.receive(Kind.INPUT).content
+
+        return self._recover(ask)
+
+    def position(self, robot: int) -> int:
+        """Return the position of a robot among those of this host."""
+        return int(np.searchsorted(self.robots, robot))
+
+    # -- the end, and losses ---------------------------------------------------------------------
+
+    def end(self, outcome: Any) -> None:
+        """Dismiss the host, whose programs' memories are kept.
+
+        Args:
+            outcome: what has become of its programs, as JSON.
+        """
+        if self.ended:
+            return
+        self.memories()
+        self.ended = True
+        try:
+            self._channel.send(Kind.END, json.dumps(outcome).encode())
+        except ConnectionLostError:
+            pass  # it knows how its programs have ended, or has gone itself
+        finally:
+            self._channel.close()
+
+    def give_up(self) -> None:
+        """Let the programs stay where they stood when their memories were last fetched."""
+        self.ended = True
+        self._channel.close()
+        self._saved = self._saved or self._kept
+
+    def close(self) -> None:
+        """Close the connection."""
+        self._channel.close()
+
+    def _recover(
+        self, action: Callable[[], Result], again: Callable[[], object] | None = None
+    ) -> Result:
+        """Do something with a host, and with the next one if that is lost.
+
+        Args:
+            action: what to do.
+            again: what to do before, with another host.
+
+        Raises:
+            HostGoneError: the programs are not to go on.
+        """
+        while True:
+            try:
+                return action()
+            except ConnectionLostError as error:
+                self._renew(str(error))
+                if again is not None:
+                    again()
+
+    def _renew(self, reason: str) -> None:
+        """Get another host to where the lost one was."""
+        while True:
+            self._channel.close()
+            self._channel = self._replace(self, reason)
+            try:
+                self._channel.send(Kind.RESTORE, self._start)
+                for number, grant in enumerate(self._log, 1):
+                    wanted = self._waits and number == len(self._log)
+                    head = *GRANT.unpack_from(grant)[:2], wanted
+                    self._channel.send(Kind.GRANT, GRANT.pack(*head) + grant[GRANT.size :])
+            except ConnectionLostError as error:
+                reason = str(error)
+            else:
+                return
+
+    def _restoring(self) -> bytes:
+        """Return the message that brings a host to where the programs are now."""
+        is_kept = self._number > 0
+        rows = RESTORE.pack(self._number, is_kept) + self._known.tobytes()
+        return rows + (memories.pack(self._kept) if is_kept else b"")
+
+
+def _records(table: Table) -> Records:
+    """Return the rows of a table as slots and clocks."""
+    return table.reshape(-1).view(RECORD)
+
+
+def _check(before: Records, after: Records) -> None:
+    """Check what a host says of programs that have run: it must not harm those of others.
+
+    Raises:
+        ValueError: it has changed what is not its own, or a clock goes back.
+    """
+    old, new, slot = before["timing"], after["timing"], after["slot"]
+    for name in ("due_s", "speed_hz", "alive"):
+        if old[name].tobytes() != new[name].tobytes():
+            raise ValueError(f"a host must not change {name}")
+    clocks = np.isfinite(new["clock_s"]) & (new["clock_s"] >= old["clock_s"])
+    if not clocks.all() or (new["fuel"] < old["fuel"]).any() or new["pending"].any():
+        raise ValueError("the clock of a program goes back")
+    kinds, status = slot["error_kind"], slot["status"]
+    if ((kinds < 0) | (kinds >= len(ERROR_KINDS)) | (status < 0) | (status > FAILED)).any():
+        raise ValueError("an unknown status")
+    if (new["asks"].view(np.uint32) > 1).any():
+        raise ValueError("an unknown request")
+
+
+_NO_MEMORY: Final = memories.unpack(bytes(8), 1)[0]

@@ -1,0 +1,187 @@
+"""A host: runs the programs of some robots for an environment elsewhere.
+
+It does what it is granted, see `host_link`. What its programs write is shown when the environment
+has taken it, so that nothing is shown twice when programs go on from an earlier state.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.net import changed_words, memories
+from crs_cc.net.changed_words import WORDS, Table
+from crs_cc.net.channel import Channel, ConnectionLostError, Kind
+from crs_cc.net.error_data import data_of
+from crs_cc.net.host_link import GRANT, RAN, RESTORE
+from crs_cc.net.memories import Memory
+from crs_cc.requests import CODES, DATA_SIZE, FAILED
+from crs_cc.runtime.fleet import Fleet, Snapshot
+from crs_cc.runtime.turns import RECORD
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.executable import Driver, Executable
+    from crs_cc.session.host import Input, Output, Waiting
+
+_WRITE: Final = CODES["WRITE"]
+
+
+@dataclass(frozen=True, slots=True)
+class Streams:
+    """The standard streams of the programs of a host.
+
+    Attributes:
+        write: receives their output.
+        read: returns their input.
+        waiting: returns how much of it there is.
+    """
+
+    write: Output
+    read: Input
+    waiting: Waiting
+
+
+class ProgramHost:
+    """Programs, and how far they have come; lives as long as one connection.
+
+    Attributes:
+        fleet: the programs.
+    """
+
+    def __init__(
+        self,
+        executables: Sequence[Executable],
+        driver: Driver,
+        streams: Streams,
+        shown: int = 0,
+        threads: int | None = None,
+    ) -> None:
+        """Load the programs.
+
+        Args:
+            executables: one for each robot.
+            driver: the module that runs rounds.
+            streams: the programs' streams.
+            shown: the number of the last grant whose output has been shown already.
+            threads: how many threads may run programs, see `Fleet`.
+        """
+        self.fleet = Fleet(executables, driver, threads)
+        self.shown = shown
+        self._streams = streams
+        self._table = self.fleet.table()
+        self._known: Table = np.zeros((len(executables), WORDS), np.uint64)
+        self._told: set[int] = set()
+
+    def serve(self, channel: Channel) -> Any:
+        """Do what the environment asks for until the run ends; return what it says then.
+
+        Raises:
+            ConnectionLostError: the environment is gone, or says what is not valid.
+        """
+        answers: dict[Kind, Callable[[bytes], tuple[Kind, bytes] | None]] = {
+            Kind.RESTORE: self._restore,
+            Kind.GRANT: lambda content: self._grant(content, channel),
+            Kind.SAVE: lambda _content: (Kind.SAVED, self._memories()),
+            Kind.READ: lambda content: (Kind.INPUT, self._input(content)),
+        }
+        while True:
+            kind, content = channel.receive(Kind.END, *answers)
+            try:
+                if kind == Kind.END:
+                    return json.loads(content)
+                answer = answers[kind](content)
+            except (ValueError, RecursionError) as error:
+                raise ConnectionLostError(f"the environment says what is not valid: {error}") from None
+            if answer is not None:
+                channel.send(*answer)
+
+    # -- rounds ----------------------------------------------------------------------------------
+
+    def _grant(self, content: bytes, channel: Channel) -> tuple[Kind, bytes] | None:
+        """Run the programs until they ask for anything or have come as far as is granted."""
+        if len(content) < GRANT.size:
+            raise ValueError("a grant ends early")
+        number, end_s, is_wanted = GRANT.unpack_from(content)
+        writers = self._writers()
+        rows = changed_words.apply(content[GRANT.size :], self._table)
+        self._known[rows] = self._table[rows]
+        if number > self.shown:
+            self.shown = number
+            for robot, stream, text in writers:
+                self._streams.write(robot, stream, text)
+        rounds = self._run(end_s)
+        if is_wanted:
+            self._tell_failures(channel)
+        changes = changed_words.pack(self._known, self._table)
+        return (Kind.RAN, RAN.pack(number, rounds) + changes) if is_wanted else None
+
+    def _run(self, end_s: float) -> int:
+        """Run rounds; return how many."""
+        total = 0
+        while rounds := self.fleet.run_rounds(end_s):
+            total += rounds
+            if self.fleet.is_whole or self.fleet.timing["asks"].any():
+                break
+        return total
+
+    def _writers(self) -> list[tuple[int, int, bytes]]:
+        """Return what programs have asked to be written: robot, stream and content."""
+        slots, timing = self.fleet.slots, self.fleet.timing
+        asking = ((timing["asks"] != 0) & timing["alive"] & (slots["code"] == _WRITE)).nonzero()[0]
+        found = []
+        for robot in asking.tolist():
+            message = slots["message"][robot]
+            stream, size = int(message["i"][0]), int(message["size"])
+            if stream in (1, 2) and 0 <= size <= DATA_SIZE:
+                found.append((robot, stream, message["data"][:size].tobytes()))
+        return found
+
+    def _tell_failures(self, channel: Channel) -> None:
+        failed = (self.fleet.timing["asks"] != 0) & (self.fleet.slots["status"] == FAILED)
+        for robot in failed.nonzero()[0].tolist():
+            data = data_of(self.fleet.report(robot)) | {"robot": robot}
+            channel.send(Kind.FAILED, json.dumps(data).encode())
+
+    # -- state and input -------------------------------------------------------------------------
+
+    def _restore(self, content: bytes) -> None:
+        """Go to where the programs of a lost host stood."""
+        rows_end = RESTORE.size + len(self.fleet) * RECORD.itemsize
+        if len(content) < rows_end:
+            raise ValueError("the state of programs ends early")
+        _number, has_memories = RESTORE.unpack_from(content)
+        rows = np.frombuffer(content, np.uint64, len(self.fleet) * WORDS, RESTORE.size)
+        rows = rows.reshape(-1, WORDS)
+        if has_memories:
+            slots = rows.reshape(-1).view(RECORD)["slot"]
+            for robot, memory in enumerate(memories.unpack(content[rows_end:], len(self.fleet))):
+                self.fleet.restore(robot, Snapshot(slots[robot : robot + 1], *memory))
+        self._table[:] = rows
+        self._known[:] = rows
+
+    def _memories(self) -> bytes:
+        """Return the programs' memories."""
+        snapshots = map(self.fleet.snapshot, range(len(self.fleet)))
+        return memories.pack(
+            Memory(each.chunks, each.content, each.shadow_chunks, each.shadow_content)
+            for each in snapshots
+        )
+
+    def _input(self, content: bytes) -> bytes:
+        """Return standard input, or how much of it there is as JSON."""
+        try:
+            robot, wanted, clock_s = json.loads(content)
+            robot, wanted = int(robot), int(wanted)
+        except TypeError:
+            raise ValueError("a question about input is not valid") from None
+        if not 0 <= robot < len(self.fleet):
+            raise ValueError("input of a robot that is not there")
+        if wanted >= 0:
+            return self._streams.read(robot, min(wanted, DATA_SIZE))
+        size, wait_s = self._streams.waiting(robot, float(clock_s))
+        return json.dumps([size, None if math.isinf(wait_s) else wait_s]).encode()
