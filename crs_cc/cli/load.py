@@ -21,6 +21,8 @@ from crs_cc.sim.model.world import Robot, WorldModel
 from crs_cc.toolchain.fingerprint import PACKAGE
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from crs_cc.cli.program_options import ProgramOptions
 
 
@@ -72,7 +74,8 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
             text = "unused: the world file names a program for every robot"
             diagnostics.warning(place, text, flag="unused-program")
         built = {
-            each: _build(*each, options, diagnostics, debug=debug) for each in dict.fromkeys(wanted)
+            each: build_program(*each, options, diagnostics, debug=debug)
+            for each in dict.fromkeys(wanted)
         }
     return Loaded(
         world,
@@ -84,9 +87,19 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
             for robot, each in zip(world.robots, wanted, strict=True)
         ),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
-        {path: each for path, each in files_read.items() if not _is_ours(path)},
-        tuple(path for path in sorted(map(Path, diagnostics.digests)) if not _is_ours(path)),
+        users_files(files_read),
+        compiled_files(diagnostics),
     )
+
+
+def users_files(files_read: Mapping[Path, bytes]) -> dict[Path, bytes]:
+    """Return those files that are the user's own."""
+    return {path: each for path, each in files_read.items() if not _is_ours(path)}
+
+
+def compiled_files(diagnostics: Diagnostics) -> tuple[Path, ...]:
+    """Return the user's files that the compiler looked for, found or not."""
+    return tuple(path for path in sorted(map(Path, diagnostics.digests)) if not _is_ours(path))
 
 
 def _is_ours(path: Path) -> bool:
@@ -128,14 +141,19 @@ def _arguments(robot: Robot, options: ProgramOptions) -> tuple[str, ...]:
     return robot.arguments or (() if robot.program else options.arguments)
 
 
-def _build(
+def build_program(
     sources: tuple[Path, ...],
     dialect: Dialect | None,
     options: ProgramOptions,
     diagnostics: Diagnostics,
     *,
-    debug: bool,
+    debug: bool = False,
 ) -> Executable:
+    """Compile a program; its messages are added to those of others.
+
+    Raises:
+        CompileError: it is not valid.
+    """
     for path in sources:
         is_word = path.suffix != ".c" and not options.arguments
         check_readable(path, _ARGUMENT_HINT if is_word else "")

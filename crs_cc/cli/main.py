@@ -21,11 +21,13 @@ from crs_cc.cli.debug import debug
 from crs_cc.cli.docs import docs
 from crs_cc.cli.exit_status import BROKEN_PIPE, INTERRUPTED, SYSTEM
 from crs_cc.cli.grade import grade
+from crs_cc.cli.join import join
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.replay import replay
 from crs_cc.cli.run import run
 from crs_cc.cli.samples import samples
+from crs_cc.cli.serve import serve
 from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.cli.view import view
 from crs_cc.cli.world import world
@@ -42,6 +44,8 @@ Examples:
   crs replay run.mcap                            what happened in a run that was recorded
   crs check wander.c room.xml                    report errors, run nothing
   crs grade submissions/ course.xml              grade many programs by a world's goals
+  crs serve room.xml                             serve a world to programs on other machines
+  crs join robot0 127.0.0.1:8000 wander.c        run a robot's program in such a world
   crs new world room                             write a commented template
   crs build room.xml                             draw a world in the browser
   crs world move room.xml crate --x 1m           edit a world by commands
@@ -105,7 +109,7 @@ def crs() -> None:
 
 
 for command in (
-    *(run, view, debug, replay, check, grade),
+    *(run, view, debug, replay, check, grade, serve, join),
     *(compile_, new, build, world, samples, docs, cache, completion),
 ):
     crs.add_command(command)

@@ -73,11 +73,29 @@ class WithProgramArguments(CompilerCommand):
             raise click.UsageError(text, ctx) from None
 
 
+def program_arguments() -> tuple[str, ...]:
+    """Return the arguments after `--` of the command that is being run."""
+    found: tuple[str, ...] = click.get_current_context().meta.get(_ARGUMENTS, ())
+    return found
+
+
 READS: Final = click.option(
     "--file", "named_files", multiple=True, metavar="[NAME=]FILE",
     help="Let the programs read FILE, under its own path or as NAME; may be repeated.",
 )  # fmt: skip
 """The option of what programs can read."""
+
+WRITES: Final = click.option(
+    "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
+    help="Save to DIR the files that the programs write; with several robots, to DIR/ROBOT.",
+)  # fmt: skip
+"""The option of what becomes of files that programs write."""
+
+SEED: Final = click.option(
+    "--seed", type=click.IntRange(min=0), metavar="N",
+    help="Random seed: the same seed reproduces a run. Default: the world file's, else 0.",
+)  # fmt: skip
+"""The option of the random seed."""
 
 _ROBOT_OPTIONS: Final = (
     click.option(
@@ -102,15 +120,9 @@ _ROBOT_OPTIONS: Final = (
 _FILES: Final = "PROGRAM.c... [WORLD.xml] [-- ARGS...]"
 
 _OPTIONS: Final = (
-    click.option(
-        "--seed", type=click.IntRange(min=0), metavar="N",
-        help="Random seed: the same seed reproduces a run. Default: the world file's, else 0.",
-    ),
+    SEED,
     READS,
-    click.option(
-        "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
-        help="Save to DIR the files that the programs write; with several robots, to DIR/ROBOT.",
-    ),
+    WRITES,
     *_ROBOT_OPTIONS,
     click.option(
         "--unchecked", is_flag=True, help="Do not check memory accesses; programs run faster."

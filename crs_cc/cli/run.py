@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any, Final
 
@@ -13,6 +12,7 @@ from crs_cc.cli.path_options import written_file, written_folder
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.run_options import RunOptions
+from crs_cc.cli.time_options import MAX_TIME, SPEED
 
 _EXAMPLES: Final = """
 \b
@@ -27,35 +27,13 @@ Examples:
 """
 
 
-def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -> float | None:
-    if time_s is not None and math.isnan(time_s):
-        raise click.BadParameter("nan is not a valid time.")
-    return time_s
-
-
-def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
-    is_number = text.replace(".", "", 1).isdecimal() and len(text) < 10
-    speed = math.inf if text == "max" else float(text) if is_number else 0.0
-    if not speed >= 0.001:
-        raise click.BadParameter(f"'{text}' is neither max nor a number of at least 0.001.")
-    return speed
-
-
 @click.command(
     cls=WithProgramArguments,
     epilog=_EXAMPLES,
     short_help="Run C programs in a simulated world.",
     options_metavar="[OPTIONS]",
 )
-@click.option(
-    "--max-time",
-    "max_time_s",
-    type=click.FloatRange(min=0, min_open=True),
-    callback=_time,
-    metavar="S",
-    help="Stop at the first timestep that ends at or after S seconds of simulated time. "
-    "Default: the world file's duration.",
-)
+@MAX_TIME
 @click.option(
     "--input",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
@@ -108,14 +86,7 @@ def _speed(_ctx: click.Context, _option: click.Parameter, text: str) -> float:
 @written_folder(
     "--csv", "Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.", to="tables"
 )
-@click.option(
-    "--speed",
-    default="max",
-    show_default=True,
-    metavar="N|max",
-    callback=_speed,
-    help="Run at most N times as fast as real time; 1 is real time.",
-)
+@SPEED
 @click.option(
     "--live",
     is_flag=True,

@@ -25,7 +25,7 @@ from crs_cc.cli.report import show_reports
 from crs_cc.cli.run_hints import RunHints
 from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
-from crs_cc.cli.typed_input import OwnInput, read_script
+from crs_cc.cli.typed_input import OwnInput, Script, read_script
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.session.session import Listener, Session
@@ -33,6 +33,7 @@ from crs_cc.sim.engine.step import Step
 from crs_cc.sim.model.world import WorldModel
 
 if TYPE_CHECKING:
+    from crs_cc.cli.elsewhere import Elsewhere
     from crs_cc.cli.live_map import LiveMap
     from crs_cc.cli.run_changes import RunChanges
     from crs_cc.cli.run_options import RunOptions
@@ -85,7 +86,24 @@ def _run(options: RunOptions) -> int:
     loaded = load(options, diagnostics)
     if not options.quiet:
         show_before_run(diagnostics.messages)
-    runner = Runner(loaded, options)
+    return run_loaded(loaded, options, diagnostics)
+
+
+def run_loaded(
+    loaded: Loaded,
+    options: RunOptions,
+    diagnostics: Diagnostics,
+    elsewhere: Elsewhere | None = None,
+) -> int:
+    """Run programs that are loaded, report the results, and return the exit status.
+
+    Args:
+        loaded: the world and the programs.
+        options: how to run them.
+        diagnostics: what was found when they were loaded.
+        elsewhere: where they run, if not here.
+    """
+    runner = Runner(loaded, options, elsewhere)
     run = runner.run()
     hints = [] if options.quiet else options.compiler.warnings.select(list(runner.hints.at_end()))
     _report(run, options, [*diagnostics.messages, *runner.hints.found, *hints])
@@ -95,14 +113,19 @@ def _run(options: RunOptions) -> int:
     runner.draw(run)
     if options.tables is not None or _animates(options):
         _export(options)
+    if elsewhere is not None:
+        elsewhere.close()
     return exit_status(run) if is_kept else SYSTEM
 
 
 class Runner:
     """Steps a session to its end, and collects the data of the plot."""
 
-    def __init__(self, loaded: Loaded, options: RunOptions) -> None:
+    def __init__(
+        self, loaded: Loaded, options: RunOptions, elsewhere: Elsewhere | None = None
+    ) -> None:
         self._loaded = loaded
+        self._elsewhere = elsewhere
         self._options = options
         world = loaded.world
         self._seed = options.seed if options.seed is not None else world.seed or 0
@@ -117,7 +140,7 @@ class Runner:
             self._progress,
         )
         self._interrupt = Interrupt()
-        self._input = read_script(options.input) if options.input else OwnInput()
+        self._input = self._source_of_input()
         self._changes = _changes(options, world)
         self._pace = Pace(options.speed if options.view is None else math.inf)  # a view has its own
         self._kept = KeptOutput(len(world.robots)) if options.as_json else None
@@ -140,13 +163,21 @@ class Runner:
             trace=self if self._trace or self._plot or self._live or self._view else None,
             observer=self._recorder,
             threads=options.threads,
+            fleet=None if elsewhere is None else elsewhere.fleet,
         )
         self.hints = RunHints(self.session)
+
+    def _source_of_input(self) -> Script | OwnInput | Elsewhere:
+        if self._options.input:
+            return read_script(self._options.input)
+        return OwnInput() if self._elsewhere is None else self._elsewhere
 
     def run(self) -> Run:
         """Step until all programs have ended, time is up, or Ctrl-C."""
         with self._interrupt:
             try:
+                if self._elsewhere is not None:
+                    self._elsewhere.begin(self.session, lambda: self._interrupt.requested)
                 if self._recorder is not None:
                     self._recorder.begin(self.session)
                 if self._view is not None:
@@ -308,7 +339,8 @@ class Runner:
             yield
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
-        self._output.write(robot, stream, content)
+        if self._elsewhere is None:  # or else it is shown there
+            self._output.write(robot, stream, content)
         self.hints.wrote()
         if self._kept is not None:
             self._kept.add(robot, stream, content)

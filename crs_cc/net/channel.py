@@ -16,7 +16,7 @@ import threading
 import time
 import zlib
 from enum import IntEnum
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple, Self
 
 SILENCE_S: Final = 1.5
 """How long a side may say nothing [s]; with `ALIVE_S`, a loss is noticed in two seconds."""
@@ -79,13 +79,18 @@ class Message(NamedTuple):
 
 
 class Channel:
-    """A connection, over which any thread may send and one may receive."""
+    """A connection, over which any thread may send and one may receive.
+
+    Attributes:
+        is_closed: whether it has been closed on this side.
+    """
 
     def __init__(self, connection: socket.socket) -> None:
         """Store a connection."""
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connection.settimeout(SILENCE_S)
+        self.is_closed = False
         self._connection = connection
         self._sending = threading.Lock()
         self._sent = self._received = 0
@@ -112,7 +117,9 @@ class Channel:
         """Say that this side is alive, if it has said nothing lately and is not sending."""
         if time.monotonic() - self._sent_s < ALIVE_S or self._sending.locked():
             return
-        with contextlib.suppress(ConnectionLostError, OSError, ValueError):  # who receives finds out
+        with contextlib.suppress(
+            ConnectionLostError, OSError, ValueError
+        ):  # who receives finds out
             if self._can_send():
                 self.send(Kind.ALIVE)
 
@@ -163,8 +170,20 @@ class Channel:
             content += part
         return bytes(content)
 
+    def has_ended(self) -> bool:
+        """Return whether the other side is known to be gone; what it has said is not read."""
+        try:
+            with selectors.DefaultSelector() as selector:
+                selector.register(self._connection, selectors.EVENT_READ)
+                if not selector.select(0.0):
+                    return False
+            return not socket.socket.recv(self._connection, 1, socket.MSG_PEEK)
+        except (OSError, ValueError):  # it has been closed here
+            return True
+
     def close(self) -> None:
         """Close the connection; who waits for it is told."""
+        self.is_closed = True
         with contextlib.suppress(OSError):
             self._connection.shutdown(socket.SHUT_RDWR)
         with contextlib.suppress(OSError):
@@ -188,18 +207,21 @@ class Pulse:
         with contextlib.suppress(ValueError):
             self._channels.remove(channel)
 
-    def __enter__(self) -> Pulse:
+    def __enter__(self) -> Self:
         self._thread.start()
         return self
 
-    def __exit__(self, *_: Any) -> None:
+    def __exit__(self, *_: object) -> None:
         self._ended.set()
         self._thread.join()
 
     def _beat(self) -> None:
         while not self._ended.wait(ALIVE_S / 2):
             for channel in tuple(self._channels):
-                channel.stay_alive()
+                if channel.is_closed:
+                    self.remove(channel)
+                else:
+                    channel.stay_alive()
 
 
 def _reason(error: OSError) -> str:

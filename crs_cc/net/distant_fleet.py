@@ -36,27 +36,26 @@ class DistantFleet(Fleet):
 
     Attributes:
         links: the hosts.
+        outcome: returns what has become of a robot's program, as JSON for its host.
     """
 
     def __init__(
         self,
         executables: Sequence[Executable],
         links: Sequence[HostLink],
-        is_lost: Callable[[HostLink, str], None] = lambda _link, _reason: None,
     ) -> None:
         """Create the slots.
 
         Args:
             executables: each robot's program, of which its names are used.
             links: the hosts, which have each robot once.
-            is_lost: is told of a host that is lost for good, with the reason.
         """
         self._programs = list(executables)
         self._mailbox = Mailbox.of_size(SLOTS + len(executables) * RECORD.itemsize)
         self._shards = []
         self.has_marks = False
         self.links = list(links)
-        self._is_lost = is_lost
+        self.outcome: Callable[[int], object] = lambda _robot: None
         self._lost: dict[int, str] = {}
         self._resize_slots(0, len(executables))
         self._table = self.table()
@@ -65,7 +64,7 @@ class DistantFleet(Fleet):
 
     def add(self, executable: Executable) -> int:
         """Raise ValueError: robots join before the run begins."""
-        raise ValueError("a robot cannot be added to a run whose programs are on other hosts")
+        raise ValueError(f"{executable.name}: the programs of this run are on other hosts")
 
     def executable(self, robot: int) -> Executable:
         """Return the names of a robot's program."""
@@ -84,6 +83,7 @@ class DistantFleet(Fleet):
             self._end_s, self._round = end_s, 0
             for link in self.links:
                 link.round = 0
+            self.dismiss()
         self._run_hosts(end_s)
         ahead = [link for link in self.links if link.is_ahead]
         asking = [link for link in ahead if link.asks]
@@ -125,18 +125,15 @@ class DistantFleet(Fleet):
         self.slots["status"][robots] = FAILED
         self.timing["asks"][robots] = 1
         self._lost |= dict.fromkeys(robots.tolist(), reason)
-        self._is_lost(link, reason)
 
-    def dismiss(self, outcome: Callable[[int], object], *, everyone: bool = False) -> None:
-        """Dismiss hosts whose programs have all ended.
-
-        Args:
-            outcome: returns what has become of a robot's program, as JSON.
-            everyone: dismiss all hosts, as the run has ended.
-        """
+    def dismiss(self, *, everyone: bool = False) -> None:
+        """Dismiss hosts whose programs have all ended, or everyone as the run has ended."""
         for link in self.links:
-            if everyone or not self.timing["alive"][link.robots].any():
-                outcomes = [outcome(robot) for robot in link.robots.tolist()]
+            if link.ended:
+                continue
+            runs = bool(self.timing["alive"][link.robots].any())
+            if everyone or (link.has_run and not runs):
+                outcomes = [self.outcome(robot) for robot in link.robots.tolist()]
                 self._try(link, functools.partial(link.end, outcomes))
 
     def close(self) -> None:
@@ -165,7 +162,7 @@ class DistantFleet(Fleet):
         """Return the host of a robot."""
         return next(link for link in self.links if robot in link.robots)
 
-    def restore(self, robot: int, snapshot: Snapshot) -> None:
+    def restore(self, _robot: int, _snapshot: Snapshot) -> None:
         """Raise ValueError: a run on hosts goes forward only."""
         raise ValueError("a run whose programs are on other hosts cannot go back")
 
@@ -186,7 +183,7 @@ class DistantFleet(Fleet):
     def library_call(self, robot: int) -> ActiveCall | None:
         """Return None: only the host knows."""
 
-    def lost_blocks(self, robot: int) -> tuple[LostBlocks, ...]:
+    def lost_blocks(self, _robot: int) -> tuple[LostBlocks, ...]:
         """Return nothing: the host reports them."""
         return ()
 

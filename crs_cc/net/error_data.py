@@ -82,6 +82,6 @@ def _pairs(rows: Any) -> tuple[tuple[str, str], ...]:
 
 
 def _text(value: Any) -> str:
-    if not isinstance(value, str):
-        raise ValueError("the report of an error has something else than text")
-    return value[:_LONGEST]
+    if isinstance(value, str):
+        return value[:_LONGEST]
+    raise ValueError("the report of an error has something else than text")

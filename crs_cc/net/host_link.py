@@ -105,7 +105,7 @@ class HostLink:
         changes = changed_words.pack(self._known, table[self.robots])
         self._saved = None
         self._number += 1
-        self._log.append(GRANT.pack(self._number, end_s, True) + changes)  # noqa: FBT003
+        self._log.append(GRANT.pack(self._number, end_s, True) + changes)
         self._log_bytes += len(self._log[-1])
         self._waits = True
         self._recover(lambda: self._channel.send(Kind.GRANT, self._log[-1]))
@@ -158,6 +158,11 @@ class HostLink:
         """Return the memories of the programs where they stand."""
         self.ask_memories()
         return self.take_memories()
+
+    @property
+    def has_run(self) -> bool:
+        """Whether anything has been granted."""
+        return self._number > 0
 
     @property
     def is_saved(self) -> bool:

@@ -96,7 +96,9 @@ class ProgramHost:
                     return json.loads(content)
                 answer = answers[kind](content)
             except (ValueError, RecursionError) as error:
-                raise ConnectionLostError(f"the environment says what is not valid: {error}") from None
+                raise ConnectionLostError(
+                    f"the environment says what is not valid: {error}"
+                ) from None
             if answer is not None:
                 channel.send(*answer)
 

@@ -129,7 +129,7 @@ class Session:
         seed = world.seed or 0 if seed is None else seed
         self._world, self._seed = world, seed
         self._host = Host(rows, output, read, files, client, waiting=waiting)
-        self.state = SessionState(world, executables, seed, self._host, threads, fleet)
+        self.state = SessionState(world, executables, seed, self._host, threads, fleet=fleet)
         self.environment = self.state.environment
         self.fleet = self.state.fleet
         self._trace = trace

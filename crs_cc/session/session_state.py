@@ -85,6 +85,7 @@ class SessionState:
         seed: int,
         host: Host,
         threads: int | None = None,
+        *,
         fleet: Fleet | None = None,
     ) -> None:
         """Load the programs into the robots, in the world's order of robots.

@@ -1,0 +1,97 @@
+"""A run whose programs are on other hosts, as `crs serve` has it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from crs_cc.cli.messages import say
+from crs_cc.net.distant_fleet import DistantFleet
+from crs_cc.net.host_link import HostGoneError, HostLink
+from crs_cc.requests import FAILED
+
+if TYPE_CHECKING:
+    from crs_cc.net.channel import Channel
+    from crs_cc.net.roster import Roster, Seat
+    from crs_cc.runtime.executable import Executable
+    from crs_cc.session.session import Session
+
+
+class Elsewhere:
+    """The hosts of a run.
+
+    Attributes:
+        fleet: the programs.
+    """
+
+    def __init__(
+        self,
+        roster: Roster,
+        seats: Sequence[Seat],
+        robots: Sequence[str],
+        executables: Sequence[Executable],
+        *,
+        waits: bool,
+    ) -> None:
+        """Take the hosts that are ready.
+
+        Args:
+            roster: where hosts come.
+            seats: the hosts that are ready.
+            robots: the robots' names.
+            executables: the names of their programs.
+            waits: whether the run waits for another host in place of one that is lost.
+        """
+        import numpy as np
+
+        self._roster, self._waits = roster, waits
+        self._is_interrupted: Callable[[], bool] = lambda: False
+        self._seats = {seat.names: seat for seat in seats}
+        links = []
+        for seat in seats:
+            numbers = np.array([robots.index(name) for name in seat.names], np.intp)
+            channel = roster.take(seat, lambda: False)
+            assert channel is not None
+            links.append(HostLink(seat.names, numbers, channel, self._replace))
+        self.fleet = DistantFleet(executables, links)
+        self.fleet.outcome = self._outcome
+
+    def begin(self, session: Session, is_interrupted: Callable[[], bool]) -> None:
+        """Note the session that uses the fleet, and how it is interrupted."""
+        self._session, self._is_interrupted = session, is_interrupted
+
+    def read(self, robot: int, wanted: int) -> bytes:
+        """Return standard input of the host of a robot."""
+        return self.fleet.link(robot).read(robot, wanted, 0.0)
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return how much of it there is, and when there will be more, see `session.host`."""
+        size, wait_s = json.loads(self.fleet.link(robot).read(robot, -1, clock_s))
+        return int(size), float("inf") if wait_s is None else float(wait_s)
+
+    def close(self) -> None:
+        """Dismiss all hosts: the run has ended."""
+        self._roster.end()
+        self.fleet.dismiss(everyone=True)
+        self.fleet.close()
+
+    def _replace(self, link: HostLink, reason: str) -> Channel:
+        """Return a connection to another host in place of a lost one, see `host_link`."""
+        names, seat = ",".join(link.names), self._seats[link.names]
+        self._roster.lose(seat)
+        if not self._waits:
+            say(f"crs: {names}: the host is lost ({reason}); the programs stop")
+            raise HostGoneError(f"the host is lost: {reason}")
+        say(f"crs: {names}: the host is lost ({reason}); the run waits for another one")
+        channel = self._roster.take(seat, self._is_interrupted)
+        if channel is None:
+            raise HostGoneError("the run was interrupted while its host was lost")
+        say(f"crs: {names}: taken over")
+        return channel
+
+    def _outcome(self, robot: int) -> object:
+        """Return what has become of a robot's program, as JSON for its host."""
+        status = self._session.state.host.exit_status[robot]
+        failed = bool(self.fleet.slots["status"][robot] == FAILED)
+        return {"exit_status": status, "failed": failed}

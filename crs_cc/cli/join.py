@@ -1,0 +1,111 @@
+"""`crs join`: the command and its options; `run_host` does the work."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+import click
+
+from crs_cc.cli.compiler_options import compiler_options
+from crs_cc.cli.inputs import is_world, sort_files
+from crs_cc.cli.net_address import TOKEN_VARIABLE, is_net_address, parse_address
+from crs_cc.cli.program_options import WithProgramArguments, program_arguments
+from crs_cc.cli.serve_options import JoinOptions
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs join robot0 127.0.0.1:8000 wander.c
+  crs join robot1,robot2 procyon:8000 convoy.c --token TOKEN -- fast 3
+  crs join --all procyon:8000 wander.c             for all robots without a program
+"""
+
+
+@click.command(
+    cls=WithProgramArguments,
+    epilog=_EXAMPLES,
+    short_help="Run the program of a robot in a world that is served elsewhere.",
+    options_metavar="[OPTIONS]",
+)
+@click.argument("words", nargs=-1, metavar="ROBOT[,ROBOT...] HOST:PORT PROGRAM.c... [-- ARGS...]")
+@click.option("--all", "every", is_flag=True, help="Run it for all robots that have no program.")
+@click.option(
+    "--token",
+    metavar="TOKEN",
+    help="The token for robots that crs serve has printed. Default: the environment variable "
+    f"{TOKEN_VARIABLE}, or that of a run of yours on this machine.",
+)
+@click.option(
+    "--robot",
+    "model",
+    metavar="NAME|FILE.xml",
+    help="Join robots of this model only; the definitions must be the same.",
+)
+@click.option(
+    "--retry",
+    "retry_s",
+    type=click.FloatRange(min=0.0, max=1e6),
+    default=10.0,
+    show_default=True,
+    metavar="S",
+    help="Try for S seconds to reach the environment, also when the connection is lost.",
+)
+@click.option(
+    "--threads",
+    type=click.IntRange(1, 64),
+    metavar="N",
+    help="Run programs in up to N threads. Default: the number of processors.",
+)
+@click.option(
+    "--unchecked", is_flag=True, help="Do not check memory accesses; programs run faster."
+)
+@click.option("--trap-overflow", is_flag=True, help="Stop a program on signed integer overflow.")
+@click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings.")
+@compiler_options
+def join(
+    *, words: tuple[str, ...], every: bool, unchecked: bool, model: str | None, **options: Any
+) -> int:
+    """Compile a C control program and run it for a robot of a world that crs serve has.
+
+    The program runs here; its robot is in the world there. It prints here, and reads the standard
+    input of this command. If the connection is lost, or another host takes the place of this one,
+    the program goes on where it stood. The exit status is that of the program; with several
+    robots, it is 0 if all exited with 0, otherwise 1.
+    """
+    if any(map(is_net_address, words[:2])):
+        at = next(index for index, word in enumerate(words) if is_net_address(word))
+    else:
+        raise click.UsageError("no address HOST:PORT of an environment.")
+    if every == bool(at):
+        raise click.UsageError("name the robots before the address, or give --all.")
+    files = words[at + 1 :]
+    if any(map(is_world, files)):
+        raise click.UsageError("the world is the environment's: name C files only.")
+    if not files:
+        raise click.UsageError("no C file.")
+    wanted = JoinOptions(
+        inputs=sort_files(files),
+        arguments=program_arguments(),
+        checked=not unchecked,
+        address=parse_address(words[at]),
+        robots=tuple(words[0].split(",")) if at else (),
+        definition=_definition(model),
+        **options,
+    )
+    from crs_cc.cli.run_host import run_host
+
+    return run_host(wanted)
+
+
+def _definition(model: str | None) -> str:
+    if model is None:
+        return ""
+    from crs_cc.net.handshake import definition_of
+    from crs_cc.session.empty_world import empty_world
+    from crs_cc.sim.files.known_robots import known_robots
+
+    if model not in known_robots() and not Path(model).is_file():
+        names = ", ".join(known_robots())
+        raise click.UsageError(f"unknown robot '{model}' (known: {names}, or a file .xml).")
+    return definition_of(empty_world("", model).robots[0].model)

@@ -1,0 +1,174 @@
+"""Run the programs of robots for an environment elsewhere, until it says that the run has ended."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.cli.compiler_options import gathered
+from crs_cc.cli.load import build_program, compiled_files
+from crs_cc.cli.messages import is_coloured, say, show_before_run
+from crs_cc.cli.net_address import shown_address, token_for
+from crs_cc.cli.program_output import ProgramOutput, ProgressLine
+from crs_cc.cli.report import render_report
+from crs_cc.cli.typed_input import OwnInput
+from crs_cc.core.errors import ProgramError
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.regular_file import read_regular_file
+from crs_cc.net.channel import ConnectionLostError, Pulse
+from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest, digest_of
+from crs_cc.net.program_host import ProgramHost, Streams
+from crs_cc.net.visit import Visit, visit
+from crs_cc.session.build import build_driver
+
+if TYPE_CHECKING:
+    from crs_cc.cli.serve_options import JoinOptions
+    from crs_cc.runtime.executable import Executable
+
+_FIRST_PAUSE_S, _LONGEST_PAUSE_S = 0.1, 1.0
+_LOST: Final = 1
+_REFUSED: Final = 2
+
+
+def run_host(options: JoinOptions) -> int:
+    """Compile a program, run it for robots elsewhere, and return the exit status.
+
+    Raises:
+        CompileError: the program is not valid.
+    """
+    diagnostics = Diagnostics()
+    with gathered(diagnostics, options.compiler.warnings, quiet=options.quiet):
+        executable = build_program(
+            options.inputs.sources, options.compiler.dialect, options, diagnostics
+        )
+    if not options.quiet:
+        show_before_run(diagnostics.messages)
+    program = _program(options, executable, compiled_files(diagnostics)).content()
+    try:
+        return _Host(options, executable, program).run()
+    except RefusedError as error:
+        say(f"crs: {shown_address(options.address)}: refused: {error}")
+        return _REFUSED
+    except ConnectionLostError as error:
+        say(f"crs: {shown_address(options.address)}: {error}")
+        return _LOST
+
+
+def _program(options: JoinOptions, executable: Executable, files: Sequence[Path]) -> Program:
+    """Return what a recording of the run needs of the program."""
+    compiler = options.compiler
+    contents = {path: read_regular_file(path) for path in files}
+    return Program(
+        name=executable.name,
+        command=executable.command,
+        arguments=options.arguments,
+        sources=tuple(map(_absolute, options.inputs.sources)),
+        files={
+            _absolute(path): as_text(content)
+            for path, content in contents.items()
+            if isinstance(content, bytes)
+        },
+        include_paths=tuple(map(_absolute, compiler.include_paths)),
+        defines=compiler.defines,
+        undefines=compiler.undefines,
+        standard=compiler.standard,
+        dialect=compiler.dialect or "",
+        checked=options.checked,
+        trap_overflow=options.trap_overflow,
+    )
+
+
+def _absolute(path: Path) -> str:
+    return os.path.abspath(path)  # noqa: PTH100 - links stay
+
+
+class _Host:
+    """Robots' programs, over as many connections as it takes."""
+
+    def __init__(self, options: JoinOptions, executable: Executable, program: bytes) -> None:
+        self._options, self._executable, self._program = options, executable, program
+        self._hello = Hello(
+            "",
+            secrets.token_hex(16),
+            options.robots,
+            digest_of(program),
+            options.definition,
+            devices_digest(),
+        )
+        self._input = OwnInput()
+        self._output: ProgramOutput | None = None
+        self._shown = 0
+
+    def run(self) -> int:
+        """Run the programs to their end, and return the exit status.
+
+        Raises:
+            RefusedError: the environment does not take this host.
+            ConnectionLostError: it cannot be reached.
+        """
+        with Pulse() as pulse:
+            while True:
+                found = self._visit(pulse)
+                try:
+                    return self._serve(found)
+                except ConnectionLostError as error:
+                    if not self._options.quiet:
+                        say(f"crs: the environment is lost ({error}); trying to reach it again")
+                finally:
+                    found.channel.close()
+
+    def _visit(self, pulse: Pulse) -> Visit:
+        """Connect to the environment, as often as it takes for some time."""
+        end_s, pause_s = time.monotonic() + self._options.retry_s, _FIRST_PAUSE_S
+        while True:
+            token = token_for(self._options.token, self._options.address[1])
+            hello = replace(self._hello, token=token)
+            try:
+                return visit(self._options.address, hello, self._program, pulse)
+            except ConnectionLostError:
+                if time.monotonic() + pause_s > end_s:
+                    raise
+            time.sleep(pause_s)
+            pause_s = min(2.0 * pause_s, _LONGEST_PAUSE_S)
+
+    def _serve(self, found: Visit) -> int:
+        robots = found.robots
+        if self._output is None:
+            if not self._options.quiet:
+                say(f"crs: {', '.join(robots)} at {shown_address(self._options.address)}")
+            line = ProgressLine(None)
+            self._output = ProgramOutput(robots, sys.stdout.buffer, sys.stderr.buffer, line)
+        streams = Streams(self._write, self._input.read, self._input.waiting)
+        executables = [self._executable] * len(robots)
+        host = ProgramHost(executables, build_driver(), streams, self._shown, self._options.threads)
+        try:
+            ended = host.serve(found.channel)
+        finally:
+            self._shown = host.shown
+            self._output.flush()
+        self._output.close()
+        return self._status(host, robots, ended)
+
+    def _write(self, robot: int, stream: int, content: bytes) -> None:
+        assert self._output is not None
+        self._output.write(robot, stream, content)
+        self._output.flush()
+
+    def _status(self, host: ProgramHost, robots: Sequence[str], ended: Any) -> int:
+        """Report what has become of the programs, and return the exit status."""
+        statuses = []
+        for robot, (name, outcome) in enumerate(zip(robots, ended, strict=True)):
+            if outcome["failed"]:
+                report = host.fleet.report(robot)
+                shown = name if len(robots) > 1 else ""
+                say(render_report(report, shown, coloured=is_coloured(sys.stderr)))
+                statuses.append(ProgramError.exit_status)
+            else:
+                statuses.append(outcome["exit_status"] or 0)
+        return int(statuses[0]) if len(statuses) == 1 else int(any(statuses))

@@ -1,0 +1,48 @@
+"""The options of `crs serve` and `crs join`, as data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from crs_cc.cli.program_options import ProgramOptions
+from crs_cc.cli.run_options import RunOptions
+
+
+@dataclass(frozen=True, slots=True)
+class ServeOptions(RunOptions):
+    """Options of `crs serve`; its programs are those of the hosts.
+
+    Attributes:
+        listen: the host and port to listen at.
+        tokens: the file of tokens; None for new ones.
+        insecure: whether to listen to other machines without TLS.
+        on_loss: what to do when a host is lost: `wait` for another one, or `stop` its programs.
+    """
+
+    listen: tuple[str, int] = ("127.0.0.1", 8000)
+    tokens: Path | None = None
+    insecure: bool = False
+    on_loss: Literal["wait", "stop"] = "wait"
+
+
+@dataclass(frozen=True, slots=True)
+class JoinOptions(ProgramOptions):
+    """Options of `crs join`.
+
+    Attributes:
+        address: the host and port of the environment.
+        robots: the robots; empty for all that have no program.
+        token: shows that we may join; None for the user's own.
+        definition: the robot definition that the robots must have; empty for any.
+        threads: how many threads may run programs; None for as many as there are processors.
+        retry_s: how long to try to reach the environment [s].
+    """
+
+    address: tuple[str, int] = ("127.0.0.1", 8000)
+    robots: tuple[str, ...] = ()
+    token: str | None = None
+    definition: str = ""
+    threads: int | None = None
+    retry_s: float = 10.0

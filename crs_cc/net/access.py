@@ -1,0 +1,81 @@
+r"""Who may do what: tokens by role, from a file or made at start.
+
+A line of the file has a role and a token; empty lines and lines that begin with `#` do not count.
+
+>>> found = parsed("# course\nrobot 0123456789abcdef\nview fedcba9876543210\n")
+>>> found.allows("robot", "0123456789abcdef"), found.allows("robot", "fedcba9876543210")
+(True, False)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, Literal, Self, get_args
+
+from crs_cc.core.loopback import LEAST_TOKEN, is_token, new_token
+from crs_cc.core.suggest import unknown
+from crs_cc.net.handshake import RefusedError
+
+Role = Literal["robot", "view", "control"]
+
+ROLES: Final[tuple[Role, ...]] = get_args(Role)
+
+MAX_TOKENS: Final = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class Access:
+    """The tokens of each role.
+
+    Attributes:
+        tokens: by role, at least one each.
+    """
+
+    tokens: Mapping[Role, tuple[str, ...]]
+
+    @classmethod
+    def made(cls) -> Self:
+        """Return new tokens, one for each role."""
+        return cls({role: (new_token(),) for role in ROLES})
+
+    def allows(self, role: Role, given: object) -> bool:
+        """Return whether a token is one of a role's; all are compared."""
+        return sum(is_token(given, token) for token in self.tokens[role]) > 0
+
+    def require(self, role: Role, given: object) -> None:
+        """Check that a token is one of a role's.
+
+        Raises:
+            RefusedError: it is not.
+        """
+        if not self.allows(role, given):
+            raise RefusedError(f"no valid token for the role '{role}'")
+
+    def token(self, role: Role) -> str:
+        """Return the first token of a role."""
+        return self.tokens[role][0]
+
+
+def parsed(text: str) -> Access:
+    """Return the tokens in a file; roles that are not in it have new ones.
+
+    Raises:
+        ValueError: it is not valid; the message begins with the number of the line.
+    """
+    found: dict[Role, list[str]] = {role: [] for role in ROLES}
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if not words or words[0].startswith("#"):
+            continue
+        role = next((each for each in ROLES if each == words[0]), None)
+        if role is None:
+            raise ValueError(f"{number}: {unknown('role', words[0][:40], list(ROLES))}")
+        if len(words) != 2:
+            raise ValueError(f"{number}: expected a role and a token")
+        if len(words[1]) < LEAST_TOKEN or not words[1].isascii():
+            raise ValueError(f"{number}: a token has at least {LEAST_TOKEN} characters of ASCII")
+        found[role].append(words[1])
+        if sum(map(len, found.values())) > MAX_TOKENS:
+            raise ValueError(f"{number}: more than {MAX_TOKENS} tokens")
+    return Access({role: tuple(rows) or (new_token(),) for role, rows in found.items()})

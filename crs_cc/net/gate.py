@@ -1,0 +1,176 @@
+"""The one port of an environment: hosts, and pages that look at the run.
+
+The first bytes of a connection say what it is. Each connection is met in a thread of its own, with
+bounded time and memory, so that one that says nothing, or something else, disturbs nobody.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import socket
+import threading
+import time
+from collections.abc import Callable
+from typing import Final
+
+from crs_cc.net.access import Access
+from crs_cc.net.channel import MAGIC, PROTOCOL, Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.handshake import Hello, Program, RefusedError
+from crs_cc.net.roster import Roster, Seat
+
+MAX_MEETING: Final = 64
+"""Connections that are met at the same time at most; more are closed. Chosen by us."""
+
+MEETING_S: Final = 10.0
+"""How long it may take until it is known who somebody is [s]."""
+
+PROGRAM_S: Final = 60.0
+"""How long a host may take to send its program [s]."""
+
+_LOOK_S: Final = 0.01
+
+Visitor = Callable[[socket.socket], None]
+"""Serves a connection that is none of a host; closes it."""
+
+
+def bound(host: str, port: int) -> socket.socket:
+    """Return a socket that is to listen on an address.
+
+    Raises:
+        OSError: the port is in use, or there is no such host.
+    """
+    family, *_, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    listener = socket.socket(family)
+    if os.name == "posix":  # elsewhere two processes could listen
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind(address)
+    except OSError:
+        listener.close()
+        raise
+    return listener
+
+
+def turn_away(connection: socket.socket) -> None:
+    """Close a connection of somebody who is not served."""
+    with contextlib.suppress(OSError):
+        connection.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\n\r\n")
+    connection.close()
+
+
+class Gate:
+    """Listens on a port until it is closed.
+
+    Attributes:
+        port: the port.
+        visitor: serves who is no host, such as pages.
+    """
+
+    def __init__(
+        self,
+        listener: socket.socket,
+        access: Access,
+        roster: Roster,
+        secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
+    ) -> None:
+        """Listen.
+
+        Args:
+            listener: a socket that has an address; here it begins to listen.
+            access: who may do what.
+            roster: has the robots.
+            secure: makes a connection secure, where the first bytes have been read.
+        """
+        listener.listen()
+        self.port = int(listener.getsockname()[1])
+        self.visitor: Visitor = turn_away
+        self._listener, self._access, self._roster = listener, access, roster
+        self._secure = secure
+        self._meeting = threading.Semaphore(MAX_MEETING)
+        self._pulse = Pulse()
+        self._pulse.__enter__()
+        self._thread = threading.Thread(target=self._listen, name="crs-gate", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Take no connections any more."""
+        with contextlib.suppress(OSError):
+            self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+        self._pulse.__exit__()
+
+    def _listen(self) -> None:
+        while True:
+            try:
+                connection, _ = self._listener.accept()
+            except OSError:
+                if self._listener.fileno() < 0:
+                    return
+                time.sleep(_LOOK_S)  # no descriptors left: one may be closed soon
+                continue
+            if not self._meeting.acquire(blocking=False):
+                connection.close()
+                continue
+            thread = threading.Thread(target=self._meet, args=(connection,), daemon=True)
+            thread.start()
+
+    def _meet(self, connection: socket.socket) -> None:
+        """Find out who somebody is, in a thread."""
+        try:
+            connection.settimeout(MEETING_S)
+            if self._is_host(connection):
+                self._meet_host(Channel(self._secure(connection)))
+                return
+        except (OSError, ValueError):
+            connection.close()
+            return
+        finally:
+            self._meeting.release()
+        self.visitor(connection)
+
+    def _is_host(self, connection: socket.socket) -> bool:
+        """Return whether the first bytes are those of a host; if so they are read."""
+        end_s = time.monotonic() + MEETING_S
+        while time.monotonic() < end_s:
+            found = connection.recv(len(MAGIC), socket.MSG_PEEK)
+            if not found:
+                raise ConnectionLostError("nothing said")
+            if found == MAGIC:
+                connection.recv(len(MAGIC))
+                return True
+            if not MAGIC.startswith(found):
+                return False
+            time.sleep(_LOOK_S)
+        raise ConnectionLostError("too slow")
+
+    def _meet_host(self, channel: Channel) -> None:
+        """Take a host that may run programs; say why not otherwise."""
+        seat: Seat | None = None
+        self._pulse.add(channel)
+        try:
+            hello = Hello.of(channel.receive(Kind.HELLO, within_s=MEETING_S).content)
+            self._access.require("robot", hello.token)
+            seat = self._roster.claim(hello)
+            is_known = seat.program is not None
+            answer = {"robots": seat.names, "send_program": not is_known, "protocol": PROTOCOL}
+            channel.send(Kind.WELCOME, json.dumps(answer).encode())
+            program = None
+            if not is_known:
+                content = channel.receive(Kind.PROGRAM, within_s=PROGRAM_S).content
+                program = Program.of(content, hello.program)
+            channel.receive(Kind.STARTED, within_s=PROGRAM_S)
+            self._roster.offer(seat, channel, program)
+        except RefusedError as error:
+            with contextlib.suppress(ConnectionLostError):
+                channel.send(Kind.REFUSED, str(error).encode())
+            self._part(seat, channel)
+        except (ConnectionLostError, OSError):
+            self._part(seat, channel)
+
+    def _part(self, seat: Seat | None, channel: Channel) -> None:
+        if seat is not None:
+            self._roster.withdraw(seat, channel)
+        self._pulse.remove(channel)
+        channel.close()

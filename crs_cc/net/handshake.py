@@ -1,0 +1,188 @@
+"""The first messages of a connection: who a host is, and what it runs.
+
+>>> hello = Hello("token", "host", ("robot0",), "digest")
+>>> Hello.of(hello.content()) == hello
+True
+"""
+
+from __future__ import annotations
+
+import binascii
+import hashlib
+import json
+from base64 import b64decode, b64encode
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
+from typing import Any, Final, Self
+
+from crs_cc import __version__
+from crs_cc.net.channel import PROTOCOL
+from crs_cc.recording.source_tree import MAX_FILES
+from crs_cc.session.device_library import device_sources
+from crs_cc.sim.model.robot import RobotModel
+
+MAX_NAMES: Final = 100_000
+MAX_TEXT: Final = 4096
+
+
+class RefusedError(Exception):
+    """The environment does not take a host; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hello:
+    """Who a host is.
+
+    Attributes:
+        token: shows that it may run robots' programs.
+        host: a name that it has chosen at random, by which it is known when it comes back.
+        robots: the robots whose programs it runs; empty for all that have none.
+        program: the digest of its program, see `Program.content`.
+        definition: the definition that the robots must have, see `definition_of`; empty for any.
+        devices: the digest of the devices' C libraries.
+        version: its version of crs.
+        protocol: its version of what is said here.
+    """
+
+    token: str
+    host: str
+    robots: tuple[str, ...]
+    program: str
+    definition: str = ""
+    devices: str = ""
+    version: str = __version__
+    protocol: int = PROTOCOL
+
+    def content(self) -> bytes:
+        """Return it as a message."""
+        return json.dumps(asdict(self)).encode()
+
+    @classmethod
+    def of(cls, content: bytes) -> Self:
+        """Return what is said in a message.
+
+        Raises:
+            RefusedError: it is not valid, or of another version.
+        """
+        values = _object(content)
+        for name, ours in (("protocol", PROTOCOL), ("version", __version__)):
+            require_same(name, ours, values.get(name))
+        return _made(cls, values)
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A program, and how it is compiled: what a recording needs of it.
+
+    Attributes:
+        name: as the user named it.
+        command: its `argv[0]`.
+        arguments: the others.
+        sources: its C files.
+        files: all files that it was compiled from, by path, as base 64.
+        include_paths, defines, undefines, standard, dialect, checked, trap_overflow: see
+            `recording.description.RunDescription`.
+    """
+
+    name: str
+    command: str
+    arguments: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()
+    files: Mapping[str, str] = ()  # type: ignore[assignment]
+    include_paths: tuple[str, ...] = ()
+    defines: tuple[str, ...] = ()
+    undefines: tuple[str, ...] = ()
+    standard: str = "gnu17"
+    dialect: str = ""
+    checked: bool = True
+    trap_overflow: bool = False
+
+    def content(self) -> bytes:
+        """Return it as a message; its SHA-256 identifies it."""
+        return json.dumps(asdict(self), sort_keys=True).encode()
+
+    @property
+    def contents(self) -> dict[str, bytes]:
+        """The contents of its files, by path."""
+        return {name: b64decode(text) for name, text in self.files.items()}
+
+    @classmethod
+    def of(cls, content: bytes, digest: str) -> Self:
+        """Return the program in a message.
+
+        Raises:
+            RefusedError: it is not valid, or another one than was announced.
+        """
+        if digest_of(content) != digest:
+            raise RefusedError("the host sends another program than it has announced")
+        program = _made(cls, _object(content))
+        try:
+            for text in program.files.values():
+                b64decode(text, validate=True)
+        except binascii.Error:
+            raise RefusedError("a file of the program is not valid base 64") from None
+        return program
+
+
+def require_same(name: str, ours: object, theirs: object) -> None:
+    """Check that both sides have the same.
+
+    Raises:
+        RefusedError: they do not.
+    """
+    if ours != theirs:
+        shown = str(theirs)[:80]
+        raise RefusedError(f"the environment has {name} {ours}, the host has {name} {shown}")
+
+
+def definition_of(model: RobotModel) -> str:
+    """Return the name of a robot definition, and a digest of all that is in it."""
+    return f"{model.name} {digest_of(repr(model).encode())[:12]}"
+
+
+def devices_digest() -> str:
+    """Return a digest of the C libraries of all devices that are installed."""
+    return digest_of(device_sources().encode())[:12]
+
+
+def digest_of(content: bytes) -> str:
+    """Return what identifies a program."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def as_text(content: bytes) -> str:
+    """Return the content of a file as base 64."""
+    return b64encode(content).decode("ascii")
+
+
+def _object(content: bytes) -> dict[str, Any]:
+    try:
+        values = json.loads(content)
+    except (ValueError, RecursionError):
+        values = None
+    if not isinstance(values, dict):
+        raise RefusedError("the host says what is not valid")
+    return values
+
+
+def _made(cls: type[Any], values: Mapping[str, Any]) -> Any:
+    """Return an object with checked fields."""
+    made = {}
+    for each in fields(cls):
+        value = values.get(each.name)
+        kind = str(each.type)
+        if kind.startswith("tuple"):
+            if not isinstance(value, list) or len(value) > MAX_NAMES:
+                raise RefusedError(f"the host gives no valid {each.name}")
+            value = tuple(value)
+            is_valid = all(isinstance(one, str) and len(one) <= MAX_TEXT for one in value)
+        elif kind.startswith("Mapping"):
+            is_valid = isinstance(value, dict) and len(value) <= MAX_FILES
+            is_valid = is_valid and all(isinstance(one, str) for one in (value or {}).values())
+        else:
+            is_valid = type(value).__name__ == kind
+            is_valid = is_valid and (not isinstance(value, str) or len(value) <= MAX_TEXT)
+        if not is_valid:
+            raise RefusedError(f"the host gives no valid {each.name}")
+        made[each.name] = value
+    return cls(**made)

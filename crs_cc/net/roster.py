@@ -1,0 +1,174 @@
+"""Which host runs which robots' programs: claimed by hosts that come, taken by the run.
+
+Hosts are met in threads of their own; the run waits for them in its own thread.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.core.suggest import unknown
+from crs_cc.net.handshake import Hello, RefusedError, definition_of, devices_digest, require_same
+
+if TYPE_CHECKING:
+    from crs_cc.net.channel import Channel
+    from crs_cc.net.handshake import Program
+    from crs_cc.sim.model.world import Robot
+
+LOOK_S: Final = 0.1
+"""How often a run that waits for hosts looks at interrupts [s]."""
+
+
+@dataclass(slots=True, eq=False)
+class Seat:
+    """The robots that one host runs, and the host that has them now.
+
+    Attributes:
+        names: the robots.
+        host: the name of the host.
+        digest: the digest of its program.
+        program: the program; None until it has been sent.
+        channel: the connection; None until it is ready.
+        is_offered: whether the run has not yet taken the connection.
+    """
+
+    names: tuple[str, ...]
+    host: str
+    digest: str
+    program: Program | None = None
+    channel: Channel | None = None
+    is_offered: bool = False
+
+
+class Roster:
+    """The seats of a run.
+
+    Attributes:
+        has_begun: whether the run has begun: seats stay as they are.
+        has_ended: whether it has ended: no host is taken any more.
+    """
+
+    def __init__(self, robots: Sequence[Robot]) -> None:
+        self.has_begun = self.has_ended = False
+        self._definitions = {robot.id: definition_of(robot.model) for robot in robots}
+        self._devices = devices_digest()
+        self._seats: list[Seat] = []
+        self._changed = threading.Condition()
+
+    # -- for hosts, in their threads -------------------------------------------------------------
+
+    def claim(self, hello: Hello) -> Seat:
+        """Return the seat of a host that has come, or has come back.
+
+        Raises:
+            RefusedError: there is none for it.
+        """
+        require_same("device libraries", self._devices, hello.devices)
+        with self._changed:
+            if self.has_ended:
+                raise RefusedError("the run has ended")
+            names = hello.robots or self._free()
+            for name in names:
+                if name not in self._definitions:
+                    raise RefusedError(unknown("robot", name[:40], list(self._definitions)))
+                if hello.definition:
+                    require_same(f"{name} as", self._definitions[name], hello.definition)
+            if not names or len(set(names)) < len(names):
+                raise RefusedError(
+                    "every robot has a host already" if not names else "a robot is named twice"
+                )
+            return self._claim(names, hello)
+
+    def _free(self) -> tuple[str, ...]:
+        """Return the robots without a host; the lost host's if the run waits for those."""
+        lost = next((seat for seat in self._seats if _is_lost(seat)), None)
+        taken = {name for seat in self._seats for name in seat.names}
+        free = tuple(name for name in self._definitions if name not in taken)
+        return free or (lost.names if lost else ())
+
+    def _claim(self, names: tuple[str, ...], hello: Hello) -> Seat:
+        order = list(self._definitions)
+        names = tuple(sorted(names, key=order.index))
+        for seat in tuple(self._seats):
+            common = set(names) & set(seat.names)
+            if not common:
+                continue
+            if seat.host != hello.host and not _is_lost(seat):
+                raise RefusedError(f"{min(common, key=order.index)} has a host already")
+            if not self.has_begun:
+                self._seats.remove(seat)
+                continue
+            if seat.names != names:
+                text = f"{' and '.join(seat.names)} were lost together: join them together"
+                raise RefusedError(text)
+            require_same("program", seat.digest, hello.program)
+            seat.host = hello.host
+            return seat
+        seat = Seat(names, hello.host, hello.program)
+        self._seats.append(seat)
+        return seat
+
+    def offer(self, seat: Seat, channel: Channel, program: Program | None) -> None:
+        """Offer a connection to a host that is ready."""
+        with self._changed:
+            old, seat.channel = seat.channel, channel
+            seat.program = seat.program or program
+            seat.is_offered = True
+            self._changed.notify_all()
+        if old is not None:
+            old.close()  # the run notices, if it has not
+
+    def withdraw(self, seat: Seat, channel: Channel) -> None:
+        """Forget a host that has not become ready."""
+        with self._changed:
+            if not self.has_begun and seat.channel in (None, channel) and seat in self._seats:
+                self._seats.remove(seat)
+
+    # -- for the run, in its thread --------------------------------------------------------------
+
+    def missing(self) -> list[str]:
+        """Return the robots whose hosts are not ready."""
+        with self._changed:
+            ready = {name for seat in self._seats if seat.is_offered for name in seat.names}
+            return [name for name in self._definitions if name not in ready]
+
+    def wait(self) -> None:
+        """Wait until something may have changed, not long."""
+        with self._changed:
+            self._changed.wait(LOOK_S)
+
+    def begin(self) -> list[Seat]:
+        """Return the seats of hosts that are ready, as the run begins."""
+        with self._changed:
+            self.has_begun = True
+            return [seat for seat in self._seats if seat.is_offered]
+
+    def take(self, seat: Seat, is_ended: Callable[[], bool]) -> Channel | None:
+        """Wait for a connection to a host; return None if the run ends meanwhile."""
+        with self._changed:
+            while not seat.is_offered:
+                if is_ended():
+                    return None
+                self._changed.wait(LOOK_S)
+            seat.is_offered = False
+            assert seat.channel is not None
+            return seat.channel
+
+    def lose(self, seat: Seat) -> None:
+        """Note that the host of a seat is lost: another one may come."""
+        with self._changed:
+            if not seat.is_offered:
+                seat.channel = None
+
+    def end(self) -> None:
+        """Take no host any more."""
+        with self._changed:
+            self.has_ended = True
+
+
+def _is_lost(seat: Seat) -> bool:
+    """Return whether a seat has had a host that is gone."""
+    return seat.program is not None and (seat.channel is None or seat.channel.has_ended())

@@ -1,0 +1,80 @@
+"""A host's way to an environment: connect, say who it is, and get its robots."""
+
+from __future__ import annotations
+
+import json
+import socket
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.handshake import Hello, RefusedError
+
+CONNECT_S: Final = 5.0
+ANSWER_S: Final = 60.0
+"""How long an environment may take to answer [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """A connection to an environment that has taken this host.
+
+    Attributes:
+        channel: the connection.
+        robots: the robots whose programs run here.
+    """
+
+    channel: Channel
+    robots: tuple[str, ...]
+
+
+def visit(
+    address: tuple[str, int],
+    hello: Hello,
+    program: bytes,
+    pulse: Pulse,
+    secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
+) -> Visit:
+    """Connect to an environment.
+
+    Args:
+        address: its host and port.
+        hello: who this host is.
+        program: its program, see `Program.content`.
+        pulse: keeps the connection alive.
+        secure: makes a connection secure, where the first bytes have been sent.
+
+    Raises:
+        ConnectionLostError: there is none, or it is gone.
+        RefusedError: it does not take this host.
+    """
+    try:
+        connection = socket.create_connection(address, CONNECT_S)
+        connection.sendall(MAGIC)
+        channel = Channel(secure(connection))
+    except OSError as error:
+        raise ConnectionLostError(error.strerror or str(error)) from None
+    pulse.add(channel)
+    try:
+        channel.send(Kind.HELLO, hello.content())
+        robots, wants_program = _welcome(channel)
+        if wants_program:
+            channel.send(Kind.PROGRAM, program)
+        channel.send(Kind.STARTED)
+    except (ConnectionLostError, RefusedError):
+        pulse.remove(channel)
+        channel.close()
+        raise
+    return Visit(channel, robots)
+
+
+def _welcome(channel: Channel) -> tuple[tuple[str, ...], bool]:
+    kind, content = channel.receive(Kind.WELCOME, Kind.REFUSED, within_s=ANSWER_S)
+    if kind == Kind.REFUSED:
+        raise RefusedError(content.decode("utf-8", "replace"))
+    try:
+        values = json.loads(content)
+        return tuple(map(str, values["robots"])), bool(values["send_program"])
+    except (ValueError, KeyError, TypeError, RecursionError):
+        raise ConnectionLostError("the environment says what is not valid") from None
