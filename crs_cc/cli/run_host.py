@@ -85,7 +85,8 @@ def _program(options: JoinOptions, executable: Executable, files: Sequence[Path]
 
 
 def _absolute(path: Path) -> str:
-    return os.path.abspath(path)  # noqa: PTH100 - links stay
+    """Return a path from the root on, as it is written on all systems; links stay."""
+    return f"/{Path(os.path.abspath(path)).as_posix().lstrip('/')}"  # noqa: PTH100
 
 
 class _Host:

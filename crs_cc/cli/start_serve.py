@@ -102,6 +102,8 @@ def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:
             say(f"crs: waiting for {shown}")
         told = missing
         roster.wait()
+    if not options.quiet:
+        say("crs: every robot has its program: the run begins")
     return roster.begin()
 
 
@@ -146,7 +148,7 @@ def _as_run(options: ServeOptions, seats: Sequence[Seat]) -> ServeOptions:
         defines=program.defines,
         undefines=program.undefines,
         standard=program.standard,
-        dialect=program.dialect or None,
+        dialect=program.dialect or None,  # type: ignore[arg-type] - it has been checked
     )
     return replace(
         options,

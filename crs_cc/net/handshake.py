@@ -16,6 +16,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any, Final, Self
 
 from crs_cc import __version__
+from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS
 from crs_cc.net.channel import PROTOCOL
 from crs_cc.recording.source_tree import MAX_FILES
 from crs_cc.session.device_library import device_sources
@@ -67,7 +68,7 @@ class Hello:
         values = _object(content)
         for name, ours in (("protocol", PROTOCOL), ("version", __version__)):
             require_same(name, ours, values.get(name))
-        return _made(cls, values)
+        return cls(**_checked(cls, values))
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +79,7 @@ class Program:
         name: as the user named it.
         command: its `argv[0]`.
         arguments: the others.
-        sources: its C files.
+        sources: the paths of its C files, with slashes from the root on.
         files: all files that it was compiled from, by path, as base 64.
         include_paths, defines, undefines, standard, dialect, checked, trap_overflow: see
             `recording.description.RunDescription`.
@@ -115,13 +116,27 @@ class Program:
         """
         if digest_of(content) != digest:
             raise RefusedError("the host sends another program than it has announced")
-        program = _made(cls, _object(content))
+        program = cls(**_checked(cls, _object(content)))
+        program.check()
+        return program
+
+    def check(self) -> None:
+        """Check what is used here of a program that comes from elsewhere.
+
+        Raises:
+            RefusedError: it is not valid.
+        """
+        if self.dialect not in ("", *DIALECTS) or self.standard not in STANDARDS:
+            raise RefusedError("the program has an unknown dialect or standard")
+        paths = [*self.sources, *self.include_paths, *self.files]
+        are_valid = all(each.startswith("/") and each.isprintable() for each in paths)
+        if not (self.sources and are_valid):
+            raise RefusedError("the program has a file without a valid path")
         try:
-            for text in program.files.values():
+            for text in self.files.values():
                 b64decode(text, validate=True)
         except binascii.Error:
             raise RefusedError("a file of the program is not valid base 64") from None
-        return program
 
 
 def require_same(name: str, ours: object, theirs: object) -> None:
@@ -165,8 +180,8 @@ def _object(content: bytes) -> dict[str, Any]:
     return values
 
 
-def _made(cls: type[Any], values: Mapping[str, Any]) -> Any:
-    """Return an object with checked fields."""
+def _checked(cls: type[Hello | Program], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the values of all fields, each of its type."""
     made = {}
     for each in fields(cls):
         value = values.get(each.name)
@@ -185,4 +200,4 @@ def _made(cls: type[Any], values: Mapping[str, Any]) -> Any:
         if not is_valid:
             raise RefusedError(f"the host gives no valid {each.name}")
         made[each.name] = value
-    return cls(**made)
+    return made

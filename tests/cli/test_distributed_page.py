@@ -1,0 +1,29 @@
+"""The commands that `docs/distributed.md` shows work, each in a process of its own."""
+
+from __future__ import annotations
+
+import re
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+PAGE = Path(__file__).parents[2] / "docs" / "distributed.md"
+
+
+def free_port() -> int:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        return int(taken.getsockname()[1])
+
+
+def test_the_commands_of_the_page_work(tmp_path: Path) -> None:
+    found = re.search(r"```sh\n(.*?)```", PAGE.read_text(), re.DOTALL)
+    assert found
+    script = found[1].replace("8000", str(free_port()))
+    program = f'crs() {{ "{sys.executable}" -m crs_cc "$@"; }}\nset -e\n{script}'
+    done = subprocess.run(
+        ["bash", "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert "the same run" in done.stdout + done.stderr
+    assert "20.00 s simulated" in done.stderr

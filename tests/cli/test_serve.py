@@ -1,0 +1,198 @@
+"""`crs serve` and `crs join`, as processes of their own."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO
+
+import pytest
+
+from tests.session.programs import ROAM
+
+WORLD = """<world version="1"><area length="6m" width="4m"/>
+<robot id="left" x="1m" y="2m"/><robot id="right" x="5m" y="2m" heading="180deg"/></world>"""
+
+ECHO = r"""
+#include <stdio.h>
+#include <unistd.h>
+
+int main(int argc, char **argv)
+{
+    char text[80];
+    while (fgets(text, sizeof text, stdin))
+        printf("%s: %s", argv[argc - 1], text);
+    usleep(300000);
+    return 7;
+}
+"""
+MOST_S = 60.0
+
+
+def command(*words: str) -> list[str]:
+    return [sys.executable, "-m", "crs_cc", *words]
+
+
+class Served:
+    """An environment in a process of its own."""
+
+    def __init__(self, process: subprocess.Popen[str], log: Path) -> None:
+        self.process = process
+        self._log = log
+
+    @property
+    def text(self) -> str:
+        return self._log.read_text()
+
+    @property
+    def address(self) -> str:
+        found = self.wait_for(r" at (127\.0\.0\.1:\d+)\n")
+        return found[1]
+
+    def wait_for(self, pattern: str) -> re.Match[str]:
+        """Return where it has said something."""
+        end_s = time.monotonic() + MOST_S
+        while not (found := re.search(pattern, self.text)):
+            assert self.process.poll() is None, self.text
+            assert time.monotonic() < end_s, self.text
+            time.sleep(0.01)
+        return found
+
+    def finish(self) -> tuple[int, str]:
+        """Return its exit status and what it has written to standard output."""
+        out, _ = self.process.communicate(timeout=MOST_S)
+        return self.process.returncode, out
+
+
+@contextmanager
+def served(folder: Path, *options: str) -> Iterator[Served]:
+    log = folder / "serve.log"
+    with log.open("w") as errors:
+        words = command("serve", "world.xml", "--listen", "127.0.0.1:0", *options)
+        process = subprocess.Popen(
+            words, cwd=folder, stdout=subprocess.PIPE, stderr=errors, text=True
+        )
+    try:
+        yield Served(process, log)
+    finally:
+        process.kill()
+        process.communicate()
+
+
+def join(
+    folder: Path, *words: str, stdin: int | IO[str] = subprocess.DEVNULL
+) -> subprocess.Popen[str]:
+    pipe = subprocess.PIPE
+    return subprocess.Popen(
+        command("join", *words), cwd=folder, stdin=stdin, stdout=pipe, stderr=pipe, text=True
+    )
+
+
+def outputs(hosts: Sequence[subprocess.Popen[str]]) -> list[tuple[str, str]]:
+    return [host.communicate(timeout=MOST_S) for host in hosts]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("served")
+    made.joinpath("world.xml").write_text(WORLD)
+    made.joinpath("roam.c").write_text(ROAM)
+    made.joinpath("echo.c").write_text(ECHO)
+    words = ["run", "roam.c", "world.xml", "--max-time", "3", "--record", "local.mcap"]
+    done = subprocess.run(command(*words), cwd=made, capture_output=True, text=True, check=True)
+    made.joinpath("local.txt").write_text(done.stdout)
+    return made
+
+
+@pytest.mark.parametrize("hosts", [["right", "left"], ["--all"]], ids=["two", "one"])
+def test_the_recording_of_a_run_on_hosts_is_that_of_a_local_run(
+    folder: Path, hosts: list[str]
+) -> None:
+    options = "--max-time", "3", "--record", "far.mcap", "--json"
+    with served(folder, *options) as environment:
+        started = [join(folder, name, environment.address, "roam.c") for name in hosts]
+        shown = outputs(started)
+        status, result = environment.finish()
+    assert status == 0
+    assert [host.returncode for host in started] == [0] * len(hosts)
+    assert folder.joinpath("far.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
+    assert json.loads(result)["exit_status"] == 0
+    if len(hosts) == 1:
+        assert shown[0][0] == folder.joinpath("local.txt").read_text()
+
+
+def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path) -> None:
+    options = "--max-time", "3", "--record", "killed.mcap", "--speed", "1"
+    with served(folder, *options) as environment:
+        at = environment.address
+        others = [join(folder, "left", at, "roam.c"), join(folder, "right", at, "roam.c")]
+        environment.wait_for("the run begins")
+        for number, signal_ in enumerate((signal.SIGKILL, signal.SIGSTOP)):
+            time.sleep(0.3)
+            others[-1].send_signal(signal_)
+            began_s = time.monotonic()
+            count = environment.text.count("is lost")
+            while environment.text.count("is lost") == count:
+                assert time.monotonic() - began_s < 10.0
+                time.sleep(0.01)
+            assert time.monotonic() - began_s < 2.5
+            others.append(join(folder, "right", at, "roam.c"))
+            environment.wait_for("(?s)" + ".*taken over" * (number + 1))
+        status, _ = environment.finish()
+        for each in others[1:3]:
+            each.kill()
+        outputs(others)
+    assert status == 0
+    assert [others[0].returncode, others[3].returncode] == [0, 0]
+    assert folder.joinpath("killed.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
+
+
+def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> None:
+    folder.joinpath("input.txt").write_text("one\ntwo\n")
+    with served(folder) as environment:
+        at = environment.address
+        with folder.joinpath("input.txt").open() as lines:
+            first = join(folder, "left", at, "echo.c", "--", "L", stdin=lines)
+        second = join(folder, "right", at, "echo.c", "--", "R")
+        assert outputs([first, second])[0][0] == "L: one\nL: two\n"
+        status, _ = environment.finish()
+    assert (first.returncode, second.returncode, status) == (7, 7, 1)
+
+
+def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None:
+    folder.joinpath("tokens").write_text("robot 0123456789abcdef\n")
+    with served(folder, "--tokens", "tokens") as environment:
+        at = environment.address
+        token = "--token", "0123456789abcdef"
+        kept = join(folder, "left", at, "echo.c", *token)
+        refused = [
+            ("left", "echo.c", "--token", "x", "no valid token"),
+            ("middle", "echo.c", *token, "unknown robot 'middle' (known: left, right)"),
+            ("right", "echo.c", "--robot", "nomad200", *token, "has right as scout"),
+            ("left", "echo.c", *token, "left has a host already"),
+        ]
+        environment.wait_for("waiting for right\n")
+        for name, source, *rest, reason in refused:
+            host = join(folder, name, at, source, *rest)
+            _, said = host.communicate(timeout=MOST_S)
+            assert host.returncode == 2
+            assert reason in said
+            assert "Traceback" not in said
+        kept.kill()
+        kept.communicate()
+
+
+def test_other_machines_are_let_in_only_if_that_is_said(folder: Path) -> None:
+    words = command("serve", "world.xml", "--listen", "0.0.0.0:0")
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "--insecure" in done.stderr
+    assert os.environ.get("CRS_TOKEN") is None

@@ -1,0 +1,113 @@
+"""Connections that lose, double, reorder or damage what they carry are given up."""
+
+from __future__ import annotations
+
+import socket
+import time
+from collections.abc import Iterator
+
+import pytest
+
+from crs_cc.net import channel as channel_module
+from crs_cc.net.channel import Channel, ConnectionLostError, Kind, Pulse
+
+
+@pytest.fixture
+def ends() -> Iterator[tuple[Channel, socket.socket]]:
+    here, there = socket.socketpair()
+    made = Channel(here)
+    yield made, there
+    made.close()
+    there.close()
+
+
+def frames(*contents: bytes) -> list[bytes]:
+    """Return the bytes of messages as they are sent."""
+    here, there = socket.socketpair()
+    sender, found = Channel(here), []
+    for content in contents:
+        sender.send(Kind.RAN, content)
+        found.append(there.recv(10_000))
+    sender.close()
+    there.close()
+    return found
+
+
+def test_messages_arrive_in_order(ends: tuple[Channel, socket.socket]) -> None:
+    receiver, there = ends
+    there.sendall(b"".join(frames(b"one", b"two")))
+    assert [receiver.receive(Kind.RAN).content for _ in range(2)] == [b"one", b"two"]
+
+
+@pytest.mark.parametrize(
+    "order", [(0, 0), (1,), (0, 2), (2, 1, 0)], ids=["doubled", "lost", "gap", "reordered"]
+)
+def test_messages_in_another_order_end_the_connection(
+    ends: tuple[Channel, socket.socket], order: tuple[int, ...]
+) -> None:
+    receiver, there = ends
+    parts = frames(b"a", b"b", b"c")
+    there.sendall(b"".join(parts[number] for number in order))
+    for _ in range(len(order) - 1 if order[0] == 0 else 0):
+        receiver.receive(Kind.RAN)
+    with pytest.raises(ConnectionLostError, match="missing, doubled or damaged"):
+        receiver.receive(Kind.RAN)
+
+
+def test_a_damaged_message_ends_the_connection(ends: tuple[Channel, socket.socket]) -> None:
+    receiver, there = ends
+    part = bytearray(frames(b"content")[0])
+    part[-1] ^= 1
+    there.sendall(part)
+    with pytest.raises(ConnectionLostError, match="damaged"):
+        receiver.receive(Kind.RAN)
+
+
+def test_a_long_message_is_refused_before_it_comes(ends: tuple[Channel, socket.socket]) -> None:
+    receiver, there = ends
+    there.sendall(b"\x01\0\0\0" + (2**31).to_bytes(4, "little") + bytes(8))
+    with pytest.raises(ConnectionLostError, match="too long"):
+        receiver.receive(Kind.HELLO)
+
+
+def test_an_unexpected_kind_ends_the_connection(ends: tuple[Channel, socket.socket]) -> None:
+    receiver, there = ends
+    there.sendall(frames(b"")[0])
+    with pytest.raises(ConnectionLostError, match="unexpected"):
+        receiver.receive(Kind.HELLO)
+
+
+def test_a_side_that_closes_or_is_silent_is_given_up(
+    ends: tuple[Channel, socket.socket], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    receiver, there = ends
+    there.sendall(b"x")
+    with pytest.raises(ConnectionLostError, match="too slow"):
+        receiver.receive(Kind.RAN, within_s=-1.0)
+    monkeypatch.setattr(channel_module, "SILENCE_S", 0.05)
+    here, other = socket.socketpair()
+    with pytest.raises(ConnectionLostError, match="nothing heard"):
+        Channel(here).receive(Kind.RAN)
+    other.close()
+    assert not receiver.has_ended()
+    there.close()
+    with pytest.raises(ConnectionLostError):
+        receiver.receive(Kind.RAN)
+    assert receiver.has_ended()
+
+
+def test_a_side_with_nothing_to_say_stays_alive(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(channel_module, "SILENCE_S", 0.2)
+    monkeypatch.setattr(channel_module, "ALIVE_S", 0.02)
+    here, there = socket.socketpair()
+    receiver, sender = Channel(here), Channel(there)
+    with Pulse() as pulse:
+        pulse.add(sender)
+        with pytest.raises(ConnectionLostError, match="too slow"):
+            receiver.receive(Kind.RAN, within_s=0.4)
+        sender.send(Kind.RAN, b"at last")
+        assert receiver.receive(Kind.RAN).content == b"at last"
+        began_s = time.monotonic()
+    assert time.monotonic() - began_s < 1.0
+    receiver.close()
+    sender.close()

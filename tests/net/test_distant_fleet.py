@@ -1,0 +1,179 @@
+"""A session whose programs run on hosts is the same, also when hosts are lost."""
+
+from __future__ import annotations
+
+import random
+import socket
+from collections.abc import Sequence
+from typing import Any
+
+import pytest
+
+from crs_cc.runtime.executable import Executable
+from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import parse_world
+from crs_cc.sim.model.world import WorldModel
+from tests.net.local_hosts import LocalHosts
+from tests.session.programs import build
+
+TALK = r"""
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/time.h>
+#include "Nclient.h"
+
+int main(void)
+{
+    int turn, sum = 0;
+    char text[80];
+    struct timeval now;
+    FILE *file = fopen("log", "w");
+    connect_robot(1);
+    for (turn = 0; turn < 12; turn++) {
+        int i;
+        for (i = 0; i <= turn * 3; i++)
+            gettimeofday(&now, 0);
+        for (i = 0; i < 2000 * (turn + State[STATE_SONAR_0] % 7); i++)
+            sum = sum * 31 + i;
+        gs();
+        sprintf(text, "%d %ld %d %d", turn, now.tv_usec, sum, (int)State[STATE_SONAR_0]);
+        puts(text);
+        fprintf(file, "%s\n", text);
+        vm(50 + 10 * turn, 100 - 30 * turn, 0);
+        if (turn % 4 == 3)
+            ws(1, 1, 0, 1);
+    }
+    if (State[STATE_SONAR_0] % 2)
+        return ((int *)malloc(4))[1];
+    return turn;
+}
+"""
+COUNT = 5
+MOST_S = 8.0
+
+Written = list[tuple[int, int, bytes]]
+
+
+def world() -> WorldModel:
+    rows = "".join(
+        f'<robot id="robot{n}" x="{n + 1}m" y="{1 + n % 2}m" heading="{n * 50}deg"/>'
+        for n in range(COUNT)
+    )
+    text = f'<world version="1"><area length="7m" width="5m"/>{rows}</world>'
+    return parse_world(text.encode(), "world.xml")
+
+
+def finished(executables: Sequence[Executable], **options: Any) -> tuple[Session, Written]:
+    """Return a session that has been run to its end, and what its programs have written."""
+    written: Written = []
+    session = Session(
+        world(), executables, output=lambda *each: written.append(each), seed=3, **options
+    )
+    while session.time_s < MOST_S and session.advance(40):
+        pass
+    return session, written
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory: pytest.TempPathFactory) -> list[Executable]:
+    return [build(tmp_path_factory.mktemp("talk"), TALK)] * COUNT
+
+
+@pytest.fixture(scope="module")
+def local(programs: list[Executable]) -> tuple[str, Written]:
+    session, written = finished(programs)
+    assert {each.outcome for each in session.result().robots} == {"exited", "failed"}
+    return session.state_hash(), written
+
+
+@pytest.mark.parametrize("count", [1, 2, COUNT])
+def test_a_run_on_hosts_is_the_same(
+    programs: list[Executable], local: tuple[str, Written], count: int
+) -> None:
+    shown: Written = []
+    hosts = LocalHosts(programs, count, write=lambda *each: shown.append(each))
+    session, written = finished(programs, fleet=hosts.fleet)
+    assert (session.state_hash(), written) == local
+    texts = [each.error.text for each in session.result().robots if each.error]
+    assert texts
+    assert all("out of bounds" in text for text in texts)
+    hosts.close()
+    assert sorted(shown) == sorted(written)
+    assert len(hosts.ended) == count
+    assert not hosts.lost
+
+
+class Unreliable:
+    """Cuts, doubles or damages what an environment and a host say, at random."""
+
+    def __init__(self, random_: random.Random, often: float) -> None:
+        self._random, self._often = random_, often
+
+    def __call__(self, connection: socket.socket) -> socket.socket:
+        return _Meddled(connection, self._random, self._often)
+
+
+class _Meddled(socket.socket):
+    def __init__(self, inner: socket.socket, random_: random.Random, often: float) -> None:
+        super().__init__(inner.family, inner.type, inner.proto, inner.detach())
+        self._random, self._often = random_, often
+
+    def _is_hit(self) -> bool:
+        return self._random.random() < self._often
+
+    def send(self, data: Any, flags: int = 0) -> int:
+        if not self._is_hit():
+            return super().send(data, flags)
+        what = self._random.randrange(4)
+        if what == 0:  # cut in the middle of a message
+            super().send(bytes(data[: len(data) // 2]))
+            self.shutdown(socket.SHUT_RDWR)
+        elif what == 1:
+            super().send(bytes(data) * 2)
+        elif what == 2:
+            super().send(bytes(data[:-1]) + bytes([data[-1] ^ 16]))
+        else:
+            self.shutdown(socket.SHUT_RDWR)
+        return len(data)
+
+    def recv(self, size: int, flags: int = 0) -> bytes:
+        found = super().recv(size, flags)
+        if found and self._is_hit():
+            self.shutdown(socket.SHUT_RDWR)
+            return b""
+        return found
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_lost_hosts_are_replaced_to_the_same_bits(
+    programs: list[Executable], local: tuple[str, Written], seed: int
+) -> None:
+    shown: Written = []
+    meddler = Unreliable(random.Random(seed), often=0.02)
+    hosts = LocalHosts(programs, 2, meddler, lambda *each: shown.append(each))
+    session, written = finished(programs, fleet=hosts.fleet)
+    assert (session.state_hash(), written) == local
+    hosts.close()
+    assert len(hosts.lost) >= 3
+    assert set(shown) <= set(written)
+    assert len(shown) == len(set(shown)), "nothing is shown twice"
+
+
+def test_programs_go_on_from_memories_that_were_fetched(
+    programs: list[Executable], local: tuple[str, Written], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("crs_cc.net.host_link.MAX_LOG_GRANTS", 7)
+    hosts = LocalHosts(programs, 2, Unreliable(random.Random(9), often=0.02))
+    session, written = finished(programs, fleet=hosts.fleet)
+    assert (session.state_hash(), written) == local
+    hosts.close()
+    assert len(hosts.lost) >= 3
+
+
+def test_programs_of_a_host_that_is_lost_for_good_stop_alone(programs: list[Executable]) -> None:
+    hosts = LocalHosts(programs, COUNT, Unreliable(random.Random(1), often=0.004), losses=0)
+    session, _ = finished(programs, fleet=hosts.fleet)
+    hosts.close()
+    kinds = [each.error.kind if each.error else "" for each in session.result().robots]
+    assert len(hosts.lost) == kinds.count("host lost") > 0
+    assert any(each.outcome == "exited" for each in session.result().robots)
