@@ -168,8 +168,7 @@ class Fleet:
 
     def table(self) -> npt.NDArray[np.uint64]:
         """Return slots and clocks as 64-bit words, a row for each program."""
-        size = len(self) * RECORD.itemsize
-        words = self._mailbox.view()[SLOTS : SLOTS + size].view(np.uint64)
+        words = self._mailbox.view()[SLOTS : _size(len(self))].view(np.uint64)
         return words.reshape(len(self), RECORD.itemsize // 8)
 
     def _instantiate(self, executable: Executable) -> None:
