@@ -148,7 +148,7 @@ def _as_run(options: ServeOptions, seats: Sequence[Seat]) -> ServeOptions:
         defines=program.defines,
         undefines=program.undefines,
         standard=program.standard,
-        dialect=program.dialect or None,  # type: ignore[arg-type] - it has been checked
+        dialect=program.dialect or None,  # type: ignore[arg-type]
     )
     return replace(
         options,
