@@ -20,6 +20,9 @@ from crs_cc.debug.world.event_history import EventHistory
 FIRST: Final = "main"
 """The name of the branch that a run begins as."""
 
+MAX_KEPT: Final = 6
+"""Branches at most, if changes in the past make them; chosen by us."""
+
 
 @dataclass(frozen=True, slots=True)
 class Checkpoint:
@@ -62,12 +65,16 @@ class Branches:
 
     Attributes:
         current: the current one.
+        keeps_past: whether a change in the past goes into a new branch, so that the run stays in
+            the one before as it was.
     """
 
     def __init__(self, run: RecordedRun) -> None:
         self._run = run
         self.current = Branch(FIRST, run.history, run.console, run.event_history, run.position)
         self._all = {FIRST: self.current}
+        self._count = 1
+        self.keeps_past = False
 
     def names(self) -> tuple[str, ...]:
         """Return the names of all branches, in order of creation."""
@@ -91,6 +98,21 @@ class Branches:
         )
         run.enter(history, console, event_history)
         return self.current
+
+    def leave_past(self) -> None:
+        """Keep what lies ahead in this branch, if anything does, and go on in a new one.
+
+        Of many branches, the oldest that a user can do without is discarded.
+        """
+        run = self._run
+        if not self.keeps_past or run.event_history.timesteps <= run.position.timestep + 1:
+            return
+        while len(self._all) >= MAX_KEPT:
+            oldest = next(each for each in self._all if each not in (FIRST, self.current.name))
+            self._all.pop(oldest).history.release()
+        self._count += 1
+        self.add(f"run{self._count}")
+        run.is_off_timeline = False  # the state is that from which the new branch goes on
 
     def switch(self, name: str) -> Branch:
         """Switch to another branch, where the user left it.

@@ -397,6 +397,9 @@ class Debugger:
             raise DebugError(f"no change {number}")
         place = changes[number].position
         same = [each for each in changes[:number] if each.position == place]
+        if self.branches.keeps_past:
+            self.run.seek(place)
+            self.branches.leave_past()
         self.run.take_back(place)
         self.branches.changed()
         for each in same:
@@ -426,6 +429,7 @@ class Debugger:
     def _changed(self, text: str, robot: int = -1, patches: tuple[MemoryPatch, ...] = ()) -> None:
         """Record a change, and discard the future."""
         program = self.run.uploads.used_in(text) if robot < 0 else None
+        self.branches.leave_past()
         self.run.changed(Change(self.position, text, robot, patches, program))
         self.branches.changed()
 

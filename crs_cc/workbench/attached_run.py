@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
+    from crs_cc.workbench.branches import KnownBranches
 
 
 class AttachedRun:
@@ -83,6 +84,14 @@ class AttachedRun:
     def panel(self) -> dict[str, Any] | None:
         """Return None: it cannot be changed."""
         return None
+
+    def branches(self) -> KnownBranches:
+        """Raise DebugError: there is no engine."""
+        raise DebugError("this run is not debugged: start it with crs view")
+
+    def switch(self, name: str) -> None:
+        """Raise DebugError: there is no engine."""
+        raise DebugError(f"this run has no branch {name}: start it with crs view")
 
     def new_world(self) -> dict[str, Any] | None:
         """Return None: its robots are known."""

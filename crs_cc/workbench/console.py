@@ -16,7 +16,7 @@ REFUSED: Final = frozenset(
     {
         *("source", "save breakpoints", "quit", "shell", "jump"),  # files, the end, or nothing
         "commands",  # asks for further lines
-        *("branch", "switch", "compare"),  # another history, which pages do not know
+        *("branch", "switch", "compare"),  # pages have buttons for them
     }
 )
 """Commands that the page does not have."""

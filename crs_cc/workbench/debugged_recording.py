@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
     from crs_cc.sim.model.world import WorldModel
+    from crs_cc.workbench.branches import KnownBranches
     from crs_cc.workbench.debugged_run import DebuggedRun
     from crs_cc.workbench.playback import Playback
 
@@ -135,6 +136,16 @@ class DebuggedRecording:
         """Return what the control panel shows; None while the programs stand elsewhere."""
         debugged = self._there()
         return None if debugged is None else debugged.panel()
+
+    def branches(self) -> KnownBranches:
+        """Return the branches that changes in the past have made."""
+        return self._opened().branches()
+
+    def switch(self, name: str) -> None:
+        """Go to another branch; raise DebugError if there is none of this name."""
+        self.stand()
+        self._opened().switch(name)
+        self._leads = True
 
     def new_world(self) -> dict[str, Any] | None:
         """Return the world for pages if robots have been added since the last call."""

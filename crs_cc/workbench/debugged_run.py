@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.workbench import sources
+from crs_cc.workbench.branches import KnownBranches
 from crs_cc.workbench.control import begin, panel
 from crs_cc.workbench.robot_table import status
 from crs_cc.workbench.run import Halt
@@ -43,6 +44,7 @@ class DebuggedRun:
         self._shell = Shell(debugger)
         self._known = set(debugger.names)
         self._watcher = watcher
+        self._branches = KnownBranches(debugger, watcher)
 
     @property
     def stands(self) -> bool:
@@ -91,7 +93,16 @@ class DebuggedRun:
 
     def panel(self) -> dict[str, Any] | None:
         """Return what has been changed, what is degraded, and which links are shut."""
-        return panel(self._debugger)
+        return panel(self._debugger) | {"branches": self._branches.listing()}
+
+    def branches(self) -> KnownBranches:
+        """Return the branches that changes in the past have made."""
+        return self._branches
+
+    def switch(self, name: str) -> None:
+        """Go to another branch; raise DebugError if there is none of this name."""
+        self._branches.switch(name)
+        self._changes = self._debugger.run.history.changes
 
     def new_world(self) -> dict[str, Any] | None:
         """Return the world for pages if robots have been added since the last call."""
@@ -108,6 +119,7 @@ class DebuggedRun:
 
     def settle(self) -> None:
         """Notice what a command of the debugger has done."""
+        self._branches.notice()
         changes = self._debugger.run.history.changes
         if changes is not self._changes:
             first = next((new for new in changes if new not in self._changes), None)

@@ -7,6 +7,7 @@ it takes another course (`forget`).
 
 from __future__ import annotations
 
+import copy
 import threading
 import time
 from collections.abc import Sequence
@@ -88,9 +89,11 @@ class Feed:
             return self._known()
 
     def _known(self) -> dict[str, Any]:
+        return {**self.description, "frame_s": self._frame_s, **self._course()}
+
+    def _course(self) -> dict[str, Any]:
+        """Return what is known of the course of the run."""
         return {
-            **self.description,
-            "frame_s": self._frame_s,
             "end_s": self.end_s,
             "rosters": [self._roster(each) for each in self._rosters],
             "events": list(self._events),
@@ -186,6 +189,35 @@ class Feed:
             self._output_size = sum(len(each[3].encode()) + 32 for each in self._output)
             self._rosters = [each for each in self._rosters if each[0] <= after_s]
             self._tell("forget", time_s=time_s, blocks=self.frames.index())
+
+    def fork(self) -> Feed:
+        """Return an independent copy, which no page gets to see."""
+        with self._lock:
+            other = copy.copy(self)
+            other._lock, other.server = threading.Lock(), None
+            other.frames, other.messages = self.frames.fork(), self.messages.fork()
+            other.trace = self.trace.fork()
+            other._events, other._output = self._events[:], self._output[:]
+            other._rosters = self._rosters[:]
+        return other
+
+    def become(self, other: Feed) -> None:
+        """Know what another feed knows, and tell all pages."""
+        copied = other.fork()
+        with self._lock:
+            self.frames, self.messages, self.trace = copied.frames, copied.messages, copied.trace
+            self._events, self._output = copied._events, copied._output
+            self._rosters, self._output_size = copied._rosters, copied._output_size
+            self.end_s = copied.end_s
+            self._tell("course", **self._course())
+
+    def events(self) -> list[Event]:
+        """Return the events that are known."""
+        return list(self._events)
+
+    def output(self) -> list[Output]:
+        """Return the output that is known."""
+        return list(self._output)
 
     def _roster(self, roster: Roster) -> dict[str, Any]:
         return {"t": roster[0], "robots": roster[1], "objects": roster[2]}

@@ -6,10 +6,11 @@ runs out, every second frame of the older half goes.
 
 from __future__ import annotations
 
+import copy
 import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain
+from itertools import chain, count
 from typing import Final
 
 import numpy as np
@@ -43,7 +44,7 @@ class FrameStore:
         self._lock = threading.Lock()
         self._blocks: list[Block] = []
         self._bytes = 0
-        self._next = 0
+        self._numbers = count()  # of all copies
         self._times_s: list[float] = []  # of the block that is being filled
         self._frames: list[FloatArray] = []
 
@@ -103,6 +104,15 @@ class FrameStore:
             if begin_s <= time_s <= end_s:
                 yield time_s, frame
 
+    def fork(self) -> FrameStore:
+        """Return an independent copy."""
+        with self._lock:
+            other = copy.copy(self)
+            other._lock = threading.Lock()
+            other._blocks = self._blocks[:]
+            other._times_s, other._frames = self._times_s[:], self._frames[:]
+        return other
+
     def forget(self, time_s: float) -> None:
         """Discard all frames after a time."""
         with self._lock:
@@ -125,8 +135,7 @@ class FrameStore:
         return self._keep(times_s[0], times_s[-1], packed(times_s, frames, _QUICK))
 
     def _keep(self, begin_s: float, end_s: float, content: bytes) -> Block:
-        block = Block(self._next, begin_s, end_s, content)
-        self._next += 1
+        block = Block(next(self._numbers), begin_s, end_s, content)
         self._blocks.append(block)
         self._bytes += len(content)
         if self._bytes > self._most_bytes:
@@ -141,7 +150,7 @@ class FrameStore:
         for each in older:
             times_s, frames = unpacked(each.content)
             content = packed(times_s[::2], frames[::2], _QUICK)
-            self._blocks.append(Block(self._next, times_s[0], times_s[::2][-1], content))
-            self._next += 1
+            block = Block(next(self._numbers), times_s[0], times_s[::2][-1], content)
+            self._blocks.append(block)
             self._bytes += len(content)
         self._blocks += newer

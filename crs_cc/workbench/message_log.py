@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import threading
 from typing import TYPE_CHECKING, Any, Final
 
@@ -57,6 +58,14 @@ class MessageLog:
         with self._lock:
             while self._rows and self._rows[-1][0] > time_s + _SLACK_S:
                 self._rows.pop()
+
+    def fork(self) -> MessageLog:
+        """Return an independent copy."""
+        with self._lock:
+            other = copy.copy(self)
+            other._lock = threading.Lock()
+            other._rows, other._contents = self._rows[:], dict(self._contents)
+        return other
 
     def since(self, number: int) -> dict[str, Any]:
         """Return the rows from a number on, the number of the first, and what fates mean."""

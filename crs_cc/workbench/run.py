@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
     from crs_cc.sim.model.world import WorldModel
+    from crs_cc.workbench.branches import KnownBranches
 
 Ability = Literal["play", "seek", "debug"]
 
@@ -87,6 +88,12 @@ class Run(Protocol):
 
     def panel(self) -> dict[str, Any] | None:
         """Return what the control panel shows; None for runs that it cannot change."""
+
+    def branches(self) -> KnownBranches:
+        """Return its branches; raise DebugError if it has none."""
+
+    def switch(self, name: str) -> None:
+        """Go to another branch; raise DebugError if there is none of this name."""
 
     def new_world(self) -> dict[str, Any] | None:
         """Return the world for pages if robots have been added since the last call."""

@@ -6,8 +6,10 @@ of the older half goes.
 
 from __future__ import annotations
 
+import copy
 import math
 from bisect import bisect_left, bisect_right
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -28,6 +30,26 @@ MAX_NUMBERS: Final = 6_000_000
 
 _MOTION: Final = ("pose.x", "pose.y", "pose.heading", "speed", "turn")
 _SLACK_S: Final = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """The first difference of a quantity in two runs; NaN for no value.
+
+    Attributes:
+        time_s: when.
+        robot: of which robot.
+        name: of which quantity.
+        here: its value in this run.
+        there: its value in the other one.
+    """
+
+    time_s: float
+    robot: int
+    name: str
+    here: float
+    there: float
+
 
 Samples = tuple[list[float], list[float | None]]
 """Times [s] and values, None where there is none."""
@@ -88,6 +110,31 @@ class Trace:
         self._numbers -= sum(each.size for each in self._samples[first:])
         del self._times_s[first:], self._samples[first:]
 
+    def fork(self) -> Trace:
+        """Return an independent copy."""
+        other = copy.copy(self)
+        other._times_s, other._samples = self._times_s[:], self._samples[:]
+        return other
+
+    def first_differences(self, other: Trace) -> list[Difference]:
+        """Return when each quantity of each robot first differs from that in another trace."""
+        mine = {round(time_s, 6): number for number, time_s in enumerate(self._times_s)}
+        found: list[Difference] = []
+        seen = np.zeros((0, 0), bool)
+        for theirs, time_s in enumerate(other._times_s):
+            own = mine.get(round(time_s, 6))
+            if own is None or self._samples[own].shape != other._samples[theirs].shape:
+                continue
+            one, another = self._samples[own], other._samples[theirs]
+            if seen.shape != one.shape:
+                seen = np.zeros(one.shape, bool)
+            differs = (one != another) & ~(np.isnan(one) & np.isnan(another)) & ~seen
+            seen |= differs
+            for robot, column in np.argwhere(differs).tolist():
+                values = float(one[robot, column]), float(another[robot, column])
+                found.append(Difference(time_s, robot, _name(column), *values))
+        return found
+
     def samples(
         self, robot: int, name: str, begin_s: float, end_s: float, most: int
     ) -> Samples | None:
@@ -118,6 +165,10 @@ def _column(name: str) -> int | None:
     device, _, element = name.partition(".")
     is_sonar = device == "sonar" and element.isdecimal() and len(element) < 4
     return len(_MOTION) + int(element) if is_sonar else None
+
+
+def _name(column: int) -> str:
+    return _MOTION[column] if column < len(_MOTION) else f"sonar.{column - len(_MOTION)}"
 
 
 def thinned(times_s: Sequence[float], values: FloatArray, most: int) -> Samples:

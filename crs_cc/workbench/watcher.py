@@ -23,11 +23,15 @@ class Watcher:
     """Watches a session: its frames, events, and what programs write.
 
     What lies before the latest timestep that it has seen is known, and not told again.
+
+    Attributes:
+        feed: what is told.
     """
 
     def __init__(self, feed: Feed) -> None:
-        self._feed = feed
+        self.feed = feed
         self._timesteps = -1
+        self._is_off = False
         self._names: tuple[str, ...] = ()
         self._alive: tuple[bool, ...] = ()
         self._has_turret = False
@@ -48,15 +52,17 @@ class Watcher:
     def step(self, step: Step) -> None:
         """Tell what happened in a timestep that has just ended."""
         session = self._session
-        self._feed.trace.add(session.environment)
+        if self._is_off:
+            return
+        self.feed.trace.add(session.environment)
         if session.timesteps <= self._timesteps:
             if session.timesteps == self._timesteps:  # as far as it is known, ends are told
                 self._alive = tuple(session.state.alive.tolist())
             return
         self._timesteps = session.timesteps
         for each in world_events(step, session.environment.world, _KINDS):
-            self._feed.event(each.time_s, each.kind, each.robot, each.text, each.place)
-        self._feed.messages.step(step)
+            self.feed.event(each.time_s, each.kind, each.robot, each.text, each.place)
+        self.feed.messages.step(step)
         self.ends()
         self.show(is_last=False)
 
@@ -76,29 +82,40 @@ class Watcher:
                 if result.error is not None:
                     text = f"{result.id}: {result.error.location}: {result.error.text}"
                 time_s = min(result.time_s, session.time_s)  # the run may end inside a timestep
-                self._feed.event(time_s, result.outcome, robot, text)
+                self.feed.event(time_s, result.outcome, robot, text)
         self._alive = alive
+
+    def stop(self) -> None:
+        """Tell nothing until `resume`: the run goes to another branch."""
+        self._is_off = True
+
+    def resume(self, timesteps: int) -> None:
+        """Watch on in another branch of the run, of which the feed knows so many timesteps."""
+        self._is_off = False
+        self._timesteps = max(timesteps, self._session.timesteps)
+        self._alive = tuple(self._session.state.alive.tolist())
+        self._names = ()
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Tell what a program has written."""
-        if self._session.timesteps < self._timesteps:
+        if self._is_off or self._session.timesteps < self._timesteps:
             return
         clock_s = float(self._session.state.clock_s[robot])
         time_s = clock_s if np.isfinite(clock_s) else self._session.time_s
-        self._feed.write(time_s, robot, stream, content)
+        self.feed.write(time_s, robot, stream, content)
 
     def show(self, *, is_last: bool = True) -> None:
         """Show where everything is now."""
         environment = self._session.environment
-        self._feed.trace.add(environment)
+        self.feed.trace.add(environment)
         if environment.names is not self._names:
             self._names = environment.names
             robots = [robot.id for robot in environment.world.robots]
-            self._feed.roster(environment.time_s, robots, list(environment.pushables))
+            self.feed.roster(environment.time_s, robots, list(environment.pushables))
             self._has_turret = any(
                 "turret" in each.model.drive.axis_names for each in environment.world.robots
             )
-        self._feed.frame(environment.time_s, self._values(), is_last=is_last)
+        self.feed.frame(environment.time_s, self._values(), is_last=is_last)
 
     def forget(self, timestep: int | None) -> None:
         """Forget what came after a timestep, or after now: the run takes another course."""
@@ -107,7 +124,7 @@ class Watcher:
         self._timesteps = here if timestep is None else min(timestep, here)
         self._alive = tuple(session.state.alive.tolist())
         time_s = self._timesteps * session.environment.timestep_s
-        self._feed.forget(min(time_s, session.time_s) - _SLACK_S)
+        self.feed.forget(min(time_s, session.time_s) - _SLACK_S)
 
     def _values(self) -> FloatArray:
         state = self._session.environment.last_state

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from crs_cc.debug.engine import Debugger
 from crs_cc.workbench.screen import Screen
 from tests.workbench.in_browser import page_in, running, wait
@@ -178,6 +180,26 @@ def changes_are_listed_taken_back_and_written_out(page: Any, debugger: Debugger)
     assert changes(debugger) == []
 
 
+def the_run_before_is_kept_and_compared(page: Any, debugger: Debugger) -> None:
+    """Bob was moved in the run that the take-back has left, and not in the one after."""
+    assert [each.inner_text() for each in page.locator(".branch b").all()] == ["main", "run2"]
+    assert page.locator(".branch[aria-current] b").inner_text() == "run2"
+    page.evaluate("crs.model.ask('step', { timesteps: 10 })")
+    click(page, "Compare", ".branch:has-text('main')")
+    row = page.locator(".differences tr:has-text('bob pose.x') td")
+    row.first.wait_for()
+    assert [row.nth(at).inner_text() for at in (2, 3)] == ["1", "3"]
+    assert page.evaluate("crs.look.other.paths[1].at(-1)") == [3.0, 2.5]
+    click(page, "Show", ".branch:has-text('main')")
+    wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 9) - 3) < 1e-3")
+    wait(page, "document.querySelectorAll('.change').length === 6")
+    assert changes(debugger)[0] == "move bob to 3 2.50 0"
+    assert debugger.session.environment.state.x_m[1] == pytest.approx(3.0)
+    click(page, "Show", ".branch:has-text('run2')")
+    wait(page, "document.querySelectorAll('.change').length === 0")
+    wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 9) - 1) < 1e-3")
+
+
 def a_robot_joins_with_a_program_of_its_own(page: Any, folder: Path) -> None:
     dance = folder / "dance.c"
     dance.write_text("int main(void) { return x; }")
@@ -207,6 +229,7 @@ def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path:
             a_click_on_an_approach_goes_there(page, debugger)
             messages_are_listed_shut_and_sent(page, debugger)
             changes_are_listed_taken_back_and_written_out(page, debugger)
+            the_run_before_is_kept_and_compared(page, debugger)
             a_robot_joins_with_a_program_of_its_own(page, tmp_path)
 
 

@@ -155,6 +155,13 @@ class History:
             other._start = self._store.take(self._start)
         return other
 
+    def release(self) -> None:
+        """Discard all snapshots of a history that is not needed any more."""
+        self._drop(self._positions[0])
+        if self._start is not None:
+            self._store.drop(self._start)
+        self._store.most_bytes -= self._more_bytes
+
     def changes_until(self, position: Position) -> tuple[Change, ...]:
         """Return the changes up to a position."""
         return tuple(each for each in self.changes if each.position <= position)

@@ -16,6 +16,8 @@ export class Look {
     this.colours = palette();
     this.isInfrared = false;
     this.light = new Lighting();
+    /** @type {any} the run that this one is compared with */
+    this.other = null;
     this.time = 0;
     this.version = 0; // rises when something must be drawn anew
     for (const kind of ["status", "event", "forget", "hello", "look"]) model.on(kind, () => this.version++);

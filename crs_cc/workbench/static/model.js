@@ -151,6 +151,17 @@ export class Model {
     this.tell("forget", message);
   }
 
+  /** The run goes on in another branch, of which all is told. */
+  hear_course({ events, output, rosters, blocks, end_s }) {
+    Object.assign(this.run, { events, output, rosters });
+    const { last } = this.frames; // the next frame is told as the difference to it
+    this.frames = new Frames(blocks.map(([number, begin, end]) => [begin, end, number]), this.run.frame_s, (number) => this.channel.block(number));
+    this.frames.last = last;
+    this.state.end = end_s;
+    this.tell("forget", { time_s: -1 });
+    this.tell("roster", rosters.at(-1));
+  }
+
   hear_lost(message) {
     this.isConnected = false;
     this.lost = message;

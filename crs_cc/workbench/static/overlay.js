@@ -50,6 +50,7 @@ export class Overlay {
     this.several = this.scene.bodies.length <= MANY;
     for (const part of PARTS) if (look.show[part.name]) part.draw(this);
     this.selection();
+    if (look.other) otherPaths(this);
     if (look.heat) heatScale(this);
   }
 
@@ -94,6 +95,20 @@ export class Overlay {
     this.circle(body.x, body.y, body.z + 0.01, body.radius * 1.35);
     pen.stroke();
   }
+}
+
+/** The paths of the run that this one is compared with. */
+function otherPaths(o) {
+  const { pen } = o;
+  pen.lineWidth = 2;
+  pen.setLineDash([3, 5]);
+  o.look.other.paths.forEach((path, row) => {
+    pen.strokeStyle = o.scene.body(row)?.colour ?? o.look.colours.muted;
+    pen.beginPath();
+    o.path(path.map(([x, y]) => [x, y, o.scene.ground.height(x, y) + 0.02]));
+    pen.stroke();
+  });
+  pen.setLineDash([]);
 }
 
 /** The scale of infra-red: which colour is which heat. */

@@ -1,5 +1,6 @@
 /** What was changed by hand: each can be taken back, and all can be written out. */
 import { button, el, fill } from "crs/dom.js";
+import { branches } from "crs/panels/branches.js";
 
 /** @type {import("./index.js").Panel} */
 export const changes = {
@@ -7,7 +8,7 @@ export const changes = {
   title: "Changes",
   side: "right",
   needs: "debug",
-  make(root, model, _look, page) {
+  make(root, model, look, page) {
     const list = el("div.change-list", { role: "list", "aria-label": "changes" });
     const save = async (form) => {
       const answer = await model.ask("export", { form });
@@ -20,7 +21,7 @@ export const changes = {
     const script = button({ text: "Save as a script", title: "To be made again: crs run --inputs changes.txt", onclick: () => save("inputs") });
     const xml = button({ text: "Save as XML", title: "<degradation> and <shut> for a world file: what is in force", onclick: () => save("xml") });
     const hint = el("p.hint", {}, "Nothing has been changed. What you do to the run (moves, faults, links, messages, variables) is listed here, and can be taken back.");
-    root.append(el("div.bar", {}, script, xml), hint, list);
+    root.append(el("div.bar", {}, script, xml), branches(model, look, page), hint, list);
 
     const show = () => {
       const all = model.panel?.changes ?? [];

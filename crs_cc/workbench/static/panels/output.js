@@ -39,6 +39,6 @@ export const output = {
     };
 
     model.on("tick", () => draw());
-    model.on("hello", () => (key = ""));
+    for (const kind of ["hello", "forget"]) model.on(kind, () => (key = ""));
   },
 };
