@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from crs_cc.debug.engine import Debugger
-    from crs_cc.workbench.context import Context
     from crs_cc.workbench.feed import Feed
     from crs_cc.workbench.watcher import Watcher
 
@@ -104,18 +103,6 @@ class KnownBranches:
         if found is None:
             raise DebugError(f"no other run '{name[:_LONGEST]}' is kept")
         return found
-
-
-def switch(screen: Context, name: str) -> None:
-    """Go to another branch of the run."""
-    screen.player.pause()
-    with screen.working():
-        screen.run.switch(name)
-
-
-def compare(screen: Context, name: str) -> dict[str, Any]:
-    """Return how another branch of the run differs from this one."""
-    return screen.run.branches().compare(name)
 
 
 def _quantities(own: Feed, other: Feed, names: Sequence[str]) -> list[dict[str, Any]]:

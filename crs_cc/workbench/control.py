@@ -67,6 +67,18 @@ def take_back(screen: Context, number: int) -> None:
             begin(debugger)
 
 
+def switch(screen: Context, name: str) -> None:
+    """Go to another branch of the run."""
+    screen.player.pause()
+    with screen.working():
+        screen.run.switch(name)
+
+
+def compare(screen: Context, name: str) -> dict[str, Any]:
+    """Return how another branch of the run differs from this one."""
+    return screen.run.branches().compare(name)
+
+
 def panel(debugger: Debugger) -> dict[str, Any]:
     """Return what has been changed, what is degraded, and which links are shut."""
     environment = debugger.session.environment

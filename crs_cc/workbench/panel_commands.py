@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.uploads import MAX_TEXT
-from crs_cc.workbench import branches, control, instruments
+from crs_cc.workbench import control, instruments
 from crs_cc.workbench.command import Command
 
 if TYPE_CHECKING:
@@ -28,9 +28,9 @@ PANEL: Final = (
             {"name": str, "text": str}, needs="debug", longest=MAX_TEXT, asks=True),
     Command("undo", "Take back a change, by its number, and all that followed.",
             control.take_back, {"number": int}, needs="debug"),
-    Command("switch", "Go to another branch of the run, by its name.", branches.switch,
+    Command("switch", "Go to another branch of the run, by its name.", control.switch,
             {"name": str}, needs="debug"),
-    Command("compare", "Return how another branch differs from this one.", branches.compare,
+    Command("compare", "Return how another branch differs from this one.", control.compare,
             {"name": str}, needs="debug", controls=False, asks=True),
     Command("export", "Return what was changed, as a script or as XML.", control.export,
             {"form": str}, needs="debug", controls=False, asks=True),

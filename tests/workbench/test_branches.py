@@ -12,7 +12,7 @@ from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.start_view import screen_of
 from crs_cc.debug.branches import MAX_KEPT
 from crs_cc.debug.errors import DebugError
-from crs_cc.workbench import branches, control
+from crs_cc.workbench import control
 from crs_cc.workbench.screen import Screen
 
 PROGRAM = """\
@@ -37,15 +37,15 @@ WORLD = """<world version="1" timestep="50ms">
 
 @pytest.fixture
 def screen(tmp_path: Path) -> Iterator[Screen]:
-    """Ada was seen driving for two seconds, and is turned at one."""
+    """Ada was seen driving for three seconds, and is turned at one."""
     (tmp_path / "go.c").write_text(PROGRAM)
     (tmp_path / "long.xml").write_text(WORLD)
     files = Inputs((tmp_path / "go.c",), tmp_path / "long.xml")
     made = screen_of(DebugOptions(inputs=files, quiet=True), 0)
-    made.run.advance(40)
+    made.run.advance(60)
     made.run.seek(1.0)
     control.edit(made, "turn ada to 90")
-    made.run.advance(18)
+    made.run.advance(30)
     yield made
     made.server.close()
 
@@ -62,14 +62,14 @@ def names(screen: Screen) -> list[str]:
 def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -> None:
     assert names(screen) == ["main", "run2"]
     changed = hash_at(screen, 1.5)
-    branches.switch(screen, "main")
+    control.switch(screen, "main")
     assert screen.run.time_s == pytest.approx(1.5)
-    assert screen.feed.end_s == pytest.approx(2.0)
+    assert screen.feed.end_s == pytest.approx(3.0)
     assert screen.run.debugger().run.history.changes == ()
     plain = hash_at(screen, 1.5)
     output = screen.feed.output()
-    branches.switch(screen, "run2")
-    assert screen.feed.end_s == pytest.approx(1.9)
+    control.switch(screen, "run2")
+    assert screen.feed.end_s == pytest.approx(2.5)
     assert hash_at(screen, 1.5) == changed != plain
     assert screen.feed.output() != output
     control.take_back(screen, 0)  # it lies in the past: the changed run is kept, too
@@ -77,11 +77,11 @@ def test_the_run_before_a_change_in_the_past_is_kept_as_it_was(screen: Screen) -
     screen.run.advance(10)
     assert hash_at(screen, 1.5) == plain
     with pytest.raises(DebugError, match="no other run 'run9'"):
-        branches.switch(screen, "run9")
+        control.switch(screen, "run9")
 
 
 def test_two_runs_are_compared_from_where_they_part(screen: Screen) -> None:
-    found = branches.compare(screen, "main")
+    found = control.compare(screen, "main")
     first = found["differences"][0]
     assert (first["t"], first["robot"]) == (pytest.approx(1.05), "ada")
     rows = {each["what"]: each for each in found["differences"]}
@@ -105,5 +105,5 @@ def test_of_many_runs_the_oldest_is_forgotten(screen: Screen) -> None:
         screen.run.advance(10)
     assert len(names(screen)) == MAX_KEPT
     assert names(screen)[0] == "main"
-    branches.switch(screen, names(screen)[1])
+    control.switch(screen, names(screen)[1])
     assert screen.run.debugger().names == ("ada",)
