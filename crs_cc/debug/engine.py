@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import math
 import re
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -240,6 +241,12 @@ class Debugger:
             raise DebugError("time starts at 0")
         with self._showing_new():
             return self._to_timestep(timestep)
+
+    def goto_end(self) -> Stop:
+        """Go to where all programs have ended, ignoring breakpoints on the way."""
+        with self._showing_new():
+            self.run.seek(max(self.position, self.run.history.latest()))
+            return self._arrive(self.navigator.to_timestep(sys.maxsize))
 
     def goto_time(self, time_s: float) -> Stop:
         """Go to the start of the timestep that contains a time.

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Final
 
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
+from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
 from crs_cc.debug.view import View
 from crs_cc.debug.watch import KINDS, MAX, AccessKind
 from crs_cc.debug.watchpoints import change_text, same_activation, watchpoint
 from crs_cc.debug.world.events import check_event_kind
+from crs_cc.runtime.sites import StatementSite
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
@@ -138,11 +140,23 @@ class StopPoints:
         """Check that a condition is valid where it will be evaluated."""
         if not condition or place is None:
             return
+        for evaluator, site in self._sites(place):
+            evaluator.check(condition, site.function, site.location)
+
+    def _sites(self, place: BreakpointLocation) -> Iterator[tuple[Evaluator, StatementSite]]:
         for robot, numbers in place.statements.items():
             sites = self._run.programs[robot].executable.detail().compiled.statements
             for number in numbers:
-                site = sites[number]
-                self._view.evaluator(robot).check(condition, site.function, site.location)
+                yield self._view.evaluator(robot), sites[number]
+
+    def assigns(self, one: Breakpoint) -> bool:
+        """Return whether a condition is an assignment, where a comparison is likely to be meant."""
+        if not one.condition or one.place is None:
+            return False
+        return any(
+            evaluator.assigns(one.condition, site.function, site.location)
+            for evaluator, site in self._sites(one.place)
+        )
 
     def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
         """Return whether a hit stops the run, and a remark."""

@@ -11,12 +11,14 @@ from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.expression_compiler import SourceNames
+from crs_cc.debug.data.scope import Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.recorded_run import RecordedRun
 from crs_cc.debug.world.state_fields import StateField, state_fields
+from crs_cc.frontend.expression import FileNames
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.types import CType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
@@ -205,6 +207,20 @@ class View:
             with contextlib.suppress(DebugError):
                 return evaluator.type_of(f"*(__typeof__({text}) *)0", frame)
             raise
+
+    def file_names(self) -> FileNames:
+        """Return the names of the selected frame's file.
+
+        Raises:
+            DebugError: the file has changed since the program was built.
+        """
+        program, frame = self.run.programs[self.robot], self.active_frame(self.robot)
+        names = self._names.setdefault(id(program), SourceNames(program))
+        return names.of("" if frame is None else frame.function, self.current_file())
+
+    def declared_at(self, function: str, place: Location) -> list[Storage]:
+        """Return the variables of a function that are visible at a place, the innermost first."""
+        return self.evaluator(self.robot).declared_at(function, place)
 
     def holds(self, condition: str, robot: int) -> bool:
         """Return whether a condition is true in the innermost frame of a program.

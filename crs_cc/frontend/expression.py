@@ -57,6 +57,7 @@ class CompiledExpression:
         is_place: whether the function returns the address of the object that the expression
             designates, as it always does for a struct; otherwise it returns the value.
         variables: the variables whose addresses are its arguments, in order.
+        is_assignment: whether it assigns to something.
     """
 
     text: str
@@ -64,6 +65,7 @@ class CompiledExpression:
     type: CType
     is_place: bool
     variables: tuple[str, ...]
+    is_assignment: bool = False
 
     @property
     def function(self) -> Function:
@@ -92,6 +94,25 @@ class FileNames:
     def knows(self, name: str) -> bool:
         """Return whether a name is declared at file scope."""
         return self._unit.scope.find(name) is not None
+
+    def macro(self, name: str) -> tuple[Location, str] | None:
+        """Return the location and the directive of a macro's definition; None for no macro."""
+        macro = self._source.macros.get(name)
+        return None if macro is None else (self._source.definition(macro), macro.definition)
+
+    def expanded(self, text: str) -> str:
+        """Return a text with its macros replaced, as at the end of the file."""
+        assert self._source.more is not None
+        return " ".join(self._source.more(EXPRESSION, text.replace("\n", " ")).text.split())
+
+    def types(self) -> Iterator[tuple[Location, CType, str]]:
+        """Return location, type and typedef name, or "", of the types declared at file scope."""
+        scope = self._unit.scope
+        for tag in scope.tags.values():
+            yield tag.location, tag.type, ""
+        for symbol in scope.names.values():
+            if isinstance(symbol, TypedefName):
+                yield symbol.location, symbol.type, symbol.name
 
     def type_of(self, variable: Variable) -> CType:
         """Return the type of a variable in a function, in terms of this file.
@@ -202,7 +223,8 @@ def _lowered(
     low.end(Return(location, result))
     simplify(function)
     shared.program.functions[EXPRESSION] = function
-    return CompiledExpression(text, shared.program, ctype, is_place, tuple(symbols))
+    assigns = isinstance(checked, tree.Assign | tree.CompoundAssign)
+    return CompiledExpression(text, shared.program, ctype, is_place, tuple(symbols), assigns)
 
 
 def _is_bit_field(checked: tree.Expression) -> bool:

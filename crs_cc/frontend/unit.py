@@ -150,7 +150,7 @@ def _check(unit: Unit, source: Preprocessed) -> None:
     finally:
         if unit.dialect != "report" and unit.diagnostics.errors:
             suggest_dialect(tokens, unit.diagnostics)
-    unit.macros = source.macros
+    unit.macros = tuple(source.macros)
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)
     _stop_on_errors(unit)

@@ -170,6 +170,10 @@ class Session:
         """Return the result of the run so far."""
         return self.state.result()
 
+    def exit_status(self, robot: int) -> int | None:
+        """Return the exit status of a robot's program; None unless it has exited."""
+        return self._host.exit_status[robot]
+
     def files(self, robot: int) -> dict[bytes, bytes]:
         """Return the files that a robot's program created or changed, by name."""
         return self._host.disks[robot].outputs()

@@ -27,7 +27,7 @@ class OutputFormat:
         letter: `x` hexadecimal, `d` signed, `u` unsigned, `o` octal, `t` binary, `c` character,
             `f` floating, `s` string, `a` address; empty for the default of the type.
         count: the number of units, for `x`.
-        size: the size of a unit [bytes], 0 for the default of the type.
+        size: the size of a unit [bytes], 1 for characters, 0 for the default of the type.
     """
 
     letter: str = ""
@@ -53,10 +53,8 @@ def parse_format(text: str) -> tuple[OutputFormat, str]:
     shapes = [each for each in letters if each in _LETTERS]
     if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
         raise DebugError(f"'/{digits}{letters}' is not a format: try \"help x\"")
-    return (
-        OutputFormat("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
-        text[found.end() :],
-    )
+    size = _SIZES[sizes[0]] if sizes else int(shapes == ["c"])
+    return OutputFormat("".join(shapes), _count(digits or "1"), size), text[found.end() :]
 
 
 def parse_count(text: str) -> int:

@@ -20,6 +20,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext, CommandInput
+from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
 
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 _CONVERSION: Final = re.compile(
     r"%(?:%|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|L|z|t|j)?([diouxXcsfFeEgGap]))"
 )
+_MAX_FUNCTIONS: Final = 200
 _ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
 
@@ -63,11 +65,17 @@ def _robot(context: CommandContext, text: str) -> int | None:
     return parse_robot(text, context.debugger.names) if text else None
 
 
-def _made(made: Breakpoint) -> Answer:
+def _made(context: CommandContext, made: Breakpoint) -> Answer:
     yield f"{name_of(made)}: {described(made)}"
+    yield from _warned(context, made)
     note = made.place.note if made.place else made.watch.note if made.watch else ""
     if note:
         yield note
+
+
+def _warned(context: CommandContext, one: Breakpoint) -> Answer:
+    if context.debugger.stop_points.assigns(one):
+        yield f"warning: '{one.condition}' is an assignment, which has no effect; '==' compares"
 
 
 def _break(context: CommandContext, text: str, *, temporary: bool = False) -> Answer:
@@ -78,7 +86,21 @@ def _break(context: CommandContext, text: str, *, temporary: bool = False) -> An
         temporary=temporary,
         robot=_robot(context, where.robot),
     )
-    return _made(made)
+    return _made(context, made)
+
+
+def _rbreak(context: CommandContext, text: str) -> Answer:
+    try:
+        pattern = re.compile(require_argument(text, "a regular expression"))
+    except re.error as error:
+        raise DebugError(f"'{text}' is not a regular expression: {error}") from None
+    names = sorted({name for name, _ in functions(context) if pattern.search(name)})
+    if not names:
+        raise DebugError(f"no function matches '{text}'")
+    if len(names) > _MAX_FUNCTIONS:
+        raise DebugError(f"{len(names)} functions match '{text}' (at most {_MAX_FUNCTIONS})")
+    for name in names:
+        yield from _break(context, name)
 
 
 def _here(context: CommandContext) -> str:
@@ -94,7 +116,7 @@ def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
     made = context.debugger.stop_points.add_watchpoint(
         where.place, kind, condition=where.condition, robot=_robot(context, where.robot)
     )
-    return _made(made)
+    return _made(context, made)
 
 
 def _catch(context: CommandContext, text: str) -> Answer:
@@ -104,7 +126,7 @@ def _catch(context: CommandContext, text: str) -> Answer:
     made = context.debugger.stop_points.add_catchpoint(
         where.place, condition=where.condition, robot=_robot(context, where.robot)
     )
-    return _made(made)
+    return _made(context, made)
 
 
 def _dprintf(context: CommandContext, text: str) -> Answer:
@@ -114,7 +136,7 @@ def _dprintf(context: CommandContext, text: str) -> Answer:
     made = context.debugger.stop_points.add_breakpoint(
         _place(context, place), log=log_text(rest[0], rest[1:])
     )
-    return _made(made)
+    return _made(context, made)
 
 
 def _log(context: CommandContext, text: str) -> Answer:
@@ -122,7 +144,7 @@ def _log(context: CommandContext, text: str) -> Answer:
     made = context.debugger.stop_points.add_breakpoint(
         place, log=require_argument(message, "LOCATION TEXT")
     )
-    return _made(made)
+    return _made(context, made)
 
 
 def _place(context: CommandContext, text: str) -> str:
@@ -159,6 +181,7 @@ def _condition(context: CommandContext, text: str) -> Answer:
     ).partition(" ")
     for each in _numbers(context, number):
         context.debugger.stop_points.set_condition(each, condition.strip())
+        yield from _warned(context, context.debugger.stop_points.breakpoints.get(each))
         if not condition.strip():
             yield f"Breakpoint {each} now unconditional."
 
@@ -186,15 +209,16 @@ def _commands(context: CommandContext, text: str) -> Answer:
     )
 
 
-def _info(context: CommandContext, text: str) -> Answer:
+def _info(context: CommandContext, text: str, *, kind: str = "") -> Answer:
     wanted = set(_numbers(context, text))
     rows = [
         each
         for each in context.debugger.stop_points.breakpoints
-        if not wanted or each.number in wanted
+        if (not wanted or each.number in wanted) and kind in ("", each.kind)
     ]
     if not rows:
-        yield "No breakpoints." if not wanted else "No such breakpoint."
+        what = kind or "breakpoint"
+        yield f"No {what}s." if not wanted else f"No such {what}."
     for one in rows:
         yield f"{one.number:<3} {_state(one):11} {described(one)}{_of_robot(context, one)}"
         if one.condition:
@@ -250,6 +274,10 @@ BREAKPOINTS: Final = Group(
             "Set a breakpoint that is deleted when hit.",
             partial(_break, temporary=True), ("tb",), text='LOCATION is that of "break".',
             completes="place",
+        ),
+        Command(
+            "rbreak", "REGEX", "Set breakpoints on all functions whose names match.", _rbreak,
+            text="REGEX is a regular expression; it may match any part of a name.",
         ),
         Command(
             "watch", "EXPRESSION [if CONDITION]", "Stop when the value of an expression changes.",
@@ -316,7 +344,11 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "info breakpoints", "[N...]", "List breakpoints, watchpoints and catchpoints.",
-            _info, ("info b", "info watchpoints"), completes="breakpoint",
+            _info, ("info b",), completes="breakpoint",
+        ),
+        Command(
+            "info watchpoints", "[N...]", "List watchpoints.", partial(_info, kind="watchpoint"),
+            completes="breakpoint",
         ),
     ),
 )  # fmt: skip

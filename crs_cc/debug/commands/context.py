@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer, Line, SourceLine
 from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.stop_text import Selection, selection, stop_lines
+from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
+from crs_cc.ir.types import CHAR, INT, LLONG, SHORT, PointerType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.values import Value
     from crs_cc.debug.engine import Debugger
+
+
+_UNITS: Final = {1: CHAR, 2: SHORT, 4: INT, 8: LLONG}
+"""The types of the units that `x` examines, by size [bytes]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +78,7 @@ class CommandContext:
         self.listing = None
         self.due = [line for number in stop.breakpoints for line in self.scripts.get(number, ())]
         now = selection(self.debugger)
+        self._keep_exit_status()
         if "silent" in self.due[:1]:
             del self.due[0]
         else:
@@ -93,6 +99,23 @@ class CommandContext:
                 yield f"{number}: {display.text(self.debugger)}"
             except DebugError:
                 continue
+
+    def keep_examined(self, address: int, size: int) -> None:
+        """Set `$_` to the address of the last unit examined, and `$__` to its content."""
+        view = self.debugger.view
+        inspector = view.evaluator(view.robot).inspector()
+        kept, unit = view.convenience_values, _UNITS[size]
+        kept["_"] = Value(inspector, PointerType(unit), address.to_bytes(4, "little"))
+        kept["__"] = inspector.value(address, unit)
+
+    def _keep_exit_status(self) -> None:
+        """Set `$_exitcode` to the exit status of the selected program, if it has ended."""
+        view, kept = self.debugger.view, self.debugger.view.convenience_values
+        status = view.session.exit_status(view.robot)
+        kept.pop("_exitcode", None)
+        if status is not None:
+            inspector = view.evaluator(view.robot).inspector()
+            kept["_exitcode"] = Value(inspector, INT, status.to_bytes(4, "little", signed=True))
 
     def record(self, value: Value) -> int:
         """Append a value to the value history; return its number there."""

@@ -11,7 +11,9 @@ from crs_cc.debug.commands.arguments import (
     parse_format,
     parse_numbers,
     require_argument,
+    split_arguments,
 )
+from crs_cc.debug.commands.c_format import formatted_text, string_literal
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.commands.display import Display
@@ -33,6 +35,13 @@ def _print(context: CommandContext, text: str) -> Answer:
     value = context.debugger.evaluate(require_argument(expression, "an expression"))
     shown = formatted(value, wanted)
     yield shown if isinstance(value.type, VoidType) else f"${context.record(value)} = {shown}"
+
+
+def _printf(context: CommandContext, text: str) -> Answer:
+    literal, *expressions = split_arguments(require_argument(text, '"FORMAT",EXPRESSION...'))
+    pattern = string_literal(literal)
+    values = [context.debugger.view.look_up(each) for each in expressions]
+    yield formatted_text(pattern, values).removesuffix("\n")
 
 
 def _call(context: CommandContext, text: str) -> Answer:
@@ -79,7 +88,9 @@ def _examine(context: CommandContext, text: str) -> Answer:
     yield from dump(
         context.debugger.view.evaluator(context.debugger.view.robot).inspector(), address, wanted
     )
-    context.examined = address + (wanted.size or 4) * wanted.count, wanted
+    size = wanted.size or 4
+    context.examined = address + size * wanted.count, wanted
+    context.keep_examined(address + size * (wanted.count - 1), size)
 
 
 def _address(value: Value) -> int:
@@ -179,8 +190,15 @@ DATA: Final = Group(
             ("p", "inspect"),
             text="All operators, casts, macros and calls of the program's functions. Extensions:"
             " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
-            " other functions and files, $3 is a printed value, $ the last one, $name = 7 sets"
+            " other functions and files, $3 is a printed value, $ the last one, $$ the one before,"
+            " $$4 the fourth before the last; $_ is the address that x examined last and $__ what"
+            " is there, $_exitcode the exit status of the program; $name = 7 sets"
             f" a convenience variable. {_FORMATS} {_CHANGES}",
+            completes="expression",
+        ),
+        Command(
+            "printf", '"FORMAT",EXPRESSION...', "Print values as the function printf would.",
+            _printf, text="FORMAT is that of C; a string is what a pointer or an array holds.",
             completes="expression",
         ),
         Command(

@@ -114,14 +114,30 @@ def text_at(value: Value) -> str:
     Raises:
         DebugError: it is neither an array nor a pointer.
     """
+    return quoted(_characters(value))
+
+
+def printable_text(value: Value) -> str:
+    """Return the characters of the string in an array, or to which a pointer points.
+
+    Those that would do something to a terminal are octal escapes.
+
+    Raises:
+        DebugError: it is neither an array nor a pointer.
+    """
+    text = _characters(value).partition(b"\0")[0][:MAX_TEXT_LENGTH].decode(errors="replace")
+    return "".join(
+        each if each.isprintable() or each in "\n\t" else f"\\{ord(each):03o}" for each in text
+    )
+
+
+def _characters(value: Value) -> bytes:
+    """Return the bytes of an array, or those to which a pointer points."""
     if isinstance(value.type, ArrayType):
-        content = value.content
-    elif isinstance(value.type, PointerType):
-        assert isinstance(value.number, int)
-        content = value.inspector.read(value.number, MAX_TEXT_LENGTH)
-    else:
-        raise DebugError("only an array or a pointer can be shown as a string")
-    return quoted(content)
+        return value.content
+    if isinstance(value.type, PointerType) and isinstance(value.number, int):
+        return value.inspector.read(value.number, MAX_TEXT_LENGTH + 1)
+    raise DebugError("only an array or a pointer can be shown as a string")
 
 
 def quoted(content: bytes) -> str:

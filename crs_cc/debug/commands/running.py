@@ -81,12 +81,14 @@ _INSTANT: Final = re.compile(
 
 def _goto(context: CommandContext, text: str) -> Answer:
     text = require_argument(text, "a time, such as 12.3 or tick 120")
+    if text == "end":
+        return context.move(context.debugger.goto_end)
     if text == "start":
         return context.move(partial(context.debugger.goto, BEGINNING))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
-            f"'{text}' is not a time (expected 12.3 [s], tick 120, stmt 40210 or start)"
+            f"'{text}' is not a time (expected 12.3 [s], tick 120, stmt 40210, start or end)"
         )
     kind, number = found["kind"] or "t", found["number"]
     if kind in {"t", "time"}:
@@ -178,12 +180,12 @@ RUNNING: Final = Group(
             partial(_tick, backward=True), ("rt",), repeats="same",
         ),
         Command(
-            "goto", "TIME|tick N|stmt N|start", "Go to a point in time, forward or in reverse.",
+            "goto", "TIME|tick N|stmt N|start|end", "Go to a point in time, forward or in reverse.",
             _goto,
             text="TIME, in seconds, goes to the start of the timestep that contains it; tick N is"
             " the start of timestep N; stmt N is the point just before statement N of the robot's"
             ' program (see "when"). Breakpoints on the way'
-            " are ignored.",
+            " are ignored; end runs until all programs have ended.",
         ),
         Command("when", "", "Show the current time, timestep and statement.", _when),
     ),

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 _LINES: Final = 10
 _MAX_FRAMES: Final = 100
-_MAX_FUNCTIONS: Final = 200
 
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
@@ -41,12 +40,28 @@ def frame(context: CommandContext) -> BacktraceFrame:
 def _backtrace(context: CommandContext, text: str) -> Answer:
     here = frame(context).number
     found = list(_shown(frames(context)))
-    most = parse_count(text) if text else _MAX_FRAMES
-    for each in found[:most]:
+    words = text.split()
+    is_full = words[:1] in (["full"], ["-full"])
+    count = " ".join(words[is_full:])
+    is_outermost = count.startswith("-")
+    most = parse_count(count.removeprefix("-")) if count else _MAX_FRAMES
+    shown = found[-most:] if is_outermost else found[:most]
+    for each in shown:
         mark = "=>" if each.number == here else "  "
         yield f"{mark} #{each.number}  {frame_text(context.debugger, each)}"
-    if len(found) > most:
+        if is_full:
+            yield from _locals(context, each)
+    if len(found) > most and not is_outermost:
         yield f"(more frames follow: {len(found) - most})"
+
+
+def _locals(context: CommandContext, of: BacktraceFrame) -> Iterator[str]:
+    """Return lines with the variables of a frame, but not its parameters."""
+    variables = [] if of.is_library else context.debugger.view.variables(frame=of.number)
+    found = [each for each in variables if each.scope != "parameter"]
+    yield from (f"        {each.name} = {each.value.text}" for each in found)
+    if not found:
+        yield "        No locals."
 
 
 def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
@@ -57,13 +72,26 @@ def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
 
 
 def _frame(context: CommandContext, text: str) -> Answer:
-    if text:
+    kind, _, rest = text.partition(" ")
+    if kind == "function":
+        context.debugger.view.select_frame(_frame_of(context, rest.strip()))
+    elif text:
+        wanted = rest.strip() if kind == "level" else text
         numbers = {str(each.number): each.number for each in frames(context)}
-        if text not in numbers:
-            raise DebugError(f'no frame #{text}; see "backtrace"')
-        context.debugger.view.select_frame(numbers[text])
+        if wanted not in numbers:
+            raise DebugError(f'no frame #{wanted}; see "backtrace"')
+        context.debugger.view.select_frame(numbers[wanted])
     frame(context)
     return context.show_selection()
+
+
+def _frame_of(context: CommandContext, function: str) -> int:
+    """Return the number of the innermost frame of a function."""
+    name = require_argument(function, "the name of a function")
+    for each in frames(context):
+        if each.function == name:
+            return each.number
+    raise DebugError(f"no frame of function '{name}'; see \"backtrace\"")
 
 
 def _up(context: CommandContext, text: str) -> Answer:
@@ -126,15 +154,19 @@ def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
         if listed.first == 1:
             raise DebugError(f"already at the start of '{listed.file}'")
         return listed.file, max(1, listed.first - _LINES), listed.first - 1
-    first, _, last = text.partition(",")
+    first, comma, last = text.partition(",")
     if not text or text == "-":
         middle = _here(context)
         return _around(middle.file, middle.line)
+    if not comma:
+        middle = _listed(context, first)
+        return _around(middle.file, middle.line)
     if not first.strip():
-        raise DebugError("the first line is missing: list FIRST,LAST")
+        end = _listed(context, require_argument(last, "a line: list FIRST,LAST"))
+        return end.file, max(1, end.line - _LINES + 1), end.line
     begin = _listed(context, first)
     if not last.strip():
-        return _around(begin.file, begin.line)
+        return begin.file, begin.line, begin.line + _LINES - 1
     end = _listed(context, last)
     if end.file != begin.file or end.line < begin.line:
         raise DebugError(f"{end} is not after {begin}")
@@ -185,35 +217,9 @@ def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
             yield plain_name(name), function.location
 
 
-def _info_functions(context: CommandContext, text: str) -> Answer:
-    found = sorted((place, name) for name, place in functions(context) if text in name)
-    if not found:
-        raise DebugError(f"no function matches '{text}'")
-    for place, name in found[:_MAX_FUNCTIONS]:
-        yield f"{place.file}:{place.line}: {name}"
-    if len(found) > _MAX_FUNCTIONS:
-        yield f"(and {len(found) - _MAX_FUNCTIONS} more)"
-
-
-def _info_line(context: CommandContext, text: str) -> Answer:
-    place = find_line(context, require_argument(text, "a line or a function"))
-    lines = context.debugger.view.source(place.file)
-    yield f"{place.file}:{place.line}"
-    if 0 < place.line <= len(lines):
-        yield SourceLine(place.line, lines[place.line - 1])
-
-
-def _info_source(context: CommandContext, _text: str) -> Answer:
-    robot = context.debugger.view.robot
-    here = context.debugger.view.location()
-    for path in context.debugger.run.programs[robot].paths:
-        lines = len(context.debugger.view.source(str(path)))
-        mark = "=>" if here is not None and here.file == str(path) else "  "
-        yield f"{mark} {path}, {lines} lines"
-
-
 _LIST_TEXT: Final = (
-    "Ten lines around LOCATION, or from FIRST to LAST. Without arguments, those around the"
+    "Ten lines around LOCATION, from FIRST on, up to LAST, or all from FIRST to LAST. Without"
+    " arguments, those around the"
     ' current line, then those that follow; "list -" shows those before.'
 )
 
@@ -222,12 +228,14 @@ STACK: Final = Group(
     "Stack frames and source.",
     (
         Command(
-            "backtrace", "[N]", "Show the stack frames, innermost first.", _backtrace,
-            ("bt", "where"), text="With N, the innermost N.",
+            "backtrace", "[full] [N]", "Show the stack frames, innermost first.", _backtrace,
+            ("bt", "where"), text="With N, the innermost N; with -N, the outermost N. With full,"
+            " also their local variables.",
         ),
         Command(
-            "frame", "[N]", "Select frame N, or show the selected one.", _frame, ("f",),
-            text="Expressions and listings refer to the selected frame.",
+            "frame", "[[level] N|function NAME]", "Select a frame, or show the selected one.",
+            _frame, ("f",), text="N is its number, NAME a function: then its innermost frame."
+            " Expressions and listings refer to the selected frame.",
         ),
         Command("up", "[N]", "Select the caller's frame.", _up, repeats="same"),
         Command(
@@ -237,17 +245,8 @@ STACK: Final = Group(
         Command("info frame", "", "Describe the selected frame.", _info_frame,
                 ("info f",)),
         Command(
-            "list", "[LOCATION|FIRST,LAST|-]", "List source lines.", _list, ("l",), text=_LIST_TEXT,
-            repeats="on", completes="place",
+            "list", "[LOCATION|[FIRST],[LAST]|-]", "List source lines.", _list, ("l",),
+            text=_LIST_TEXT, repeats="on", completes="place",
         ),
-        Command(
-            "info line", "LOCATION", "Show the location of a line or a function.", _info_line,
-            completes="place",
-        ),
-        Command(
-            "info functions", "[TEXT]", "List the functions whose names contain TEXT.",
-            _info_functions, completes="place",
-        ),
-        Command("info source", "", "List the source files of the program.", _info_source),
     ),
 )  # fmt: skip

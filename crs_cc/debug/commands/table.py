@@ -25,6 +25,7 @@ from crs_cc.debug.commands.help_text import manual, mentions, overview, summarie
 from crs_cc.debug.commands.running import RUNNING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
+from crs_cc.debug.commands.symbols import SYMBOLS
 from crs_cc.debug.commands.world import CHANGES, WORLD
 from crs_cc.debug.errors import DebugError
 
@@ -88,7 +89,7 @@ SUPPORT: Final = Group(
 )  # fmt: skip
 
 GROUPS: Final[tuple[Group, ...]] = (
-    RUNNING, BREAKPOINTS, DATA, STACK, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
+    RUNNING, BREAKPOINTS, DATA, STACK, SYMBOLS, WORLD, CHANGES, BRANCHES, SCRIPTS, SUPPORT,
 )  # fmt: skip
 
 COMMANDS: Final[tuple[Command, ...]] = tuple(each for group in GROUPS for each in group.commands)

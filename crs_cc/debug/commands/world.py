@@ -6,8 +6,14 @@ from functools import partial
 from typing import Final
 
 from crs_cc.core.quantity import LENGTH
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import parse_count, parse_robot
+from crs_cc.debug.commands.arguments import (
+    parse_count,
+    parse_numbers,
+    parse_robot,
+    require_argument,
+)
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import CommandContext
 from crs_cc.debug.errors import DebugError
@@ -38,10 +44,36 @@ def _robots(context: CommandContext, _text: str) -> Answer:
 
 def _robot(context: CommandContext, text: str) -> Answer:
     names, view = context.debugger.names, context.debugger.view
+    word, _, rest = text.partition(" ")
+    if word == "apply":
+        yield from _apply(context, rest.strip())
+        return
     if text:
         view.select_robot(parse_robot(text, names))
     yield f"{names[view.robot]} (robot {view.robot})"
     yield from context.show_selection()
+
+
+def _apply(context: CommandContext, text: str) -> Answer:
+    """Execute a command for each of some robots, and select the one that was selected again."""
+    debugger = context.debugger
+    names, before = debugger.names, (debugger.view.robot, debugger.view.frame)
+    words = require_argument(text, "robot apply all|NAME... COMMAND").split()
+    chosen: list[int] = []
+    if words[0] == "all":
+        chosen, words = list(range(len(names))), words[1:]
+    while words and (words[0] in names or words[0].isdigit()):
+        chosen.append(parse_robot(words.pop(0), names))
+    command = require_argument(" ".join(words), "a command: robot apply all COMMAND")
+    if not chosen:
+        raise DebugError(f"which robots? {unknown('robot', words[0], names)}")
+    try:
+        for robot in chosen:
+            debugger.view.select_robot(robot)
+            yield f"{names[robot]}:"
+            yield from context.execute(command)
+    finally:
+        debugger.view.robot, debugger.view.frame = before
 
 
 def _info_robot(context: CommandContext, text: str) -> Answer:
@@ -111,9 +143,11 @@ WORLD: Final = Group(
             ("info robots", "info threads"),
         ),
         Command(
-            "robot", "[NAME]", "Select a robot, or show the selected one.", _robot,
-            ("thread", "t"),
-            text="NAME is the robot's name in the world, or its number.",
+            "robot", "[NAME|apply all|NAME... COMMAND]",
+            "Select a robot, or show the selected one.",
+            _robot, ("thread", "t"),
+            text="NAME is the robot's name in the world, or its number. With apply all, or apply"
+            " and names, execute a command for each: robot apply all backtrace.",
             completes="robot",
         ),
         Command(
@@ -150,14 +184,45 @@ def _change(context: CommandContext, text: str, *, name: str) -> Answer:
     yield f"{context.debugger.edit_world(f'{name} {text}')}."
 
 
+def _info_edits(context: CommandContext, _text: str) -> Answer:
+    debugger = context.debugger
+    timestep_s = debugger.session.environment.world.timestep_s
+    if not debugger.run.history.changes:
+        yield "No edits."
+    for number, each in enumerate(debugger.run.history.changes, 1):
+        whose = f"{debugger.names[each.robot]}: " if each.robot >= 0 else ""
+        yield f"{number:<3} t = {each.position.timestep * timestep_s:.3f} s  {whose}{each.text}"
+
+
+def _undo(context: CommandContext, text: str) -> Answer:
+    made = len(context.debugger.run.history.changes)
+    numbers = parse_numbers(text) or [made]
+    if len(numbers) > 1:
+        raise DebugError("expected the number of one edit; later ones are undone with it")
+    if not made:
+        raise DebugError("there is nothing to undo")
+    if not 1 <= numbers[0] <= made:
+        raise DebugError(f'no edit {numbers[0]}; see "info edits"')
+    return context.move(partial(context.debugger.take_back, numbers[0] - 1))
+
+
 CHANGES: Final = Group(
     "changes",
     "Changes to the world, which start a new history.",
-    tuple(
+    (
+        *(
+            Command(
+                name, each.syntax, each.summary, partial(_change, name=name),
+                text=each.text, completes="edit",
+            )
+            for name, each in ALL_EDITS.items()
+        ),
+        Command("info edits", "", "List the changes to programs and the world.", _info_edits,
+                ("info changes",)),
         Command(
-            name, each.syntax, each.summary, partial(_change, name=name),
-            text=each.text, completes="edit",
-        )
-        for name, each in ALL_EDITS.items()
+            "undo", "[N]", "Undo a change, and go to where it was made.", _undo,
+            text="N is its number, see \"info edits\"; all later changes are undone with it."
+            " Default is the last change.",
+        ),
     ),
 )  # fmt: skip

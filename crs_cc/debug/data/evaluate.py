@@ -30,7 +30,7 @@ from crs_cc.debug.data.memory import SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import MemoryInspector
 from crs_cc.debug.data.notation import Slice, convenience_assignment, slice_in
 from crs_cc.debug.data.operators import unsigned
-from crs_cc.debug.data.scope import FrameAddresses, Scopes
+from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
@@ -183,6 +183,13 @@ class Evaluator:
         with contextlib.suppress(UnknownSizeError):
             self._preparation.of(text, ExpressionContext(function, place))
 
+    def assigns(self, text: str, function: str, place: Location) -> bool:
+        """Return whether an expression that is valid at a location is an assignment."""
+        with contextlib.suppress(UnknownSizeError):
+            found = self._preparation.of(text, ExpressionContext(function, place))
+            return found.compiled.is_assignment
+        return False
+
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
         """Return the type of an expression, which is not evaluated.
 
@@ -229,6 +236,16 @@ class Evaluator:
             return []
         type_of = self._names.types(frame.function, frame.location.file)
         return variables_of(self._scopes, type_of, self.inspector(), frame)
+
+    def declared_at(self, function: str, place: Location) -> list[Storage]:
+        """Return the variables of a function that are visible at a place, the innermost first.
+
+        Args:
+            function: the linker's name of the function.
+            place: the location.
+        """
+        own = self._scopes.of(function)
+        return [each for each in own if each.variable.reaches(place) and each.is_visible(place)]
 
     def globals_(self) -> list[Variable]:
         """Return the global variables of the user's files, sorted by name."""

@@ -27,6 +27,9 @@ MAX_LENGTH: Final = 10_000
 _MAX: Final = 1000
 """So many expressions are kept compiled."""
 
+_LOSES_POINTER: Final = "incompatible pointer to integer conversion"
+"""A warning of the compiler's that is an error here: the change would not be what is meant."""
+
 _WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
 
 NOWHERE: Final = Location("")
@@ -183,13 +186,17 @@ class ExpressionCompiler:
                 found.append((name, value.content, value.type))
         pairs = [(name, ctype) for name, _, ctype in found]
         try:
-            compiled = names.compile(rest, plain_name(standing.function), pairs, Diagnostics())
+            found_out = Diagnostics()
+            compiled = names.compile(rest, plain_name(standing.function), pairs, found_out)
         except CompileError as error:
             first = error.diagnostics[0]
             hint = f" ({first.hint})" if first.hint else ""
             raise DebugError(restored(f"{first.text}{hint}", special)) from None
         except RecursionError:
             raise DebugError("the expression is nested too deeply") from None
+        for each in found_out.messages:
+            if each.text.startswith(_LOSES_POINTER):
+                raise DebugError(restored(f"{each.text} (cast it if that is meant)", special))
         return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
@@ -246,7 +253,12 @@ class ExpressionCompiler:
         raise DebugError(f"'{wanted.inside}' has no variable '{wanted.name}'")
 
     def _value(self, wanted: ConvenienceVariable) -> Value:
-        value = self._kept.get(wanted.name)
+        name = wanted.name
+        if name.startswith("$"):  # so many before the last one
+            back = name.removeprefix("$") or "1"
+            last = max((int(each) for each in self._kept if each.isdigit()), default=0)
+            name = str(last - int(back)) if back.isdigit() and len(back) < 9 else name
+        value = self._kept.get(name)
         if value is None:
             raise DebugError(f"no convenience variable ${wanted.name}")
         if not value.is_initialised or not value.content:

@@ -21,7 +21,7 @@ _OUTER: Final = (
     r"(?:'(?P<quoted>[^'\n]+)'|(?P<path>(?:[\w.-]+/)*[\w.-]+\.[ch])|(?P<function>[A-Za-z_]\w*))"
     r"::(?P<name>[A-Za-z_]\w*)"
 )
-_SPECIAL: Final = re.compile(rf"{_STRING}|{_OUTER}|{_CHARACTER}|\$(?P<kept>\w*)")
+_SPECIAL: Final = re.compile(rf"{_STRING}|{_OUTER}|{_CHARACTER}|\$(?P<kept>\$?\w*)")
 _TOKEN: Final = re.compile(rf"{_STRING}|{_CHARACTER}|\.\.\.|\.\.|.", re.DOTALL)
 _SETS: Final = re.compile(r"\s*\$([A-Za-z_]\w*)\s*=(?!=)(.*)", re.DOTALL)
 
@@ -48,7 +48,7 @@ class QualifiedName:
 
 @dataclass(frozen=True, slots=True)
 class ConvenienceVariable:
-    """`$name`: a convenience variable; the last value has no name."""
+    """`$name`: a convenience variable; the last value has no name, `$$2` the name `$2`."""
 
     name: str
 

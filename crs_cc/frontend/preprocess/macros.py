@@ -92,6 +92,16 @@ class Macro:
             == [token.spaced for token in other.body[1:]]
         )
 
+    @property
+    def definition(self) -> str:
+        """The directive that defines it."""
+        names = list(self.parameters or ())
+        if self.variadic:
+            names[-1] = f"{names[-1].removeprefix(VARIADIC)}..."
+        signature = "" if self.parameters is None else f"({', '.join(names)})"
+        body = "".join(f"{' ' * token.spaced}{token.text}" for token in self.body)
+        return f"#define {self.name}{signature} {body.strip()}".rstrip()
+
 
 def dynamic_macro(name: str, value: Callable[[Token], Token]) -> Macro:
     """Return an object-like macro whose value is computed at each use."""

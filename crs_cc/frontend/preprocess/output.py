@@ -37,7 +37,7 @@ class Preprocessed:
 
     Attributes:
         text: the program, for the parser.
-        macros: the names of the macros at its end.
+        macros: the macros at its end, by name.
         uses: the macros that were replaced, by place.
         more: preprocesses another text, given its name and content, after the last line.
         is_complete: whether all files were read to their ends. If not, what follows in the program
@@ -48,7 +48,7 @@ class Preprocessed:
     _rows: list[str]
     _lines: list[Place | _TokenLine]
     _places: Places
-    macros: tuple[str, ...] = ()
+    macros: Mapping[str, Macro] = field(default_factory=dict)
     uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
     more: Callable[[str, str], Preprocessed] | None = None
     is_complete: bool = True

@@ -87,7 +87,7 @@ def _preprocess(
 ) -> Preprocessed:
     run = _Run(path.parent, options, diagnostics)
     result = run.finish(lambda: run.read(content, path))
-    return replace(result, macros=tuple(run.state.macros), uses=run.state.uses, more=run.read_more)
+    return replace(result, macros=dict(run.state.macros), uses=run.state.uses, more=run.read_more)
 
 
 class _Run:

@@ -1,0 +1,155 @@
+"""Commands for what a program's source declares: files, functions, variables, types, macros."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from crs_cc.core.source import Location
+from crs_cc.debug.commands.answer import Answer, SourceLine
+from crs_cc.debug.commands.arguments import require_argument
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.context import CommandContext
+from crs_cc.debug.commands.stack import find_line, functions
+from crs_cc.debug.data.scope import is_own
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.locations import find_location
+from crs_cc.ir.names import plain_name
+from crs_cc.ir.types import spell
+
+_MAX: Final = 200
+"""So many names are listed."""
+
+
+def _listed(lines: list[str], what: str, text: str) -> Answer:
+    """Answer with some lines, and how many more there are."""
+    if not lines:
+        raise DebugError(f"no {what} matches '{text}'" if text else f"no {what}")
+    yield from lines[:_MAX]
+    if len(lines) > _MAX:
+        yield f"(and {len(lines) - _MAX} more)"
+
+
+def _info_functions(context: CommandContext, text: str) -> Answer:
+    found = sorted((place, name) for name, place in functions(context) if text in name)
+    lines = [f"{place.file}:{place.line}: {name}" for place, name in found]
+    return _listed(lines, "function", text)
+
+
+def _info_line(context: CommandContext, text: str) -> Answer:
+    place = find_line(context, require_argument(text, "a line or a function"))
+    lines = context.debugger.view.source(place.file)
+    yield f"{place.file}:{place.line}"
+    if 0 < place.line <= len(lines):
+        yield SourceLine(place.line, lines[place.line - 1])
+
+
+def _info_source(context: CommandContext, _text: str) -> Answer:
+    here = context.debugger.view.location()
+    for file, lines in _sources(context):
+        mark = "=>" if here is not None and here.file == file else "  "
+        yield f"{mark} {file}, {lines} lines"
+
+
+def _info_sources(context: CommandContext, text: str) -> Answer:
+    """List all files, headers included."""
+    view = context.debugger.view
+    detail = context.debugger.run.programs[view.robot].executable.detail()
+    files = sorted(file for file in detail.lines if text in file)
+    return _listed(files, "source file", text)
+
+
+def _sources(context: CommandContext) -> Iterator[tuple[str, int]]:
+    """Return the C files of the selected robot's program, with their numbers of lines."""
+    view = context.debugger.view
+    for path in context.debugger.run.programs[view.robot].paths:
+        lines = view.source(str(path))
+        yield str(path), len(lines) - (bool(lines) and not lines[-1])
+
+
+def _info_types(context: CommandContext, text: str) -> Answer:
+    found = []
+    for place, ctype, alias in context.debugger.view.file_names().types():
+        shown = f"typedef {spell(ctype, alias)};" if alias else f"{ctype};"
+        if place.line and is_own(place) and text in (alias or str(ctype)):
+            found.append((place, shown))
+    lines = [f"{place.file}:{place.line}: {shown}" for place, shown in sorted(found)]
+    return _listed(lines, "type", text)
+
+
+def _info_scope(context: CommandContext, text: str) -> Answer:
+    debugger = context.debugger
+    view = debugger.view
+    place = find_location(
+        require_argument(text, "a line or a function"),
+        debugger.run.programs,
+        [view.robot],
+        view.current_file(),
+    )
+    sites = debugger.run.programs[view.robot].executable.detail().compiled.statements
+    numbers = place.statements.get(view.robot, frozenset())
+    if place.location is None or not numbers:
+        raise DebugError(f"'{text}' is a function of the robot and has no source")
+    site = sites[min(numbers)]
+    found = view.declared_at(site.function, site.location)
+    name = plain_name(site.function)
+    if not found:
+        yield f"No variables of '{name}' at {site.location.file}:{site.location.line}."
+        return
+    yield f"Variables of '{name}' at {site.location.file}:{site.location.line}:"
+    for each in found:
+        variable = each.variable
+        yield f"  {each.kind} {spell(variable.ctype, variable.name)}, line {variable.location.line}"
+
+
+def _info_macro(context: CommandContext, text: str) -> Answer:
+    name = require_argument(text, "the name of a macro")
+    found = context.debugger.view.file_names().macro(name)
+    if found is None:
+        raise DebugError(f"no macro '{name}' at the end of {context.debugger.view.current_file()}")
+    yield f"{_place(found[0])}: {found[1]}"
+
+
+def _place(place: Location) -> str:
+    return f"{place.file}:{place.line}" if place.file else "predefined"
+
+
+def _macro_expand(context: CommandContext, text: str) -> Answer:
+    yield context.debugger.view.file_names().expanded(require_argument(text, "an expression"))
+
+
+SYMBOLS: Final = Group(
+    "symbols",
+    "What the source declares.",
+    (
+        Command(
+            "info line", "LOCATION", "Show the location of a line or a function.", _info_line,
+            completes="place",
+        ),
+        Command(
+            "info functions", "[TEXT]", "List the functions whose names contain TEXT.",
+            _info_functions, completes="place",
+        ),
+        Command(
+            "info types", "[TEXT]", "List the types whose names contain TEXT.", _info_types,
+            text="Structs, unions, enums and typedef names of the current file and its headers.",
+        ),
+        Command(
+            "info scope", "LOCATION", "List the local variables visible at a location.",
+            _info_scope, completes="place",
+        ),
+        Command("info source", "", "List the C files of the program.", _info_source),
+        Command(
+            "info sources", "[TEXT]", "List all source files, headers included.", _info_sources,
+            text="With TEXT, those whose names contain it.",
+        ),
+        Command(
+            "info macro", "NAME", "Show the definition of a macro.", _info_macro,
+            text="Macros have the meaning that they have at the end of the current file.",
+        ),
+        Command(
+            "macro expand", "EXPRESSION", "Show an expression with its macros replaced.",
+            _macro_expand, ("macro exp",), completes="expression",
+        ),
+    ),
+)  # fmt: skip
