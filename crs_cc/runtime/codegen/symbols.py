@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from crs_cc.core.source import Location
 from crs_cc.ir.instruction import Variable
 from crs_cc.runtime.codegen.convention import Convention
 from crs_cc.runtime.codegen.signatures import Shape
@@ -57,6 +58,7 @@ class Symbols:
     accesses: int = 0
     first_outlined: int = 0
     outlined: list[Code] = field(default_factory=list)
+    _origin_numbers: dict[tuple[str, Location], int] = field(default_factory=dict)
 
     def number(self, site: Site) -> int:
         """Add a site that can fail, and return its number."""
@@ -69,9 +71,12 @@ class Symbols:
         return len(self.call_sites)
 
     def origin_number(self, variable: Variable) -> int:
-        """Add a variable that bytes without value come from, and return its number."""
-        self.origins.append(variable)
-        return len(self.origins) - 1
+        """Return the number of a variable that bytes without value come from."""
+        key = variable.name, variable.location
+        if key not in self._origin_numbers:
+            self._origin_numbers[key] = len(self.origins)
+            self.origins.append(variable)
+        return self._origin_numbers[key]
 
     def statement_number(self, site: StatementSite) -> int:
         """Add a statement, and return its number."""

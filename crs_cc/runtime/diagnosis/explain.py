@@ -22,6 +22,7 @@ from crs_cc.runtime.diagnosis.expression_text import names_in, pointer_in
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.diagnosis.object_text import count, object_name, object_notes
+from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.diagnosis.origin import origin_of
 from crs_cc.runtime.diagnosis.values import place_name
 from crs_cc.runtime.diagnosis.variables import Variables
@@ -80,6 +81,17 @@ class Case:
         if self.variables is None or self.callee is not None:
             return None
         return pointer_in(self.expression, self.find, self.variables.read)
+
+    def pointed_object(self) -> Object | None:
+        """Return the object that the dereferenced pointer points to, if it does.
+
+        What the index or member of an access leaves is this object, whichever is next to it.
+        """
+        _, value = self.pointer() or ("", None)
+        if value is None or self.variables is None:
+            return None
+        found = self.variables.objects.at(value)
+        return found if found is not None and found.distance(value) == 0 else None
 
     def null_variable(self) -> str:
         """Return the variable in the expression that is a null pointer, if there is exactly one."""
@@ -163,7 +175,7 @@ def _wild(case: Case) -> Explanation:
 
 
 def _out_of_bounds(case: Case) -> Explanation:
-    failure, found = case.failure, case.failure.object
+    failure, found = case.failure, case.pointed_object() or case.failure.object
     if failure.array is not None:
         return _index(failure, *failure.array)
     if found is None:
@@ -233,7 +245,7 @@ def _origin(case: Case) -> tuple[str, ...]:
     failure, found = case.failure, case.failure.object
     if failure.stopped is None or not failure.value:
         return ()
-    origin = origin_of(failure.stopped, failure.value)
+    origin = origin_of(failure.stopped, failure.value, failure.size)
     if isinstance(origin, Variable):
         is_copy = found is None or found.variable != origin
         note = f"it is a copy from '{origin.name}', declared at {origin.location}"

@@ -1,6 +1,6 @@
 /* A small function that is passed an array that is too short for it. */
 #include <stdio.h>
-static int left[4] = {1, 2, 3, 4}, right[64];
+static int left[4] = {1, 2, 3, 4}, right[64]; // origin
 static int at(const int *from, int i) { return from[i]; } // error: out of bounds
 int main(void)
 {
