@@ -29,10 +29,11 @@ ROWS: tuple[frozenset[str], ...] = tuple(
         "toolchain",
         "sim",
         "session plot",
-        "recording builder",
+        "recording builder jobs",
         "debug",
-        "net workbench sweep",
+        "net workbench",
         "api",
+        "sweeps",
         "cli",
         "__main__",
     )

@@ -12,6 +12,9 @@ MOST_BYTES: Final = 2**20
 class Streams:
     """The standard streams of all robots.
 
+    Attributes:
+        written: how many bytes all programs have written, kept or not.
+
     >>> streams = Streams(b"hello")
     >>> streams.write(0, 1, b"hi")
     >>> streams.text(0, 1), streams.read(0, 3), streams.read(0, 3), streams.read(0, 3)
@@ -22,9 +25,11 @@ class Streams:
         self._stdin = stdin
         self._read: dict[int, int] = defaultdict(int)
         self._written: dict[tuple[int, int], bytearray] = defaultdict(bytearray)
+        self.written = 0
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Keep what a program writes to a stream."""
+        self.written += len(content)
         kept = self._written[robot, stream]
         kept += content[: MOST_BYTES - len(kept)]
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -28,12 +29,10 @@ def write_columnar(recording: Recording, folder: Path, form: Form) -> None:
         RecordingError: the recording is not valid.
         OSError: a file cannot be written.
     """
-    try:
-        import pyarrow as pa
-        import pyarrow.parquet as pq
-    except ImportError:
-        text = f"--{form} needs pyarrow: pip install 'crs_cc[arrow]'."
-        raise click.UsageError(text) from None
+    check_pyarrow(f"--{form}")
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
     for name, heading, rows in tables(recording):
         schema: Any = pa.schema([(title, _type(title)) for title in heading])
         path = folder / f"{name}.{form}"
@@ -45,6 +44,35 @@ def write_columnar(recording: Recording, folder: Path, form: Form) -> None:
             source = iter(rows)
             while batch := list(itertools.islice(source, ROWS)):
                 writer.write_table(_table(schema, batch))
+
+
+def check_pyarrow(option: str) -> None:
+    """Check that pyarrow is installed.
+
+    Raises:
+        click.UsageError: it is not.
+    """
+    if find_spec("pyarrow") is None:
+        raise click.UsageError(f"{option} needs pyarrow: pip install 'crs_cc[arrow]'.")
+
+
+def write_records(path: Path, names: Sequence[str], records: Sequence[Mapping[str, Any]]) -> None:
+    """Write records to a Parquet file; columns of different types of values become text.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    columns = {}
+    for name in names:
+        values = [record.get(name) for record in records]
+        kinds = {type(value) for value in values if value is not None}
+        if len(kinds) > 1 and kinds != {int, float}:
+            values = [None if value is None else str(value) for value in values]
+        columns[name] = pa.array(values)
+    pq.write_table(pa.table(columns), path, compression="zstd")
 
 
 def _table(schema: Any, batch: Sequence[Sequence[Any]]) -> Any:

@@ -29,6 +29,7 @@ from crs_cc.cli.run import run
 from crs_cc.cli.samples import samples
 from crs_cc.cli.serve import serve
 from crs_cc.cli.streams import mute, prepare_streams
+from crs_cc.cli.sweep import sweep
 from crs_cc.cli.view import view
 from crs_cc.cli.world import world
 from crs_cc.core.errors import CrsError, InternalError
@@ -44,6 +45,7 @@ Examples:
   crs replay run.mcap                            what happened in a run that was recorded
   crs check wander.c room.xml                    report errors, run nothing
   crs grade submissions/ course.xml              grade many programs by a world's goals
+  crs sweep trial.toml --out runs                run an experiment over parameters and seeds
   crs serve room.xml                             serve a world to programs on other machines
   crs join robot0 127.0.0.1:8000 wander.c        run a robot's program in such a world
   crs new world room                             write a commented template
@@ -109,7 +111,7 @@ def crs() -> None:
 
 
 for command in (
-    *(run, view, debug, replay, check, grade, serve, join),
+    *(run, view, debug, replay, check, grade, sweep, serve, join),
     *(compile_, new, build, world, samples, docs, cache, completion),
 ):
     crs.add_command(command)

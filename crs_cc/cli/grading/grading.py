@@ -52,7 +52,7 @@ def grade_all(
         submissions: the submissions.
         cases: what each of them is run in.
         settings: how to run them.
-        done: is told of each run that has ended, in any thread.
+        done: is told of each run that has ended.
 
     Raises:
         OSError: a picture or a recording cannot be written.
@@ -74,7 +74,7 @@ def grade_all(
             names = file_names(number, submission, cases)
             for case, record in zip(cases, names, strict=True):
                 jobs.append(_job(submission.name, copied, case, record, settings))
-        ran = iter(list(run_all(jobs, settings.jobs, done)))
+        ran = iter(run_all(jobs, settings.jobs, done))
     runs = [
         [unusable[number] if number in unusable else next(ran) for _ in cases]
         for number in range(len(submissions))

@@ -53,18 +53,23 @@ _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
 </world>"""
 
 
-def load_world(path: Path, setup: str = "", robot: str = SCOUT) -> WorldModel:
+def load_world(
+    path: Path, setup: str = "", robot: str = SCOUT, text: bytes | None = None
+) -> WorldModel:
     """Return the world that a file describes.
 
     Args:
         path: the file.
         setup: the setup of all robots, such as `noisy`; by default that of the file.
         robot: the default kind of robot: a built-in name, or the path of a definition file.
+        text: the content instead of the file's own, such as after changes.
 
     Raises:
         WorldError: the file cannot be read or is invalid; all errors are reported at once.
     """
-    return _World(path.stem, str(path), path.parent, setup, robot).parse(read_file(path))
+    return _World(path.stem, str(path), path.parent, setup, robot).parse(
+        read_file(path) if text is None else text
+    )
 
 
 def parse_world(

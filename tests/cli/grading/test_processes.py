@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.cli.grading import processes
 from crs_cc.cli.grading.job import GradedRun, Job, Limits
 from crs_cc.cli.grading.processes import run_all
+from crs_cc.jobs.pool import Worker
 from tests.cli.grading.handed_in import WORLD
 
 
@@ -32,7 +32,7 @@ def test_what_goes_wrong_with_a_run_is_its_own_grade(job: Job, tmp_path: Path) -
     small = replace(job, limits=Limits(max_fuel=1000))
     ended: list[None] = []
     jobs = [hungry, running, missing, small]
-    found = list(run_all(jobs, 1, lambda: ended.append(None)))
+    found = run_all(jobs, 1, lambda: ended.append(None))
     assert [run.result for run in found] == ["limit", "time out", "crashed", "limit"]
     assert len(ended) == len(jobs)
     assert found[0].message == (
@@ -54,14 +54,14 @@ def children(process: int) -> list[int]:
 def started(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """The processes that were started to run jobs."""
     found: list[int] = []
-    start = processes._Worker._start
+    start = Worker._start
 
-    def noting(worker: processes._Worker) -> object:
+    def noting(worker: Worker) -> object:
         process = start(worker)
         found.append(process.pid)
         return process
 
-    monkeypatch.setattr(processes._Worker, "_start", noting)
+    monkeypatch.setattr(Worker, "_start", noting)
     return found
 
 
@@ -83,7 +83,7 @@ def test_a_killed_process_is_the_grade_of_its_run_only(
     killer.start()
     small = replace(job, limits=Limits(max_fuel=1000))
     try:
-        found = list(run_all([job, small], 1, lambda: None))
+        found = run_all([job, small], 1, lambda: None)
     finally:
         ended.set()
         killer.join()
@@ -101,6 +101,6 @@ def test_without_fork_each_run_has_a_new_process(
     monkeypatch.setenv("PYTHONPATH", str(without_unix))
     small = replace(job, limits=Limits(max_fuel=1000))
     late = replace(job, limits=replace(job.limits, wall_s=0.3))
-    found: list[GradedRun] = list(run_all([late, small], 1, lambda: None))
+    found: list[GradedRun] = run_all([late, small], 1, lambda: None)
     assert [run.result for run in found] == ["time out", "limit"]
     assert len(started) == len(set(started)) == 2

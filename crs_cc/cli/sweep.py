@@ -1,0 +1,125 @@
+"""`crs sweep`: run an experiment over parameters and seeds, and report on its results."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.cli.messages import is_terminal, say
+
+if TYPE_CHECKING:
+    from crs_cc.sweeps.sweep import Progress, Sweep
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs sweep speeds.toml --out speeds
+  crs sweep speeds.toml --out speeds --resume
+  crs sweep speeds.toml --out speeds --jobs 8 --parquet
+"""
+_EVERY_S: Final = 0.2
+
+
+@click.command(epilog=_EXAMPLES, short_help="Run an experiment over parameters and seeds.")
+@click.argument("experiment", type=click.Path(dir_okay=False, path_type=Path),
+                metavar="EXPERIMENT.toml")  # fmt: skip
+@click.option(
+    "--out",
+    required=True,
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="The folder of the results: rows.jsonl while it runs, then the table runs.csv.",
+)
+@click.option(
+    "--jobs",
+    type=click.IntRange(1, 1024),
+    default=lambda: os.cpu_count() or 1,
+    metavar="N",
+    help="Run N at a time. Default: the number of processors.",
+)
+@click.option("--resume", is_flag=True, help="Go on with a sweep that was interrupted.")
+@click.option("--parquet", is_flag=True, help="Write runs.parquet as well (extra 'arrow').")
+@click.option("-q", "--quiet", is_flag=True, help="Report errors only.")
+def sweep(
+    *, experiment: Path, out: Path, jobs: int, resume: bool, parquet: bool, quiet: bool
+) -> int:
+    """Run an experiment over all combinations of its parameters, with all its seeds.
+
+    EXPERIMENT.toml names a world, programs and what is varied; docs/experiments.md describes it.
+    Everything is checked and compiled before the first run. Each run is a row of DIR/runs.csv with
+    its parameters, seed, status, goals and measures; one that fails is a row with its error, and
+    is recorded for crs debug in DIR/failed. The table does not depend on --jobs, nor on
+    interruptions.
+
+    The exit status is 0 if all runs ended as they should, otherwise 1.
+    """
+    from crs_cc.cli.columnar import check_pyarrow, write_records
+    from crs_cc.sweeps.rows import heading, records
+    from crs_cc.sweeps.sweep import Sweep
+
+    if parquet:
+        check_pyarrow("--parquet")
+    wanted = Sweep(experiment, out)
+    line = _ProgressLine(shown=not quiet and is_terminal(sys.stderr))
+    try:
+        wanted.run(jobs, resume=resume, report=line.draw)
+    except (KeyboardInterrupt, OSError):
+        line.clear()
+        say(f"crs: {len(wanted.rows)} runs have a row in {out}: go on with --resume")
+        raise
+    line.clear()
+    if parquet:
+        rows = list(wanted.rows.values())
+        write_records(out / "runs.parquet", heading(rows), list(records(rows)))
+    return _summary(wanted, quiet=quiet)
+
+
+def _summary(wanted: Sweep, *, quiet: bool) -> int:
+    """Say what has become of the runs; return the exit status."""
+    from crs_cc.sweeps.rows import TABLE
+
+    failed = sum(row["status"] != "ended" for row in wanted.rows.values())
+    if not quiet:
+        runs = f"{len(wanted.rows)} runs" if len(wanted.rows) != 1 else "1 run"
+        say(f"{runs}, {failed} failed: {wanted.folder / TABLE}")
+    return int(failed > 0)
+
+
+class _ProgressLine:
+    """The last line of a terminal: how far a sweep is."""
+
+    def __init__(self, *, shown: bool) -> None:
+        self._shown, self._drawn_s, self._length = shown, 0.0, 0
+
+    def draw(self, progress: Progress) -> None:
+        """Draw it, if it is shown and was not just drawn."""
+        now_s = time.monotonic()
+        if not self._shown or now_s - self._drawn_s < _EVERY_S:
+            return
+        self._drawn_s = now_s
+        text = progress_text(progress)
+        print(f"\r{text:{self._length}}", end="", file=sys.stderr, flush=True)
+        self._length = len(text)
+
+    def clear(self) -> None:
+        """Remove it."""
+        if self._length:
+            print(f"\r{'':{self._length}}\r", end="", file=sys.stderr, flush=True)
+            self._length = 0
+
+
+def progress_text(progress: Progress) -> str:
+    """Return how far a sweep is, in one line."""
+    text = f"{progress.done} of {progress.runs} runs, {progress.per_s:.1f}/s"
+    if progress.failed:
+        text += f", {progress.failed} failed"
+    left_s = round(progress.left_s)
+    if left_s:
+        hours, rest = divmod(left_s, 3600)
+        text += f", {hours}:{rest // 60:02d}:{rest % 60:02d} left"
+    return text

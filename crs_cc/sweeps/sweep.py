@@ -1,0 +1,297 @@
+"""Runs an experiment: checks it, runs what has no row yet, and writes the table.
+
+What is wrong with an experiment is found before its first run: every combination of parameters is
+loaded and compiled. After that nothing costs the rows that there are.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+from crs_cc import __version__
+from crs_cc.core.source import Diagnostic, Location
+from crs_cc.jobs.pool import Outcome, Pool, Task
+from crs_cc.recording.description import versions
+from crs_cc.sweeps.experiment import Experiment, ExperimentError
+from crs_cc.sweeps.experiment_file import parse, read_text
+from crs_cc.sweeps.plan import Parameters, PlannedRun, combinations, names_of, runs_of
+from crs_cc.sweeps.rows import TABLE, Row, RowFile, replace_text, table_text
+
+_MODULE: Final = "crs_cc.sweeps.worker"
+_PLAN: Final = "sweep.json"
+FAILED: Final = "failed"
+"""The folder of the recordings of runs that failed."""
+
+ROBOTS: Final = "robots"
+"""The folder of robot definitions that are varied."""
+
+MAX_RECORDINGS: Final = 100
+"""Runs that failed and are recorded, the first ones: a sweep can have many thousands."""
+
+_SHOWN: Final = 10
+_CHECK_S: Final = 300.0
+_RETRIES: Final = 2
+"""How often a run is tried again whose process was killed."""
+
+RunTasks = Callable[[Iterable[Task], int], Generator[Outcome, None, None]]
+"""Yields what becomes of tasks, so many of which are tried again when their process crashes."""
+
+
+@dataclass(slots=True)
+class Progress:
+    """How far a sweep is.
+
+    Attributes:
+        runs: how many runs there are.
+        done: how many of them have a row.
+        failed: how many of these did not just end.
+        begun_with: how many had a row when this process began.
+        started_s: when it did, on `time.monotonic`.
+    """
+
+    runs: int
+    done: int
+    failed: int
+    begun_with: int
+    started_s: float = field(default_factory=time.monotonic)
+
+    @property
+    def per_s(self) -> float:
+        """Runs per second of real time."""
+        return (self.done - self.begun_with) / max(time.monotonic() - self.started_s, 1e-9)
+
+    @property
+    def left_s(self) -> float:
+        """The real time that is left, as far as it can be said [s]."""
+        return (self.runs - self.done) / self.per_s if self.per_s else 0.0
+
+
+class Sweep:
+    """An experiment and the folder of its results.
+
+    Attributes:
+        experiment: the experiment.
+        folder: the folder.
+        rows: the rows that there are, by the numbers of their runs.
+    """
+
+    def __init__(self, path: Path, folder: Path) -> None:
+        """Read an experiment.
+
+        Raises:
+            ExperimentError: it is invalid.
+        """
+        self._text = read_text(path)
+        self.experiment: Experiment = parse(self._text, path)
+        self.folder = folder
+        self.rows: dict[int, Row] = {}
+
+    def run(
+        self,
+        jobs: int,
+        *,
+        resume: bool = False,
+        report: Callable[[Progress], None] = lambda _: None,
+        pool: RunTasks | None = None,
+    ) -> None:
+        """Run everything that has no row yet.
+
+        Args:
+            jobs: how many runs at a time.
+            resume: go on with the rows in the folder.
+            report: is told of the progress, after each run.
+            pool: runs tasks; by default processes on this machine.
+
+        Raises:
+            CrsError: the experiment is invalid, or does not fit to the folder.
+            OSError: a result cannot be written; the rows so far are kept.
+        """
+        if pool is None:
+            with Pool(_MODULE, jobs) as workers:
+                self.run(jobs, resume=resume, report=report, pool=workers.run)
+            return
+        self._check_folder(resume=resume)
+        plan = self._checked_plan(pool)
+        self._check_plan(plan, resume=resume)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        replace_text(self.folder / _PLAN, json.dumps(plan, indent=1))
+        with RowFile(self.folder) as rows:
+            self.rows = rows.rows
+            try:
+                self._run_planned(pool, rows, report)
+                self._record_failed(pool)
+            finally:
+                self.write_table()
+
+    def write_table(self) -> None:
+        """Write the table of the rows that there are."""
+        constants = {"crs": __version__, "sources": versions()["sources"]}
+        text = table_text(list(self.rows.values()), constants)
+        replace_text(self.folder / TABLE, text)
+
+    # -- before the first run --------------------------------------------------------------------
+
+    def _error(self, text: str, hint: str = "") -> ExperimentError:
+        return ExperimentError.at(Location(str(self.folder)), text, hint)
+
+    def _check_folder(self, *, resume: bool) -> None:
+        has_rows = (self.folder / _PLAN).exists()
+        if has_rows and not resume:
+            hint = "go on with --resume, or name another folder with --out"
+            raise self._error("already has the results of a sweep", hint)
+        names = {path.name for path in self.folder.iterdir()} if self.folder.is_dir() else set()
+        if not has_rows and names - {ROBOTS}:
+            raise self._error("is not empty", "name another folder with --out")
+
+    def _checked_plan(self, pool: RunTasks) -> dict[str, Any]:
+        """Check every combination; return what identifies the sweep.
+
+        Raises:
+            ExperimentError: some of them are invalid.
+        """
+        wanted = list(combinations(self.experiment))
+        tasks = (self._task("check", PlannedRun(0, each, 0)) for each in wanted)
+        results: dict[int, Row] = {}
+        wrong: dict[str, int] = {}
+        with closing(pool(tasks, 0)) as outcomes:
+            for each in outcomes:
+                found = results[each.number] = each.result or {"error": each.text}
+                if "error" in found:
+                    first = wrong.get(found["error"], each.number)
+                    wrong[found["error"]] = min(first, each.number)
+        if wrong:
+            raise ExperimentError(list(self._messages(wrong, wanted)))
+        self._check_macros([results[number]["unused"] for number in range(len(wanted))])
+        return {
+            "experiment": self._text,
+            "files": {
+                name: digest
+                for number in range(len(wanted))
+                for name, digest in results[number]["files"].items()
+            },
+            "versions": {"crs": __version__, **versions()},
+        }
+
+    def _messages(
+        self, wrong: dict[str, int], wanted: Sequence[Parameters]
+    ) -> Iterator[Diagnostic]:
+        """Yield what is wrong, each once, with the first combination that has it."""
+        place = Location(str(self.experiment.path))
+        for text, number in sorted(wrong.items(), key=lambda each: each[1])[:_SHOWN]:
+            where = shown(wanted[number])
+            yield Diagnostic("error", place, f"{where}: {text}" if where else text)
+        if len(wrong) > _SHOWN:
+            yield Diagnostic("error", place, f"{len(wrong) - _SHOWN} more errors")
+
+    def _check_macros(self, unused: Sequence[Sequence[str]]) -> None:
+        for name in names_of(self.experiment):
+            macro = name.removeprefix("define.")
+            if macro != name and all(macro in each for each in unused):
+                place = Location(str(self.experiment.path))
+                raise ExperimentError.at(place, f"{name}: no C file names the macro '{macro}'")
+
+    def _check_plan(self, plan: dict[str, Any], *, resume: bool) -> None:
+        """Refuse to go on with results of something else."""
+        if not resume or not (self.folder / _PLAN).exists():
+            return
+        try:
+            before = json.loads((self.folder / _PLAN).read_text("utf-8"))
+        except ValueError:
+            raise self._error(f"{_PLAN} is damaged", "name another folder with --out") from None
+        changed = [name for name in ("experiment", "versions") if before[name] != plan[name]]
+        changed += sorted(
+            name
+            for name in before["files"].keys() | plan["files"].keys()
+            if before["files"].get(name) != plan["files"].get(name)
+        )
+        if changed:
+            what = ", ".join(changed[:_SHOWN])
+            hint = "its rows belong to what there was: name another folder with --out"
+            raise self._error(f"the sweep has changed since it began: {what}", hint)
+
+    # -- the runs --------------------------------------------------------------------------------
+
+    def _task(self, do: str, run: PlannedRun, **more: str) -> Task:
+        job = {
+            "do": do,
+            "experiment": self._text,
+            "path": os.path.abspath(self.experiment.path),  # noqa: PTH100 - links stay
+            "out": os.path.abspath(self.folder),  # noqa: PTH100
+            "robots": os.path.abspath(self.folder / ROBOTS),  # noqa: PTH100
+            "number": run.number,
+            "parameters": run.parameters,
+            "seed": run.seed,
+            **more,
+        }
+        return Task(job, _CHECK_S, self.experiment.limits.wall_s, "loading")
+
+    def _run_planned(
+        self, pool: RunTasks, rows: RowFile, report: Callable[[Progress], None]
+    ) -> None:
+        planned: dict[int, PlannedRun] = {}
+        total = sum(1 for _ in runs_of(self.experiment))
+        failed = sum(row["status"] != "ended" for row in rows.rows.values())
+        progress = Progress(total, len(rows.rows), failed, len(rows.rows))
+
+        def tasks() -> Iterator[Task]:
+            missing = (each for each in runs_of(self.experiment) if each.number not in done)
+            for number, each in enumerate(missing):
+                planned[number] = each
+                yield self._task("run", each)
+
+        done = set(rows.rows)
+        report(progress)
+        with closing(pool(tasks(), _RETRIES)) as outcomes:
+            for outcome in outcomes:
+                row = row_of(planned.pop(outcome.number), outcome)
+                rows.add(row)
+                progress.done += 1
+                progress.failed += row["status"] != "ended"
+                report(progress)
+
+    def _record_failed(self, pool: RunTasks) -> None:
+        """Run the first runs that failed once more, and record them."""
+        failed = sorted(number for number, row in self.rows.items() if row["status"] != "ended")
+        missing = []
+        for number in failed[:MAX_RECORDINGS]:
+            name = f"{FAILED}/{number:04d}.mcap"
+            self.rows[number] = {**self.rows[number], "recording": name}
+            if not (self.folder / name).exists():
+                missing.append((number, name))
+        self.record([(self._planned(number), name) for number, name in missing], pool)
+
+    def _planned(self, number: int) -> PlannedRun:
+        row = self.rows[number]
+        return PlannedRun(number, row["parameters"], row["seed"])
+
+    def record(self, runs: Sequence[tuple[PlannedRun, str]], pool: RunTasks) -> None:
+        """Run some runs again and record them in files of the folder, by their names."""
+        tasks = [
+            self._task("record", run, record=os.path.abspath(self.folder / name))  # noqa: PTH100
+            for run, name in runs
+        ]
+        with closing(pool(tasks, 0)) as outcomes:
+            for _ in outcomes:
+                pass
+
+
+def row_of(run: PlannedRun, outcome: Outcome) -> Row:
+    """Return the row of a run that has ended, or whose process has."""
+    found = outcome.result or {"status": outcome.kind, "error": outcome.text}
+    return {"run": run.number, "parameters": dict(run.parameters), "seed": run.seed, **found}
+
+
+def shown(parameters: Parameters) -> str:
+    """Return a combination of parameters for messages.
+
+    >>> shown({"define.SPEED": 60, "setup": "noisy"})
+    'define.SPEED=60, setup=noisy'
+    """
+    return ", ".join(f"{name}={value}" for name, value in parameters.items())

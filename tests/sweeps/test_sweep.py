@@ -1,0 +1,310 @@
+"""Sweeps: what is varied, what fails, and the same table however it comes to be."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import crs_cc
+from crs_cc.cli.main import main
+from crs_cc.jobs.pool import Worker
+from crs_cc.recording.recording import Recording
+from crs_cc.sweeps.experiment import ExperimentError
+from crs_cc.sweeps.rows import RowFile
+from crs_cc.sweeps.sweep import Sweep
+from tests.sweeps.trials import EXPERIMENT, PROGRAM, swept, write
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    return tmp_path / "trial"
+
+
+def rows_of(sweep: Sweep) -> list[dict[str, Any]]:
+    return [sweep.rows[number] for number in sorted(sweep.rows)]
+
+
+def test_every_kind_of_parameter_changes_what_it_names(folder: Path) -> None:
+    path = write(
+        folder,
+        """
+[parameters]
+define.SPEED = [50, 100]
+robots = [1, 2]
+world.crate.x = ["3m", "1.6m"]
+""",
+    )
+    rows = rows_of(swept(path, folder / "out"))
+    assert len(rows) == 2 * 2 * 2 * 3
+    assert [row["seed"] for row in rows[:4]] == [1, 2, 3, 1]
+    world = crs_cc.load_world(folder / "hall.xml")
+    for row in rows[::5]:
+        builder = crs_cc.WorldBuilder(folder / "hall.xml")
+        builder.set("crate", x=row["parameters"]["world.crate.x"])
+        if row["parameters"]["robots"] == 1:
+            builder.remove("b")
+        defines = [f"SPEED={row['parameters']['define.SPEED']}"]
+        program = crs_cc.compile_c(folder / "drive.c", defines=defines)
+        session = crs_cc.Session(builder.world(), program, seed=row["seed"])
+        assert session.run().state_hash == row["state_hash"]
+    assert world.duration_s == rows[0]["simulated_s"] == 1.0
+
+
+USUAL = {
+    "setup": "",
+    "fault": "",
+    "argument.1": 1,
+    "robot.drive.wheel-base": "30cm",
+    "link": "serial",
+}
+
+
+def cases(*others: dict[str, object]) -> str:
+    """Return combinations, each by what is not as usual."""
+    return "\n".join(
+        "[[cases]]\n"
+        + "".join(f"{name} = {json.dumps(value)}\n" for name, value in {**USUAL, **other}.items())
+        for other in others
+    )
+
+
+def test_faults_arguments_and_definitions_can_be_varied(folder: Path) -> None:
+    changed = cases(
+        {},
+        {"setup": "noisy"},
+        {"fault": "robot=a device=drive dead=yes; robot=b device=sonar dead=yes"},
+        {"argument.1": 2, "robot.drive.wheel-base": "40cm"},
+        {"link": "ideal"},
+    )
+    path = write(folder, f"until_decided = true\n{changed}", EXPERIMENT.replace("3", "1"))
+    rows = rows_of(swept(path, folder / "out"))
+    assert [row["status"] for row in rows] == ["ended"] * 5
+    assert len({row["state_hash"] for row in rows}) == 5
+    assert rows[2]["measures"]["distance_m"] < rows[0]["measures"]["distance_m"]
+
+
+WRONG = {
+    'world = "hall.xml"\nseed = 3': "unknown key 'seed'\n    hint: did you mean 'seeds'?",
+    "seeds = 3": "'world' is missing: name a world file",
+    'world = "hall.xml"\nseeds = [1, 1]': "'seeds' must have at least one seed, and each once",
+    'world = "hall.xml"\nseeds = 0': "'seeds' must be a whole number from 1 to 1000000, not 0",
+    'world = "hall.xml"\nduration = "3 kg"': "'3 kg' is not a time",
+    'world = "hall.xml"\n[parameters]\nspeed = [1]': "unknown parameter 'speed' (known: define.",
+    'world = "hall.xml"\n[parameters]\nrobots = 3': "'parameters.robots' must be a list, not 3",
+    'world = "hall.xml"\n[parameters]\nrobots = [nan]': "'parameters.robots': nan is no value",
+    'world = "hall.xml"\n[parameters]\nrobots = { low = 1, high = 4 }': "'samples' says how many",
+    'world = "hall.xml"\n[limits]\nfuel = "much"': "'limits.fuel' must be a whole number",
+    'world = "hall.xml"\n[search]\nmethod = "tpe"': "'search.measure' is missing",
+    'world = "hall.xml': "trial.toml: error: Unterminated string",
+}
+
+
+@pytest.mark.parametrize("text", WRONG)
+def test_an_invalid_experiment_is_one_clear_error(text: str, folder: Path) -> None:
+    path = write(folder, experiment=text)
+    with pytest.raises(ExperimentError) as wrong:
+        Sweep(path, folder / "out")
+    assert WRONG[text] in str(wrong.value)
+    assert str(wrong.value).startswith(f"{path}: error: ")
+
+
+def test_everything_that_is_wrong_is_said_before_the_first_run(folder: Path) -> None:
+    path = write(
+        folder,
+        """
+[parameters]
+define.SPEED = ["100", "1 +"]
+world.crate.x = ["3m", "-3 kg"]
+robots = [2, 3]
+""",
+    )
+    with pytest.raises(ExperimentError) as wrong:
+        swept(path, folder / "out")
+    messages = [each.text for each in wrong.value.diagnostics]
+    assert len(messages) == 3
+    assert messages[0].startswith("define.SPEED=100, world.crate.x=3m, robots=3: robots = 3")
+    assert messages[1].startswith("define.SPEED=100, world.crate.x=-3 kg, robots=2: hall.xml:2")
+    assert messages[2].startswith("define.SPEED=1 +, world.crate.x=3m, robots=2: drive.c:11")
+    assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("more", "text"),
+    [
+        ("[parameters]\ndefine.SPED = [1]", "define.SPED: no C file names the macro 'SPED'"),
+        ("[parameters]\nworld.crat.x = [1]", "world.crat.x: unknown element 'crat'"),
+        ("[parameters]\nworld.crate.z = [1]", "world.crate.z: unknown attribute 'z'"),
+        ('[parameters]\nrobot = ["scot"]', "unknown robot 'scot'"),
+        ('[parameters]\nsetup = ["x"]', "unknown setup 'x'"),
+        ("[parameters]\nargument.2 = [1]", "there is no argument 1 before it"),
+        ('[parameters]\nfault = ["dead"]', "fault: 'dead' is not NAME=VALUE"),
+        ('measures = "m.py"', "m.py: No such file or directory"),
+        ('files = { a = "none.txt" }', "none.txt"),
+    ],
+)
+def test_what_is_unknown_is_said_before_the_first_run(more: str, text: str, folder: Path) -> None:
+    path = write(folder, more)
+    with pytest.raises(ExperimentError) as wrong:
+        swept(path, folder / "out")
+    assert text in str(wrong.value)
+
+
+def test_a_run_that_fails_is_a_row_and_a_recording_for_the_debugger(
+    folder: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = write(folder, "[parameters]\nargument.1 = [1, 7]\n")
+    sweep = swept(path, folder / "out")
+    rows = rows_of(sweep)
+    assert [row["status"] for row in rows] == ["ended"] * 3 + ["run-time error"] * 3
+    assert rows[3]["error"].startswith("a: drive.c:15: ")
+    assert "recording" not in rows[0]
+    recording = folder / "out" / rows[3]["recording"]
+    assert recording.name == "0003.mcap"
+    assert Recording(recording).result is not None
+    (folder / "commands").write_text("continue\nbacktrace\n")
+    assert main(["debug", str(recording), "--batch", "-x", str(folder / "commands")]) == 0
+    assert "drive.c:15" in capfd.readouterr().out
+
+
+LIMITS = "[limits]\noutput = 1000\nfuel = 1_000_000\n"
+
+
+def test_limits_end_a_run_and_are_its_status(folder: Path) -> None:
+    path = write(folder, LIMITS, EXPERIMENT.replace("3", "1"))
+    (folder / "drive.c").write_text(
+        "#include <stdio.h>\n#include <Nclient.h>\nint main(int argc, char **argv)\n"
+        "{\n    connect_robot(1);\n    for (;;)\n        ENDLESS;\n}\n"
+    )
+    with path.open("a") as file:
+        file.write("[parameters]\ndefine.ENDLESS = ['puts(argv[0])', ';', 'gs()']\n")
+    rows = rows_of(swept(path, folder / "out"))
+    assert [row["status"] for row in rows] == ["limit", "limit", "ended"]
+    assert rows[0]["error"] == "printed more than 1,000 bytes"
+    assert rows[1]["error"] == "computed more than 1,000,000 instructions"
+
+
+def test_measures_are_functions_of_a_session_or_a_recording(folder: Path) -> None:
+    path = write(folder, 'measures = "measures.py"\n')
+    (folder / "measures.py").write_text(
+        "import numpy as np\n"
+        "def west_m(session):\n"
+        "    return session.poses[:, 0].min()\n"
+        "def frames(recording):\n"
+        "    return sum(1 for _ in recording.frames())\n"
+        "def odd(session):\n"
+        "    print('not on our channel')\n"
+        "    return 1 / (session.seed - 2)\n"
+    )
+    rows = rows_of(swept(path, folder / "out"))
+    assert [row["status"] for row in rows] == ["ended", "measure error", "ended"]
+    assert rows[1]["error"] == "odd: line 8: ZeroDivisionError('division by zero')"
+    assert rows[0]["measures"]["odd"] == -1.0
+    assert 1.0 < rows[0]["measures"]["west_m"] < 1.5
+    assert rows[0]["measures"]["frames"] == 21
+    assert not list((folder / "out").glob("*.part"))
+
+
+# -- the same table however it comes to be -------------------------------------------------------
+
+
+MANY = """
+[parameters]
+define.SPEED = [50, 100]
+argument.1 = [1, 7]
+"""
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """The table of a sweep that nothing disturbs."""
+    folder = tmp_path_factory.mktemp("expected")
+    swept(write(folder, MANY), folder / "out")
+    return (folder / "out" / "runs.csv").read_bytes()
+
+
+def test_a_full_disk_costs_no_row(
+    folder: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write(folder, MANY)
+    add = RowFile.add
+
+    def full(rows: RowFile, row: dict[str, Any]) -> None:
+        if len(rows.rows) == 5:
+            os.write(rows._descriptor, b'{"run": 5, "par')  # as much as there was room for
+            raise OSError(errno.ENOSPC, "No space left on device", "rows.jsonl")
+        add(rows, row)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(RowFile, "add", full)
+        with pytest.raises(OSError, match="No space"):
+            swept(path, folder / "out")
+    assert len((folder / "out" / "runs.csv").read_text().splitlines()) == 1 + 5
+    with pytest.raises(ExperimentError, match="already has the results"):
+        swept(path, folder / "out")
+    assert len(swept(path, folder / "out", resume=True).rows) == 12
+    assert (folder / "out" / "runs.csv").read_bytes() == expected
+
+
+def test_a_sweep_goes_on_only_with_what_it_began_with(folder: Path) -> None:
+    path = write(folder)
+    swept(path, folder / "out")
+    (folder / "drive.c").write_text(PROGRAM + "\n")
+    with pytest.raises(ExperimentError, match=r"has changed since it began: drive.c"):
+        swept(path, folder / "out", resume=True)
+
+
+def test_a_killed_sweep_goes_on_to_the_same_table(folder: Path, expected: bytes) -> None:
+    path, out = write(folder, MANY), folder / "out"
+    command = [sys.executable, "-m", "crs_cc", "sweep", str(path), "--out", str(out), "--jobs", "1"]
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    try:
+        deadline = time.monotonic() + 60.0
+        while not (out / "rows.jsonl").exists() or not (out / "rows.jsonl").stat().st_size:
+            assert time.monotonic() < deadline
+            time.sleep(0.005)
+    finally:
+        process.kill()
+        process.wait()
+    before = (out / "rows.jsonl").read_bytes()
+    (out / "rows.jsonl").write_bytes(before[:-20] + before[-20:-3])  # the last line is cut off
+    assert main(["sweep", str(path), "--out", str(out), "--jobs", "2", "--resume", "-q"]) == 1
+    assert (out / "runs.csv").read_bytes() == expected
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs /proc to find the processes")
+def test_workers_killed_at_random_cost_no_row(
+    folder: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, out = write(folder, MANY), folder / "out"
+    started: list[int] = []
+    start = Worker._start
+
+    def noting(worker: Worker) -> object:
+        process = start(worker)
+        started.append(process.pid)
+        return process
+
+    monkeypatch.setattr(Worker, "_start", noting)
+    sweep, chance, killed = Sweep(path, out), random.Random(1), []
+
+    def kill(_progress: object) -> None:
+        if chance.random() < 0.4 and len(killed) < 2:
+            with contextlib.suppress(ProcessLookupError):  # it has not been started anew yet
+                os.kill(started[-1], signal.SIGKILL)
+                killed.append(started[-1])
+
+    sweep.run(1, report=kill)
+    assert len(killed) == 2
+    assert len((out / "rows.jsonl").read_text().splitlines()) == 12
+    assert (out / "runs.csv").read_bytes() == expected
