@@ -66,7 +66,7 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
         logged() as files_read,
     ):
         world = load_world_of(options)
-        programs = [_program(robot, options) for robot in world.robots]
+        programs = [program_of(robot, options) for robot in world.robots]
         dialects = [options.compiler.dialect or robot.dialect for robot in world.robots]
         wanted = list(zip(programs, dialects, strict=True))
         if options.inputs.sources and options.inputs.sources not in programs:
@@ -83,7 +83,7 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
         tuple(programs),
         tuple(dialects),
         tuple(
-            (built[each].command, *_arguments(robot, options))
+            (built[each].command, *arguments_of(robot, options))
             for robot, each in zip(world.robots, wanted, strict=True)
         ),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
@@ -127,7 +127,14 @@ def load_world_of(options: ProgramOptions) -> WorldModel:
     return world.with_ideal_link() if options.link == "ideal" else world
 
 
-def _program(robot: Robot, options: ProgramOptions) -> tuple[Path, ...]:
+def program_of(robot: Robot, options: ProgramOptions) -> tuple[Path, ...]:
+    """Return the C files of a robot's program.
+
+    Raises:
+        click.UsageError: it has none.
+    """
+    if robot.id in options.programs:
+        return options.programs[robot.id].sources
     if robot.program:
         return (Path(robot.program),)
     if not options.inputs.sources:
@@ -136,8 +143,10 @@ def _program(robot: Robot, options: ProgramOptions) -> tuple[Path, ...]:
     return options.inputs.sources
 
 
-def _arguments(robot: Robot, options: ProgramOptions) -> tuple[str, ...]:
+def arguments_of(robot: Robot, options: ProgramOptions) -> tuple[str, ...]:
     """Return the world's arguments if it names a program; ours are for the program given here."""
+    if robot.id in options.programs:
+        return options.programs[robot.id].arguments
     return robot.arguments or (() if robot.program else options.arguments)
 
 

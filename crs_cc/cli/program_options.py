@@ -21,12 +21,26 @@ _ARGUMENTS: Final = "crs.arguments"
 
 
 @dataclass(frozen=True, slots=True)
+class RobotProgram:
+    """The program of one robot.
+
+    Attributes:
+        sources: its C files.
+        arguments: `argv` after `argv[0]`.
+    """
+
+    sources: tuple[Path, ...]
+    arguments: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class ProgramOptions:
     """Options of every command that runs a program.
 
     Attributes:
         inputs: the C files and the world.
         arguments: `argv` after `argv[0]`.
+        programs: C files and arguments of robots that have programs of their own, by name.
         compiler: how to compile.
         checked: check every memory access.
         trap_overflow: stop a program at signed overflow.
@@ -42,6 +56,7 @@ class ProgramOptions:
 
     inputs: Inputs
     arguments: tuple[str, ...] = ()
+    programs: Mapping[str, RobotProgram] = field(default_factory=dict)
     compiler: CompilerOptions = field(default_factory=CompilerOptions)
     checked: bool = True
     trap_overflow: bool = False

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from crs_cc.cli.compiler_options import CompilerOptions
 from crs_cc.cli.inputs import Inputs
-from crs_cc.cli.program_options import ProgramOptions
+from crs_cc.cli.program_options import ProgramOptions, RobotProgram
 from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS
 from crs_cc.recording import topics
 from crs_cc.recording.content import content_of
@@ -72,6 +72,10 @@ def unpacked(recording: Recording, kind: type[O], **others: Any) -> Iterator[O]:
                 tuple(tree / path for path in run.sources), tree / run.world if run.world else None
             ),
             arguments=run.arguments,
+            programs={
+                robot: RobotProgram(tuple(tree / path for path in sources), arguments)
+                for robot, (sources, arguments) in run.robots_programs().items()
+            },
             compiler=compiler,
             checked=run.checked,
             trap_overflow=run.trap_overflow,

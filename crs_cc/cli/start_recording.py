@@ -11,7 +11,7 @@ import click
 
 from crs_cc.core.suggest import unknown
 from crs_cc.frontend.preprocess.regular_file import read_regular_file
-from crs_cc.recording.description import RunDescription
+from crs_cc.recording.description import RunDescription, program_row
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.source_tree import INPUTS, SOURCES, SourceTree
 
@@ -78,6 +78,10 @@ def _description(
         sources=tuple(map(tree.name, options.inputs.sources)),
         world=tree.name(world) if world is not None else "",
         arguments=options.arguments,
+        programs=tuple(
+            program_row(robot, [*map(tree.name, own.sources)], own.arguments)
+            for robot, own in sorted(options.programs.items())
+        ),
         include_paths=tuple(map(tree.name, compiler.include_paths)),
         defines=compiler.defines,
         undefines=compiler.undefines,

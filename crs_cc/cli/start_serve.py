@@ -12,9 +12,10 @@ import click
 
 from crs_cc.cli.elsewhere import Elsewhere
 from crs_cc.cli.inputs import Inputs
-from crs_cc.cli.load import Loaded, load_world_of, users_files
+from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, users_files
 from crs_cc.cli.messages import say
 from crs_cc.cli.net_address import shown_address, token_left
+from crs_cc.cli.program_options import RobotProgram
 from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.serve_options import ServeOptions
     from crs_cc.net.handshake import Program
     from crs_cc.net.roster import Seat
-    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.model.world import Robot, WorldModel
 
 _OWN_NAMES = ("127.0.0.1", "::1", "localhost")
 
@@ -51,11 +52,13 @@ def start_serve(options: ServeOptions) -> int:
         except KeyboardInterrupt:
             say("crs: interrupted before the run began")
             return 130
-        loaded = _loaded(options, world, seats, users_files(files_read))
+        programs = _programs(world, seats)
+        loaded = _loaded(options, world, programs, users_files(files_read))
+        run = _as_run(options, world, programs)
         names = [robot.id for robot in world.robots]
         waits = options.on_loss == "wait"
         elsewhere = Elsewhere(roster, seats, names, loaded.executables, waits=waits)
-        return run_loaded(loaded, _as_run(options, seats), Diagnostics(), elsewhere)
+        return run_loaded(loaded, run, Diagnostics(), elsewhere)
 
 
 def _access(file: Path | None) -> Access:
@@ -107,25 +110,30 @@ def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:
     return roster.begin()
 
 
-def _loaded(
-    options: ServeOptions, world: WorldModel, seats: Sequence[Seat], files: dict[Path, bytes]
-) -> Loaded:
-    """Return world and programs as if they had been loaded here."""
-    programs: dict[str, Program] = {}
+def _programs(world: WorldModel, seats: Sequence[Seat]) -> list[Program]:
+    """Return the program of each robot."""
+    found: dict[str, Program] = {}
     for seat in seats:
         assert seat.program is not None
-        programs |= dict.fromkeys(seat.names, seat.program)
-        files |= {Path(name): content for name, content in seat.program.contents.items()}
-    rows = [programs[robot.id] for robot in world.robots]
+        found |= dict.fromkeys(seat.names, seat.program)
+    return [found[robot.id] for robot in world.robots]
+
+
+def _loaded(
+    options: ServeOptions, world: WorldModel, rows: Sequence[Program], files: dict[Path, bytes]
+) -> Loaded:
+    """Return world and programs as if they had been loaded here."""
+    for program in {id(each): each for each in rows}.values():
+        files |= {Path(name): content for name, content in program.contents.items()}
     executables = {id(each): Executable(each.name, each.command, b"", _unknown) for each in rows}
     arguments = [
-        (each.command, *(each.arguments or robot.arguments))
+        (each.command, *_arguments(each, robot))
         for each, robot in zip(rows, world.robots, strict=True)
     ]
     return Loaded(
         world,
         tuple(executables[id(each)] for each in rows),
-        tuple(tuple(map(Path, each.sources)) for each in rows),
+        tuple(map(_paths, rows)),
         tuple(each.dialect or None for each in rows),  # type: ignore[misc]
         tuple(arguments),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
@@ -138,23 +146,56 @@ def _unknown() -> NoReturn:
     raise AssertionError("only the host knows the code of its program")
 
 
-def _as_run(options: ServeOptions, seats: Sequence[Seat]) -> ServeOptions:
-    """Return the options of the same run on one machine."""
-    program = seats[0].program
-    assert program is not None
+def _as_run(options: ServeOptions, world: WorldModel, programs: Sequence[Program]) -> ServeOptions:
+    """Return the options of the same run on one machine.
+
+    Raises:
+        click.UsageError: it is to be recorded, and its programs are compiled in different ways.
+    """
+    first = programs[0]
+    unnamed = [
+        each for robot, each in zip(world.robots, programs, strict=True) if not robot.program
+    ]
+    if options.record is not None and len(set(map(_way, programs))) > 1:
+        text = "a run is recorded if all programs are compiled with the same options"
+        raise click.UsageError(f"--record: {text}.")
     compiler = replace(
         options.compiler,
-        include_paths=tuple(map(Path, program.include_paths)),
-        defines=program.defines,
-        undefines=program.undefines,
-        standard=program.standard,
-        dialect=program.dialect or None,  # type: ignore[arg-type]
+        include_paths=tuple(map(Path, first.include_paths)),
+        defines=first.defines,
+        undefines=first.undefines,
+        standard=first.standard,
+        dialect=first.dialect or None,  # type: ignore[arg-type]
     )
-    return replace(
+    run = replace(
         options,
-        inputs=Inputs(tuple(map(Path, program.sources)), options.inputs.world),
-        arguments=program.arguments,
+        inputs=Inputs(_paths(unnamed[0]) if unnamed else (), options.inputs.world),
+        arguments=unnamed[0].arguments if unnamed else (),
         compiler=compiler,
-        checked=program.checked,
-        trap_overflow=program.trap_overflow,
+        checked=first.checked,
+        trap_overflow=first.trap_overflow,
     )
+    own = {}
+    for robot, program in zip(world.robots, programs, strict=True):
+        found = RobotProgram(_paths(program), _arguments(program, robot))
+        expected = tuple(map(Path.absolute, program_of(robot, run)))
+        if found != RobotProgram(expected, arguments_of(robot, run)):
+            own[robot.id] = found
+    return replace(run, programs=own)
+
+
+def _arguments(program: Program, robot: Robot) -> tuple[str, ...]:
+    """Return the arguments of a program: the host's own, else those in the world."""
+    return program.arguments or robot.arguments
+
+
+def _paths(program: Program) -> tuple[Path, ...]:
+    """Return the C files of a program."""
+    return tuple(map(Path, program.sources))
+
+
+def _way(program: Program) -> tuple[object, ...]:
+    """Return how a program is compiled."""
+    folders, macros = program.include_paths, (program.defines, program.undefines)
+    flags = program.checked, program.trap_overflow
+    return folders, macros, program.standard, program.dialect, flags

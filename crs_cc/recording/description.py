@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Mapping
+import shlex
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from importlib.metadata import version
 from typing import Any, Final, Self
@@ -30,6 +31,7 @@ class RunDescription:
         sources: the C files of the program.
         world: the world file; empty for the built-in world.
         arguments: of the program.
+        programs: the programs of robots that have others, see `program_row`.
         include_paths: folders for `#include`.
         defines: macros.
         undefines: predefined macros to remove.
@@ -53,6 +55,7 @@ class RunDescription:
     sources: tuple[str, ...] = ()
     world: str = ""
     arguments: tuple[str, ...] = ()
+    programs: tuple[str, ...] = ()
     include_paths: tuple[str, ...] = ()
     defines: tuple[str, ...] = ()
     undefines: tuple[str, ...] = ()
@@ -109,8 +112,17 @@ class RunDescription:
             if values[each.name] != each.default
         }
 
+    def robots_programs(self) -> dict[str, tuple[tuple[str, ...], tuple[str, ...]]]:
+        """Return C files and arguments of robots that have programs of their own, by name.
+
+        Raises:
+            ValueError: they are not valid.
+        """
+        return dict(map(_program_of, self.programs))
+
     def _check(self) -> None:
         paths = [*self.sources, *self.include_paths, *([self.world] if self.world else [])]
+        paths += [path for sources, _ in self.robots_programs().values() for path in sources]
         unsafe = [path for path in paths if path != "." and not is_safe(path)]
         if unsafe:
             raise ValueError(f"{unsafe[0][:80]!r} is not a name of a file below a folder")
@@ -118,6 +130,23 @@ class RunDescription:
             raise ValueError("timestep_s or frame_s is out of range")
         if not (0 <= self.seed < _MAX_SEED and 0.0 <= self.max_time_s < 1e12):
             raise ValueError("seed or max_time_s is out of range")
+
+
+def program_row(robot: str, sources: Sequence[str], arguments: Sequence[str]) -> str:
+    """Return the program of a robot as it is written in a shell: robot, C files, arguments.
+
+    >>> program_row("robot0", ["my prog.c"], ["fast", "3"])
+    "robot0 'my prog.c' -- fast 3"
+    >>> _program_of("robot0 'my prog.c' -- fast 3")
+    ('robot0', (('my prog.c',), ('fast', '3')))
+    """
+    return shlex.join([robot, *sources, "--", *arguments])
+
+
+def _program_of(row: str) -> tuple[str, tuple[tuple[str, ...], tuple[str, ...]]]:
+    robot, *words = shlex.split(row)
+    end = words.index("--")
+    return robot, (tuple(words[:end]), tuple(words[end + 1 :]))
 
 
 def versions() -> dict[str, str]:

@@ -157,7 +157,7 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
 
 def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> None:
     folder.joinpath("input.txt").write_text("one\ntwo\n")
-    with served(folder) as environment:
+    with served(folder, "--record", "echo.mcap") as environment:
         at = environment.address
         with folder.joinpath("input.txt").open() as lines:
             first = join(folder, "left", at, "echo.c", "--", "L", stdin=lines)
@@ -165,6 +165,19 @@ def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> N
         assert outputs([first, second])[0][0] == "L: one\nL: two\n"
         status, _ = environment.finish()
     assert (first.returncode, second.returncode, status) == (7, 7, 1)
+
+
+def test_a_recording_has_the_program_of_each_robot_and_their_input(folder: Path) -> None:
+    with served(folder, "--record", "both.mcap", "--max-time", "2") as environment:
+        hosts = [join(folder, "left", environment.address, "roam.c")]
+        hosts.append(join(folder, "right", environment.address, "echo.c", "--", "R"))
+        outputs(hosts)
+        environment.finish()
+    for name in ("both.mcap", "echo.mcap"):
+        words = command("replay", name, "--verify")
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        assert "the same run" in done.stdout + done.stderr
 
 
 def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None:
