@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from crs_cc.net.roster import Roster, Seat
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
+    from crs_cc.workbench.server import Front
 
 
 class Elsewhere:
@@ -23,6 +24,7 @@ class Elsewhere:
 
     Attributes:
         fleet: the programs.
+        front: where pages connect; None for nowhere.
     """
 
     def __init__(
@@ -33,6 +35,7 @@ class Elsewhere:
         executables: Sequence[Executable],
         *,
         waits: bool,
+        front: Front | None,
     ) -> None:
         """Take the hosts that are ready.
 
@@ -42,10 +45,11 @@ class Elsewhere:
             robots: the robots' names.
             executables: the names of their programs.
             waits: whether the run waits for another host in place of one that is lost.
+            front: where pages connect; None for nowhere.
         """
         import numpy as np
 
-        self._roster, self._waits = roster, waits
+        self._roster, self._waits, self.front = roster, waits, front
         self._is_interrupted: Callable[[], bool] = lambda: False
         self._seats = {seat.names: seat for seat in seats}
         links = []

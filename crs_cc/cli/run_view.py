@@ -23,13 +23,17 @@ if TYPE_CHECKING:
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
+    from crs_cc.workbench.server import Front
 
 
 class RunView:
     """Shows a run to pages, and holds it as long as they pause it."""
 
-    def __init__(self, loaded: Loaded, options: RunOptions, seed: int) -> None:
-        """Prepare to show a run."""
+    def __init__(
+        self, loaded: Loaded, options: RunOptions, seed: int, front: Front | None = None
+    ) -> None:
+        """Prepare to show a run, behind a front if there is one."""
+        self._front = front
         world = loaded.world
         names = dict.fromkeys(path.name for row in loaded.sources for path in row)
         place = options.inputs.world
@@ -54,7 +58,8 @@ class RunView:
         self._watcher.begin(session)
         self._player.has_ended = has_ended
         self._player.play()
-        self._screen = Screen(AttachedRun(session), self._feed, self._player, self._port)
+        run = AttachedRun(session)
+        self._screen = Screen(run, self._feed, self._player, self._port, self._front)
         self._announced.enter_context(announced(self._screen.server))
         say(f"crs: open {self._screen.server.address()}")
         say(f"crs: to look only: {self._screen.server.address('view')}")

@@ -64,6 +64,13 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     help="When a host is lost: wait for another one, which goes on where it stood, or stop its "
     "programs.",
 )
+@click.option(
+    "--view/--no-view",
+    "shows",
+    default=True,
+    help="Let pages look at the run, on the same port (default): crs view HOST:PORT opens one. "
+    "Without, timesteps in which nothing happens are skipped.",
+)
 @MAX_TIME
 @SEED
 @SPEED
@@ -87,6 +94,7 @@ def serve(
     named_files: tuple[str, ...],
     outputs: Path | None,
     on_loss: Literal["wait", "stop"],
+    shows: bool,
     **options: Any,
 ) -> int:
     """Run a world whose robots' programs are on other machines, or in other processes.
@@ -105,6 +113,7 @@ def serve(
         inputs_on_disk=parse_named_files(named_files),
         outputs=outputs,
         on_loss=on_loss,
+        view=0 if shows else None,
         **options,
     )
     if wanted.tables is not None:

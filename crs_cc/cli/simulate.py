@@ -148,7 +148,7 @@ class Runner:
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
         self._recorder = _recorder(loaded, options, self._seed)
-        self._view = _run_view(loaded, options, self._seed)
+        self._view = _run_view(loaded, options, self._seed, elsewhere)
         self.session = Session(
             world,
             loaded.executables,
@@ -378,12 +378,14 @@ def _changes(options: RunOptions, world: WorldModel) -> RunChanges | None:
     return RunChanges(options.changes, world.timestep_s)
 
 
-def _run_view(loaded: Loaded, options: RunOptions, seed: int) -> RunView | None:
+def _run_view(
+    loaded: Loaded, options: RunOptions, seed: int, elsewhere: Elsewhere | None
+) -> RunView | None:
     if options.view is None:
         return None
     from crs_cc.cli.run_view import RunView
 
-    return RunView(loaded, options, seed)
+    return RunView(loaded, options, seed, None if elsewhere is None else elsewhere.front)
 
 
 def _live_map(options: RunOptions) -> LiveMap | None:

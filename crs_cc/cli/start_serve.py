@@ -20,9 +20,11 @@ from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics
 from crs_cc.net.access import Access, parsed
-from crs_cc.net.gate import Gate, bound
+from crs_cc.net.gate import Gate, bound, led_to
 from crs_cc.net.roster import Roster
 from crs_cc.runtime.executable import Executable
+from crs_cc.workbench.clients import Role as PageRole
+from crs_cc.workbench.server import Front
 
 if TYPE_CHECKING:
     from crs_cc.cli.serve_options import ServeOptions
@@ -57,7 +59,8 @@ def start_serve(options: ServeOptions) -> int:
         run = _as_run(options, world, programs)
         names = [robot.id for robot in world.robots]
         waits = options.on_loss == "wait"
-        elsewhere = Elsewhere(roster, seats, names, loaded.executables, waits=waits)
+        front = _front(options, access, gate)
+        elsewhere = Elsewhere(roster, seats, names, loaded.executables, waits=waits, front=front)
         return run_loaded(loaded, run, Diagnostics(), elsewhere)
 
 
@@ -94,6 +97,22 @@ def _greet(options: ServeOptions, access: Access, port: int) -> None:
     if options.tokens is None:
         say(f"crs: robots join by: crs join ROBOT HOST:{port} PROGRAM.c")
         say(f"crs: from other machines with: --token {access.token('robot')}")
+
+
+def _front(options: ServeOptions, access: Access, gate: Gate) -> Front | None:
+    """Return where pages connect, if they may."""
+    if options.view is None:
+        return None
+    tokens: dict[PageRole, tuple[str, ...]] = {
+        "control": access.tokens["control"],
+        "view": access.tokens["view"],
+    }
+
+    def open_to_pages(port: int) -> None:
+        gate.visitor = led_to(port)
+
+    address = shown_address((options.listen[0], gate.port))
+    return Front(f"http://{address}", gate.port, tokens, open_to_pages)
 
 
 def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:

@@ -25,6 +25,7 @@ Examples:
   crs view run.mcap                              look at a run that was recorded
   crs view wander.c room.xml --no-open           print the address only
   crs view 127.0.0.1:8700                        one more page of a run that is shown there
+  crs view procyon:8000 --token TOKEN            a run that crs serve has on another machine
 """
 
 
@@ -61,7 +62,12 @@ class _View(WithProgramArguments):
 @record_options
 @click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings.")
 @functools.partial(program_options, needs_files=False)
-def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
+@click.option(
+    "--token",
+    metavar="TOKEN",
+    help="The token for looking at a run that crs serve has on another machine.",
+)
+def view(port: int, *, opens: bool, play: bool, token: str | None, **options: Any) -> int:
     """Compile a C control program and watch it in the browser.
 
     The page shows the world, the robots and the lines at which their programs stand. It plays,
@@ -76,7 +82,7 @@ def view(port: int, *, opens: bool, play: bool, **options: Any) -> int:
 
     wanted = DebugOptions(**options)
     for address in click.get_current_context().meta[_ADDRESSES]:
-        return _open(address_of(address), opens=opens)
+        return _open(address_of(address, token), opens=opens)
     if wanted.record is not None:
         check_recording_path(wanted.record)
     sources = wanted.inputs.sources

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
+from crs_cc.cli.net_address import TOKEN_VARIABLE, is_net_address
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.toolchain.cache import folder
 
@@ -25,24 +26,34 @@ _PRIVATE: Final = 0o600
 
 
 def is_address(word: str) -> bool:
-    """Return whether a word names a port of this machine, and no file.
+    """Return whether a word names a port, and no file.
 
     >>> is_address("127.0.0.1:8700"), is_address("http://localhost:87/#token=x"), is_address("a.c")
     (True, True, False)
+    >>> is_address("procyon:8000")
+    True
     """
-    return _HERE.fullmatch(word) is not None
+    return _HERE.fullmatch(word) is not None or is_net_address(word)
 
 
-def address_of(word: str) -> str:
+def address_of(word: str, token: str | None = None) -> str:
     """Return the address of the run that is shown on a port.
 
+    Args:
+        word: the port, on this machine or another one.
+        token: shows that we may look; by default that of a run of this user is found.
+
     Raises:
-        click.UsageError: no run of this user is.
+        click.UsageError: no run of this user is shown there, and there is no token.
     """
     if "#token=" in word:
         return word
+    token = token or os.environ.get(TOKEN_VARIABLE, "")
+    if token:
+        return f"http://{word.removeprefix('http://').partition('/')[0]}/#token={token}"
     found = _HERE.fullmatch(word)
-    assert found
+    if found is None:
+        raise click.UsageError(f"{word}: give --token, which crs serve has printed there.")
     try:
         return _file(int(found[1])).read_text("utf-8").strip()
     except OSError:

@@ -15,21 +15,26 @@ import time
 from collections.abc import Callable
 from typing import Final
 
+from crs_cc.core.loopback import LOOPBACK
 from crs_cc.net.access import Access
 from crs_cc.net.channel import MAGIC, PROTOCOL, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.handshake import Hello, Program, RefusedError
 from crs_cc.net.roster import Roster, Seat
 
-MAX_MEETING: Final = 64
+MAX_MEETING: Final = 512
 """Connections that are met at the same time at most; more are closed. Chosen by us."""
 
-MEETING_S: Final = 10.0
+MEETING_S: Final = 5.0
 """How long it may take until it is known who somebody is [s]."""
+
+MAX_VISITORS: Final = 200
+"""Connections of pages at the same time at most; more are turned away. Chosen by us."""
 
 PROGRAM_S: Final = 60.0
 """How long a host may take to send its program [s]."""
 
 _LOOK_S: Final = 0.01
+_PART: Final = 2**16
 
 Visitor = Callable[[socket.socket], None]
 """Serves a connection that is none of a host; closes it."""
@@ -58,6 +63,39 @@ def turn_away(connection: socket.socket) -> None:
     with contextlib.suppress(OSError):
         connection.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\n\r\n")
     connection.close()
+
+
+def led_to(port: int) -> Visitor:
+    """Return a visitor's way to a server on this machine."""
+
+    def lead(connection: socket.socket) -> None:
+        try:
+            inner = socket.create_connection((LOOPBACK, port), MEETING_S)
+        except OSError:
+            turn_away(connection)
+            return
+        for each in (connection, inner):
+            each.settimeout(None)
+        back = threading.Thread(target=_carry, args=(inner, connection), daemon=True)
+        back.start()
+        _carry(connection, inner)
+        back.join()
+        for each in (connection, inner):
+            each.close()
+
+    return lead
+
+
+def _carry(source: socket.socket, target: socket.socket) -> None:
+    """Carry bytes until one side has closed."""
+    try:
+        while part := source.recv(_PART):
+            target.sendall(part)
+    except OSError:
+        pass  # the other direction ends, too
+    for each in (source, target):
+        with contextlib.suppress(OSError):
+            each.shutdown(socket.SHUT_RDWR)
 
 
 class Gate:
@@ -89,6 +127,7 @@ class Gate:
         self._listener, self._access, self._roster = listener, access, roster
         self._secure = secure
         self._meeting = threading.Semaphore(MAX_MEETING)
+        self._visiting = threading.Semaphore(MAX_VISITORS)
         self._pulse = Pulse()
         self._pulse.__enter__()
         self._thread = threading.Thread(target=self._listen, name="crs-gate", daemon=True)
@@ -128,7 +167,13 @@ class Gate:
             return
         finally:
             self._meeting.release()
-        self.visitor(connection)
+        if not self._visiting.acquire(blocking=False):
+            turn_away(connection)
+            return
+        try:
+            self.visitor(connection)
+        finally:
+            self._visiting.release()
 
     def _is_host(self, connection: socket.socket) -> bool:
         """Return whether the first bytes are those of a host; if so they are read."""

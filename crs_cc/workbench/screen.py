@@ -18,7 +18,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.commands import TABLE
 from crs_cc.workbench.messages import answer, message, refusal
-from crs_cc.workbench.server import Server
+from crs_cc.workbench.server import Front, Server
 
 if TYPE_CHECKING:
     from crs_cc.workbench.command import Command
@@ -45,8 +45,10 @@ class Screen:
         robot: the selected robot.
     """
 
-    def __init__(self, run: Run, feed: Feed, player: Player, port: int = 0) -> None:
-        """Serve pages on a port, 0 for any that is free.
+    def __init__(
+        self, run: Run, feed: Feed, player: Player, port: int = 0, front: Front | None = None
+    ) -> None:
+        """Serve pages on a port, 0 for any that is free, or behind a front.
 
         Raises:
             OSError: the port is in use.
@@ -59,7 +61,7 @@ class Screen:
         self._told_s = self._table_s = 0.0
         self._panel = ""
         feed.description["can"] = sorted(run.can)
-        self.server = Server(self, port)
+        self.server = Server(self, port, front=front)
         feed.server = self.server
 
     def play(self) -> None:

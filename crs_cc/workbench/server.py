@@ -16,7 +16,8 @@ import contextlib
 import json
 import logging
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from http import HTTPStatus
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
@@ -53,6 +54,23 @@ class Receiver(Protocol):
         """Do what a page asks for, or have it done."""
 
 
+@dataclass(frozen=True, slots=True)
+class Front:
+    """What stands before a server: connections come through it, from other machines perhaps.
+
+    Attributes:
+        address: its address, as `http://procyon:8000`.
+        port: its port.
+        tokens: the tokens of each role, at least one each.
+        open: is given the port on this machine at which the server takes connections.
+    """
+
+    address: str
+    port: int
+    tokens: Mapping[Role, Sequence[str]]
+    open: Callable[[int], None]
+
+
 class Server:
     """Serves pages until it is closed.
 
@@ -62,19 +80,29 @@ class Server:
         sent: how many messages have been sent to all pages.
     """
 
-    def __init__(self, receiver: Receiver, port: int = 0, page: str = "/") -> None:
+    def __init__(
+        self, receiver: Receiver, port: int = 0, page: str = "/", front: Front | None = None
+    ) -> None:
         """Listen on a port, 0 for any that is free.
 
         Args:
             receiver: what the pages talk to.
             port: the port.
             page: the path of the page.
+            front: what stands before it; by default pages connect directly.
 
         Raises:
             OSError: the port is in use.
         """
         self.port = port
-        self.tokens: dict[Role, str] = {"control": new_token(), "view": new_token()}
+        self._front = front
+        self._accepted: Mapping[Role, Sequence[str]] = {
+            "control": (new_token(),),
+            "view": (new_token(),),
+        }
+        if front is not None:
+            self._accepted = front.tokens
+        self.tokens: dict[Role, str] = {role: each[0] for role, each in self._accepted.items()}
         self.sent = 0
         self._receiver = receiver
         self._page = page
@@ -89,10 +117,14 @@ class Server:
         self._ready.wait()
         if self._error is not None:
             raise self._error
+        if front is not None:
+            front.open(self.port)
+            self.port = front.port
 
     def address(self, role: Role = "control") -> str:
         """Return the address of the page, with the token of a role."""
-        return f"http://{LOOPBACK}:{self.port}{self._page}#token={self.tokens[role]}"
+        base = f"http://{LOOPBACK}:{self.port}" if self._front is None else self._front.address
+        return f"{base}{self._page}#token={self.tokens[role]}"
 
     @property
     def count(self) -> int:
@@ -189,7 +221,8 @@ class Server:
 
     def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
         """Return the answer to a request; None to open the channel."""
-        if not is_own_host(request.headers.get("Host", ""), self.port):
+        host = request.headers.get("Host", "")
+        if self._front is None and not is_own_host(host, self.port):
             return _response(HTTPStatus.FORBIDDEN, b"not the name of this machine\n")
         path = request.path.partition("?")[0]
         if path != CHANNEL:
@@ -198,9 +231,10 @@ class Server:
                 return _response(HTTPStatus.NOT_FOUND, b"no such file\n")
             return _response(HTTPStatus.OK, file.content, file.type)
         origin = request.headers.get("Origin")
-        if origin is not None and not is_own_origin(origin, self.port):
+        if origin is not None and not self._is_own(origin, host):
             return _response(HTTPStatus.FORBIDDEN, b"not a page of this server\n")
-        if is_of_another_user(connection.transport.get_extra_info("socket")):
+        peer = connection.transport.get_extra_info("socket")
+        if self._front is None and is_of_another_user(peer):
             return _response(HTTPStatus.FORBIDDEN, b"this run belongs to another user\n")
         if self._role(request) is None:
             text = b"no valid token: open the address that crs has printed\n"
@@ -209,11 +243,18 @@ class Server:
             return _response(HTTPStatus.SERVICE_UNAVAILABLE, b"too many pages are connected\n")
         return None
 
+    def _is_own(self, origin: str, host: str) -> bool:
+        """Return whether a page is one of ours: behind a front, of the host that it has asked."""
+        if self._front is None:
+            return is_own_origin(origin, self.port)
+        return origin.partition("://")[2] == host
+
     def _role(self, request: Request | None) -> Role | None:
         offered = "" if request is None else request.headers.get("Sec-WebSocket-Protocol", "")
         for word in offered.split(","):
-            for role, token in self.tokens.items():
-                if is_token(word.strip().removeprefix("token."), token):
+            given = word.strip().removeprefix("token.")
+            for role, tokens in self._accepted.items():
+                if any(is_token(given, token) for token in tokens):
                     return role
         return None
 

@@ -15,6 +15,8 @@ from pathlib import Path
 from typing import IO
 
 import pytest
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect
 
 from tests.session.programs import ROAM
 
@@ -201,6 +203,22 @@ def test_hosts_that_do_not_fit_are_refused_with_the_reason(folder: Path) -> None
             assert "Traceback" not in said
         kept.kill()
         kept.communicate()
+
+
+def test_pages_look_at_the_run_on_the_same_port_with_a_token_only(folder: Path) -> None:
+    with served(folder, "--max-time", "100", "--speed", "1") as environment:
+        at = environment.address
+        hosts = [join(folder, "--all", at, "roam.c")]
+        token = environment.wait_for(r"look only: http://[\d.:]+/#token=(\S+)")[1]
+        with connect(f"ws://{at}/channel", subprotocols=["crs.1", f"token.{token}"]) as page:
+            hello = json.loads(page.recv(MOST_S))
+            assert (hello["type"], hello["role"]) == ("hello", "view")
+        for wrong in ("x" * 22, ""):
+            with pytest.raises(InvalidStatus, match="401"):
+                connect(f"ws://{at}/channel", subprotocols=["crs.1", f"token.{wrong}"])
+        environment.process.send_signal(signal.SIGINT)
+        assert environment.finish()[0] == 130
+        outputs(hosts)
 
 
 def test_other_machines_are_let_in_only_if_that_is_said(folder: Path) -> None:

@@ -1,0 +1,182 @@
+"""Who comes to the port of an environment, and what becomes of those who misbehave."""
+
+from __future__ import annotations
+
+import json
+import random
+import socket
+import threading
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+
+from crs_cc.net.access import Access
+from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
+from crs_cc.net.gate import Gate, bound
+from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest, digest_of
+from crs_cc.net.roster import Roster
+from crs_cc.net.visit import Visit, visit
+from tests.session.programs import HALL
+
+TOKEN = "0123456789abcdef"
+PROGRAM = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""})
+
+
+class Open:
+    """A gate with a roster."""
+
+    def __init__(self) -> None:
+        self.roster = Roster(HALL.robots)
+        tokens = (TOKEN,)
+        access = Access({"robot": tokens, "view": ("v" * 16,), "control": ("c" * 16,)})
+        self.gate = Gate(bound("127.0.0.1", 0), access, self.roster)
+        self.pulse = Pulse()
+
+    @property
+    def address(self) -> tuple[str, int]:
+        return "127.0.0.1", self.gate.port
+
+    def connect(self) -> socket.socket:
+        return socket.create_connection(self.address, 5.0)
+
+    def visit(self, *robots: str, host: str = "one", program: Program = PROGRAM) -> Visit:
+        content = program.content()
+        hello = Hello(TOKEN, host, robots, digest_of(content), devices=devices_digest())
+        return visit(self.address, hello, content, self.pulse)
+
+
+@pytest.fixture
+def opened() -> Iterator[Open]:
+    made = Open()
+    with made.pulse:
+        yield made
+    made.gate.close()
+
+
+def wait_until_ready(opened: Open, *names: str) -> None:
+    while set(names) & set(opened.roster.missing()):
+        opened.roster.wait()
+
+
+def refusal(opened: Open, content: bytes) -> str:
+    """Return why a first message is refused."""
+    connection = opened.connect()
+    connection.sendall(MAGIC)
+    channel = Channel(connection)
+    channel.send(Kind.HELLO, content)
+    said = channel.receive(Kind.REFUSED).content.decode()
+    channel.close()
+    return said
+
+
+def test_hosts_claim_robots_and_others_are_refused(opened: Open) -> None:
+    first = opened.visit("left")
+    assert first.robots == ("left",)
+    wait_until_ready(opened, "left")
+    with pytest.raises(RefusedError, match="left has a host already"):
+        opened.visit("left", host="two")
+    with pytest.raises(RefusedError, match="unknown robot 'middle'"):
+        opened.visit("middle", host="two")
+    assert opened.visit(host="two").robots == ("right",)
+    wait_until_ready(opened, "right")
+    with pytest.raises(RefusedError, match="every robot has a host"):
+        opened.visit(host="three")
+
+
+def test_a_host_that_has_gone_before_the_run_is_replaced(opened: Open) -> None:
+    opened.visit("left").channel.close()
+    wait_until_ready(opened, "left")
+    other = Program("b.c", "b", sources=("/b.c",), files={"/b.c": ""})
+    opened.visit("left", host="two", program=other)
+    wait_until_ready(opened, "left")
+    seats = opened.roster.begin()
+    assert [seat.program for seat in seats] == [other]
+
+
+def test_a_lost_host_is_replaced_by_one_with_the_same_program(opened: Open) -> None:
+    opened.visit("left", "right")
+    wait_until_ready(opened, "left", "right")
+    seat = opened.roster.begin()[0]
+    channel = opened.roster.take(seat, lambda: False)
+    assert channel
+    channel.close()
+    opened.roster.lose(seat)
+    with pytest.raises(RefusedError, match="lost together"):
+        opened.visit("left", host="two")
+    with pytest.raises(RefusedError, match="the environment has program"):
+        opened.visit("left", "right", host="two", program=replace(PROGRAM, checked=False))
+    assert opened.visit(host="two").robots == ("left", "right")
+    assert opened.roster.take(seat, lambda: False)
+
+
+def test_versions_tokens_and_fields_are_checked(opened: Open) -> None:
+    hello = Hello(TOKEN, "one", (), "digest", devices=devices_digest())
+    said = refusal(opened, replace(hello, version="0.0").content())
+    assert "has version" in said
+    assert "0.0" in said
+    assert "no valid token" in refusal(opened, replace(hello, token="v" * 16).content())
+    assert "device libraries" in refusal(opened, replace(hello, devices="x").content())
+    for wrong in (b"", b"[]", b"\xff", b"[" * 10_000):
+        assert "not valid" in refusal(opened, wrong)
+    values = json.loads(hello.content())
+    for name, value in (("robots", "left"), ("robots", [1]), ("host", None), ("program", 1)):
+        assert f"no valid {name}" in refusal(opened, json.dumps(values | {name: value}).encode())
+
+
+def test_a_program_must_be_the_one_that_was_announced(opened: Open) -> None:
+    hello = Hello(TOKEN, "one", (), "digest", devices=devices_digest())
+    found = visit(opened.address, hello, PROGRAM.content(), opened.pulse)
+    assert b"another program" in found.channel.receive(Kind.REFUSED).content
+    assert opened.roster.missing() == ["left", "right"]
+
+
+def test_who_says_anything_else_disturbs_nobody(opened: Open) -> None:
+    random_ = random.Random(1)
+    kept = []
+    for number in range(150):
+        connection = opened.connect()
+        noise = random_.randbytes(random_.randrange(100))
+        start = (b"", MAGIC, MAGIC[:4], b"GET / HTTP/1.1\r\n", MAGIC + bytes(4))[number % 5]
+        connection.sendall(start + noise)
+        kept.append(connection)
+    opened.visit("left")
+    wait_until_ready(opened, "left")
+    for connection in kept:
+        connection.close()
+    assert opened.roster.missing() == ["right"]
+
+
+def test_nobody_else_is_served_before_there_is_something_to_see(opened: Open) -> None:
+    with opened.connect() as connection:
+        connection.sendall(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+        assert connection.recv(100).startswith(b"HTTP/1.1 503")
+
+
+def test_visitors_are_led_on_in_both_directions(opened: Open) -> None:
+    from crs_cc.net.gate import led_to
+
+    with socket.create_server(("127.0.0.1", 0)) as inner:
+
+        def echo() -> None:
+            connection, _ = inner.accept()
+            connection.sendall(connection.recv(100).upper())
+            connection.close()
+
+        thread = threading.Thread(target=echo)
+        thread.start()
+        opened.gate.visitor = led_to(inner.getsockname()[1])
+        with opened.connect() as connection:
+            connection.sendall(b"hello, page")
+            assert connection.recv(100) == b"HELLO, PAGE"
+            assert connection.recv(100) == b""
+        thread.join()
+
+
+def test_nobody_comes_in_after_the_end(opened: Open) -> None:
+    opened.roster.end()
+    with pytest.raises(RefusedError, match="has ended"):
+        opened.visit("left")
+    opened.gate.close()
+    with pytest.raises(ConnectionLostError):
+        opened.visit("left")
