@@ -48,13 +48,14 @@ class Block:
         begin_s: when it begins [s].
         frames: how many frames it has.
         rows: how many readings it has.
+        seconds: how many whole seconds it has; the recorder counts them.
         entries: what it has of everything in JSON but hashes.
     """
 
     def __init__(self, begin_s: float) -> None:
         """Create an empty one."""
         self.begin_s = begin_s
-        self.frames = self.rows = 0
+        self.frames = self.rows = self.seconds = 0
         self.entries = Entries()
         self._size = 0
         self._frames: list[_RawFrame] = []

@@ -38,7 +38,7 @@ from crs_cc.recording.mcap_records import (
 
 PROFILE: Final = "crs"
 LEVEL: Final = 1  # of zstd: level 3 is 2 % smaller and takes twice the time
-SMALL_LEVEL: Final = 9  # for what has been saved before, of which there is little: 12 % smaller
+SMALL_LEVEL: Final = 9  # for seconds of which many are one chunk: 12 % smaller
 HIDDEN: Final = 0x80
 """The opcode of a record that is skipped: from 0x80 on they belong to applications."""
 
@@ -81,10 +81,10 @@ class McapWriter:
         self._at = 0
         self._saved_to = 0  # the end of what is saved, from `_at` on; 0 for nothing
         self._saved = 0  # how many of the pending messages are saved
-        self._compressors = (
-            zstandard.ZstdCompressor(level=LEVEL, write_content_size=True),
-            zstandard.ZstdCompressor(level=SMALL_LEVEL, write_content_size=True),
-        )
+        self._compressors = {
+            level: zstandard.ZstdCompressor(level=level, write_content_size=True)
+            for level in (LEVEL, SMALL_LEVEL)
+        }
         self._pending: list[_Pending] = []
         self._numbers: dict[str, int] = {}
         self._schemas: dict[str, bytes] = {}  # by name
@@ -96,11 +96,6 @@ class McapWriter:
         }  # fmt: skip
         self._first_ns, self._last_ns = 2**64 - 1, 0
         self._write(MAGIC + record(Op.HEADER, text(PROFILE) + text(f"crs_cc {__version__}")))
-
-    @property
-    def has_saved(self) -> bool:
-        """Return whether something is saved that the next cut will replace."""
-        return self._saved_to > 0
 
     def metadata(self, name: str, values: Mapping[str, str]) -> None:
         """Write named strings."""
@@ -147,12 +142,15 @@ class McapWriter:
         self._saved_to = end + len(chunk)
         self._saved = len(self._pending)
 
-    def cut(self) -> None:
-        """Write the messages since the last cut, ordered by time, in chunks of limited size."""
+    def cut(self, level: int = LEVEL) -> None:
+        """Write the messages since the last cut, ordered by time, in chunks of limited size.
+
+        Args:
+            level: of compression, `LEVEL` or `SMALL_LEVEL`.
+        """
         messages = sorted(self._pending, key=lambda each: each[:2])
         self._pending, self.pending, self._saved = [], 0, 0
         begin, records, chunk, size = self._at, list[bytes](), list[_Pending](), 0
-        level = 1 if self._saved_to else 0
         for number, each in enumerate(messages, 1):
             chunk.append(each)
             size += len(each[3])

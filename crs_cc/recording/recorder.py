@@ -3,8 +3,9 @@
 What happens is gathered, so the cost of a timestep is that of copying a few arrays, and encoded
 each second of simulated time, so a run that is killed loses its last second at most. Of a small
 world, a second is so little that most of a chunk would be its head and its index: it is saved, and
-all that has been saved in two minutes is then replaced by one chunk. When the disk is full, the
-recording ends and the run goes on.
+all that has been saved in two minutes is then replaced by one chunk. Runs that are much faster than
+real time save only ten times a second. A finished recording is the same however often it was saved.
+When the disk is full, the recording ends and the run goes on.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from __future__ import annotations
 import json
 import os
 import stat
+import time
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
@@ -27,7 +29,7 @@ from crs_cc.recording.digest import digest
 from crs_cc.recording.entries import SPAN_NS
 from crs_cc.recording.hashes import STATE_DIGITS, Hash
 from crs_cc.recording.mcap_records import NS, Channel
-from crs_cc.recording.mcap_writer import MAX_CHUNK, McapWriter
+from crs_cc.recording.mcap_writer import LEVEL, MAX_CHUNK, SMALL_LEVEL, McapWriter
 from crs_cc.recording.readings import ReadingEncoder
 from crs_cc.recording.step_events import events_of, readings_of, traffic_of
 
@@ -42,12 +44,15 @@ if TYPE_CHECKING:
 Sensors = Literal["none", "read", "all"]
 
 FULL_HASH_SECONDS: Final = 30
-"""How often the hash of all state is recorded for many robots; for 10,000 it takes 0.7 s. For up to
-100 robots it is every 10 s, which costs 0.4 % of the time of a run."""
+"""How often the hash of all state is recorded: for 10,000 robots it takes 0.7 s, for one 1 ms."""
 
 BLOCK_S: Final = SPAN_NS / NS
 """A chunk holds at most so much simulated time: more would save little. What a second brings is
 saved before, so that a killed run loses no more."""
+
+SAVE_AFTER_S: Final = 0.1
+"""Real time between two savings at least: what is done in it is lost when a run is killed. A robot
+alone is simulated in less than a hundredth of the time; to save each of its seconds took 5 %."""
 
 MAX_ROWS: Final = 20_000
 """Readings that are gathered at most before they are encoded; some megabytes."""
@@ -119,6 +124,7 @@ class Recorder:
         self._moved = True  # since the last frame
         self._frames = 0
         self._stride = 1
+        self._saved_at_s = time.monotonic()
 
     def begin(self, session: Session) -> None:
         """Start with a session before its first timestep."""
@@ -242,8 +248,7 @@ class Recorder:
     def _end_second(self) -> None:
         self._next_hash = (self._session.timesteps // self._per_second + 1) * self._per_second
         seconds = self._session.timesteps // self._per_second
-        robots = len(self._session.fleet)
-        is_full = seconds % min(FULL_HASH_SECONDS, max(10, robots // 10)) == 0
+        is_full = seconds % FULL_HASH_SECONDS == 0
         self._add_hash(self._session.state_hash() if is_full else "")
         session, block = self._session, self._block
         lasted_s = session.time_s - block.begin_s
@@ -252,29 +257,34 @@ class Recorder:
         is_long = lasted_s + second_s > BLOCK_S + 1e-6
         if is_long or not self._can_save or size * (lasted_s + second_s) > MAX_CHUNK * lasted_s:
             self._complete()
-        else:
+            return
+        block.seconds += 1
+        now_s = time.monotonic()
+        if now_s - self._saved_at_s >= SAVE_AFTER_S:
+            self._saved_at_s = now_s
             self._try(lambda: self._writer.save(block.unsaved()))
             self._note_written()
 
     def _shorten(self) -> None:
         """Write what has become much, before the second is over."""
-        if self._writer.has_saved:  # which has parts of the block
+        if self._block.seconds:  # which may be saved
             self._complete()
             return
         for message in self._block.take(self._encoder):
             self._writer.add(*message)
         if self._writer.pending > MAX_CHUNK:
-            self._cut()
+            self._cut(LEVEL)
 
     def _complete(self) -> None:
         """Encode and write what has been gathered."""
         for message in self._block.messages(self._encoder):
             self._writer.add(*message)
+        level = SMALL_LEVEL if self._block.seconds else LEVEL
         self._block = Block(self._session.time_s)
-        self._cut()
+        self._cut(level)
 
-    def _cut(self) -> None:
-        self._try(self._writer.cut)
+    def _cut(self, level: int) -> None:
+        self._try(lambda: self._writer.cut(level))
         self._note_written()
 
     def _note_written(self) -> None:

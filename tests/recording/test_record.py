@@ -147,10 +147,17 @@ def test_a_run_that_is_killed_loses_its_last_second_at_most(
 
     monkeypatch.setattr(McapWriter, "save", noted)
     monkeypatch.setattr(recorder, "BLOCK_S", 3.0)
+    monkeypatch.setattr(recorder, "SAVE_AFTER_S", 0.0)
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
     files = [str(tmp_path / name) for name in ("drive.c", "room.xml")]
     main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
     assert len(kept) == 4  # at 1 and 2, 4 and 5 seconds
+    often = path.read_bytes()
+    monkeypatch.setattr(recorder, "SAVE_AFTER_S", 1e9)
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"go\n")))
+    main(["run", *files, "--record", str(path), "--quiet", "--max-time", "5.5"])
+    assert len(kept) == 4
+    assert path.read_bytes() == often  # however often it was saved
     whole = Recording(path)
     frames = [(each.time_ns, each.values.tolist()) for each in whole.frames()]
     read = sum(len(each.robots) for each in whole.readings())
