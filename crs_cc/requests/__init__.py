@@ -4,7 +4,8 @@ A program has one operation on the world: fill in a message, post it with a requ
 suspend. The runtime finds the message in the program's slot, overwrites it with the reply, and
 resumes the program. All slots of a fleet are adjacent in one memory that C cannot address; `SLOT`
 is their numpy dtype. `REQUESTS` lists every code; there is no other interface. `host` has those
-that a program's host computer serves, `robot` those for its robot, `device` those of `crs.h`.
+that a program's host computer serves, `network` those about sockets, `robot` those for its robot,
+`device` those of `crs.h`.
 
 >>> import numpy as np
 >>> slots = np.zeros(2, SLOT)                       # two robots
@@ -35,6 +36,7 @@ from crs_cc.requests.door import (
     timing_offset,
 )
 from crs_cc.requests.host import HOST_REQUESTS
+from crs_cc.requests.network import NETWORK_REQUESTS
 from crs_cc.requests.request import Field, Request
 from crs_cc.requests.robot import ROBOT_REQUESTS
 
@@ -62,7 +64,7 @@ __all__ = [
     "timing_offset",
 ]
 
-_TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)
+_TABLE: Final = (*HOST_REQUESTS, *NETWORK_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)
 
 REQUESTS: Final[dict[int, Request]] = {request.code: request for request in _TABLE}
 """Every request by its number."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Final, Literal, TypeAlias
 
-Server: TypeAlias = Literal["host", "robot", "device"]
+Server: TypeAlias = Literal["host", "network", "robot", "device"]
 Link: TypeAlias = Literal["serial", "network", "none"]
 DataType: TypeAlias = Literal["bytes", "int32", "float64"]
 
@@ -53,8 +53,8 @@ class Request:
     Attributes:
         name: its name, `CRS_<name>` in C.
         code: its number.
-        server: the part that answers it: the session as the program's host; the simulated robot, or
-            its simulator; or a device of `crs.h`.
+        server: the part that answers it: the session as the program's host, or as the network; the
+            simulated robot, or its simulator; or a device of `crs.h`.
         prototype: the C function that posts it.
         meaning: its effect.
         arguments: the contents of the message when it is posted.
@@ -89,7 +89,7 @@ class Request:
     @cached_property
     def traced(self) -> bool:
         """Whether the reply's message is kept for traces: it has results of its own."""
-        if self.server == "host" or self.replies_state:
+        if self.server in ("host", "network") or self.replies_state:
             return False
         return any(result.place != "result" for result in self.results)
 

@@ -17,6 +17,7 @@ from crs_cc.sim.state.env_state import EnvState
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
     from crs_cc.session.files import DiskSnapshot
+    from crs_cc.session.network.sockets import NetworkState
 
 Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""
@@ -77,7 +78,7 @@ class RunResult:
         state_hash: SHA-256 over the arrays of the environment (`sim.state`), and of each robot
             over its slot, its memory and shadow memory, the names of its files and
             what it wrote to them, its clock, its fuel, when its request arrives,
-            its last robot call and its exit status.
+            its last robot call and its exit status; and of the network, if programs use it.
             Standard output and standard input are not part of it.
         goals: what has become of the world's goals, in the world's order.
     """
@@ -107,6 +108,7 @@ class SessionSnapshot:
     arrays: tuple[npt.NDArray[Any], ...]
     exit_status: tuple[int | None, ...]
     disks: tuple[DiskSnapshot, ...]
+    network: NetworkState | None
     timesteps: int
     rounds: int
     halted: int | None

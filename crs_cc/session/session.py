@@ -47,6 +47,7 @@ from crs_cc.session.host import (
     never_waits,
     no_input,
 )
+from crs_cc.session.network.service import NETWORK_CODES
 from crs_cc.session.result import RunResult, SessionSnapshot
 from crs_cc.session.session_state import NEVER_S, SessionState
 from crs_cc.sim.engine.goals import GoalResult
@@ -57,7 +58,8 @@ if TYPE_CHECKING:
     from crs_cc.runtime.fleet import Fleet
 
 _ON_LINK = np.isin(
-    np.arange(DEVICE_CODES.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *DEVICE_CODES]
+    np.arange(DEVICE_CODES.stop + 1),
+    [*(REQUESTS.keys() - HOST_CODES - NETWORK_CODES), *DEVICE_CODES],
 )
 """By code, whether a request is sent over the link; the last stands for all codes beyond."""
 _NOBODY: Final = np.zeros(0, np.intp)
@@ -77,6 +79,7 @@ class Session:
         state: all that changes in the run.
         environment: the world, a part of it.
         fleet: the programs, a part of it.
+        network: the network, a part of it.
     """
 
     def __init__(
@@ -132,6 +135,7 @@ class Session:
         self.state = SessionState(world, executables, seed, self._host, threads, fleet=fleet)
         self.environment = self.state.environment
         self.fleet = self.state.fleet
+        self.network = self.state.network
         self._trace = trace
         self._observer = observer
         self._hints = Hints(self.environment, self.fleet)
@@ -284,6 +288,7 @@ class Session:
             return
         state, environment = self.state, self.environment
         until = min(environment.quiet_until(), environment.cycle + end - self.timesteps)
+        until = min(until, self.network.next_cycle() - 1)
         while environment.cycle < until:
             on_link = state.due_s < NEVER_S
             runs_s = np.where(state.alive & ~on_link, state.clock_s, state.due_s)
@@ -396,6 +401,7 @@ class Session:
         state = self.state
         if self._is_quiet:
             self._skip(1)
+            self.network.begin_cycle(state.clock_s, state.alive)
             return self._can_continue
         step = self.environment.step(tells_slices=self._trace is not None)
         if len(step.robots):
@@ -404,6 +410,7 @@ class Session:
         state.timesteps += 1
         state.rounds = 0
         state.update_presence()
+        self.network.begin_cycle(state.clock_s, state.alive)
         if self._trace is not None:
             self._trace.step(step)
         if self._observer is not None:
@@ -461,7 +468,7 @@ class Session:
         state.clock_s[robots] += SYSTEM_CALL / state.speed_hz[robots]
 
     def _answer_hosts(self, robots: IndexArray, codes: Int32Array) -> None:
-        """Answer requests to the host computers, immediately."""
+        """Answer requests to the host computers and their network, immediately."""
         self._charge_system_call(robots)
         for robot, code in zip(robots.tolist(), codes.tolist(), strict=True):
             self._answer_host(robot, code)
@@ -471,7 +478,11 @@ class Session:
         if code == CODES["UNCONNECTED"]:
             state.unconnected_calls[robot] = self.fleet.library_call(robot)
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        self._host.serve(code, HostRequest(robot, message, float(state.clock_s[robot])))
+        request = HostRequest(robot, message, float(state.clock_s[robot]))
+        if code in NETWORK_CODES:
+            state.clock_s[robot] = self.network.serve(code, request)
+            return
+        self._host.serve(code, request)
         if self._host.exit_status[robot] is not None:
             self._hints.note_exit(robot, float(state.clock_s[robot]))
             state.end(np.array([robot]))

@@ -22,6 +22,7 @@ from crs_cc.requests import FAILED, TIMING
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_driver
+from crs_cc.session.network.service import NetworkService
 from crs_cc.session.result import (
     Added,
     Outcome,
@@ -62,6 +63,7 @@ class SessionState:
         environment: the world.
         fleet: the programs.
         host: the host computers.
+        network: the network between them.
         alive: which programs are running: they have started, and have not ended.
         clock_s: each program's clock [s]; infinite while it waits for an event.
         fuel: IR instructions that each program has run.
@@ -101,6 +103,7 @@ class SessionState:
         self.environment = Environment(world, seed)
         self.fleet = fleet or Fleet(executables, build_driver(), threads)
         self.host = host
+        self.network = NetworkService(self.environment)
         count = len(executables)
         self._added: list[Added] = []
         self.timesteps = 0
@@ -220,6 +223,7 @@ class SessionState:
             tuple(array.copy() for array in self._arrays()),
             tuple(self.host.exit_status),
             tuple(disk.snapshot() for disk in self.host.disks),
+            self.network.snapshot(),
             self.timesteps,
             self.rounds,
             self.halted,
@@ -244,6 +248,7 @@ class SessionState:
         self.host.exit_status[:] = snapshot.exit_status
         for disk, files in zip(self.host.disks, snapshot.disks, strict=True):
             disk.restore(files)
+        self.network.restore(snapshot.network)
         self.timesteps = snapshot.timesteps
         self.rounds, self.halted = snapshot.rounds, snapshot.halted
 
@@ -257,6 +262,7 @@ class SessionState:
         for disk in self.host.disks:
             for piece in disk.state():
                 digest.update(piece)
+        digest.update(self.network.hashed())
         for array in self._arrays():
             digest.update(array.tobytes())
         digest.update(repr(self.host.exit_status).encode())

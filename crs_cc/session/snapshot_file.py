@@ -24,6 +24,7 @@ from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Location
 from crs_cc.runtime.fleet import Snapshot as ProgramSnapshot
 from crs_cc.session.files import DiskSnapshot, File
+from crs_cc.session.network.sockets import Machine, NetworkState, Segment, Socket, Wait
 from crs_cc.session.result import SessionSnapshot
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot
@@ -34,7 +35,7 @@ from crs_cc.sim.state.holds import Holds
 from crs_cc.sim.state.snapshot_codec import Packed
 
 MAGIC: Final = b"crs snapshot\n\x1a\0\0"
-VERSION: Final = 1
+VERSION: Final = 2
 PAGE: Final = 4096
 MAX_BASE_BYTES: Final = 512 * 2**20
 MAX_ROBOT_BYTES: Final = 2 * 2**20
@@ -48,7 +49,7 @@ _CONSTANTS: Final = {b"N": None, b"T": True, b"F": False}
 
 _CLASSES: Final = (
     SessionSnapshot, EnvironmentSnapshot, PhysicsSnapshot, Bodies, Pull, Ran, Holds, Packed, Served,
-    Event, ProgramSnapshot, DiskSnapshot, File,
+    Event, ProgramSnapshot, DiskSnapshot, File, NetworkState, Socket, Segment, Wait, Machine,
 )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from crs_cc.sim.model.communication import (
     ANY,
     LONGEST_QUEUE,
     MAX_CHANNELS,
+    PLAIN_COMMUNICATION,
     PREDEFINED,
     Channel,
     Communication,
@@ -45,7 +46,15 @@ def communication(root: Element, robots: Sequence[str], reader: Reader) -> Commu
         reader.error(root.first("communication"), f"more than {MAX_SHUTS} outages (<shut>)")
         shuts = []
     found = tuple(_shut(element, list(channels), robots, reader) for element in shuts)
-    return Communication(tuple(channels.values()), found)
+    return Communication(tuple(channels.values()), found, _latency_s(root, reader))
+
+
+def _latency_s(root: Element, reader: Reader) -> float:
+    """Return the latency of the network; the last element that has one decides."""
+    latency_s = PLAIN_COMMUNICATION.network_latency_s
+    for element in root.all("communication"):
+        latency_s = _delay(element, "network-latency", latency_s, reader)
+    return latency_s
 
 
 def _channel(element: Element, before: Channel, reader: Reader) -> Channel:

@@ -23,7 +23,12 @@ from crs_cc.sim.files.solid_writer import hot, pose, solid_elements, surface
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.files.xml_document import document_of
 from crs_cc.sim.model.beacons import Light, Sound
-from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
+from crs_cc.sim.model.communication import (
+    PLAIN_COMMUNICATION,
+    PREDEFINED,
+    Channel,
+    Communication,
+)
 from crs_cc.sim.model.degradation import HOLD, Degradation, degradables
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 from crs_cc.sim.model.robot import RobotModel
@@ -239,8 +244,11 @@ def _communication(world: WorldModel) -> Iterator[Element]:
     for each in own.shuts:
         link = names[each.channel], robot_names[each.sender], robot_names[each.receiver]
         children.append(_shut(each.at_s, each.until_s, *link))
-    if children:
-        yield Element("communication", 0, children=children)
+    attributes = {}
+    if own.network_latency_s != PLAIN_COMMUNICATION.network_latency_s:
+        attributes["network-latency"] = TIME.exact(own.network_latency_s)
+    if children or attributes:
+        yield Element("communication", 0, attributes, children=children)
 
 
 def _shut(at_s: float, until_s: float, channel: str, sender: str, receiver: str) -> Element:

@@ -99,10 +99,18 @@ PREDEFINED: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Communication:
-    """All channels of a world and their outages."""
+    """All channels of a world and their outages, and the network between the robots' computers.
+
+    Attributes:
+        channels: the channels.
+        shuts: their outages.
+        network_latency_s: how long what a program sends to a socket takes at least; the default
+            is chosen by us, that of a wireless network.
+    """
 
     channels: tuple[Channel, ...] = PREDEFINED
     shuts: tuple[Shut, ...] = ()
+    network_latency_s: float = 0.002
 
 
 PLAIN_COMMUNICATION: Final = Communication()

@@ -1,0 +1,5 @@
+"""The network of a run: sockets of programs, and what is on its way between them.
+
+`sockets` has its state as plain records, `addresses` who is on it, `network` what programs do,
+`delivery` what arrives, `outside` what comes from the real network, and `service` the requests.
+"""
