@@ -1,55 +1,83 @@
-/* Names of hosts and services (POSIX netdb.h): none is known. */
-#include <netdb.h>
-#include <stddef.h>
-#include <stdio.h>
-
+/* Names of computers (POSIX and BSD netdb.h): robots, and what the user has connected. */
+#include <arpa/inet.h>
+#include <crs_request.h>
 #include <errno.h>
-
-#include <crs/refuse.h>
+#include <netdb.h>
+#include <stdio.h>
+#include <string.h>
 
 int __crs_host_error;
 
-struct hostent *gethostbyname(const char *name)
-{
-    static int said;
+static struct in_addr found;
+static char found_name[CRS_DATA_SIZE + 1];
+static char *addresses[] = {(char *)&found, NULL}, *aliases[] = {NULL};
+static struct hostent entry = {found_name, aliases, AF_INET, sizeof found, addresses};
 
-    (void)name;
-    __crs_refuse(&said, "gethostbyname", ENETUNREACH);
+int __crs_look_up(const char *name, struct in_addr *address)
+{
+    struct __crs_message message;
+    size_t size = strlen(name);
+
+    if (size > CRS_DATA_SIZE)
+        return 0;
+    message.i[1] = 0;
+    message.size = size;
+    memcpy(message.data, name, size);
+    if (!__crs_request(CRS_NETWORK_ADDRESS, &message))
+        return 0;
+    address->s_addr = htonl(message.i[1]);
+    return 1;
+}
+
+int __crs_name_of(struct in_addr address, char *name)
+{
+    struct __crs_message message;
+    int size;
+
+    message.i[1] = ntohl(address.s_addr);
+    size = __crs_request(CRS_NETWORK_NAME, &message);
+    memcpy(name, message.data, size);
+    name[size] = '\0';
+    return size;
+}
+
+static struct hostent *not_found(void)
+{
     h_errno = HOST_NOT_FOUND;
     return NULL;
+}
+
+struct hostent *gethostbyname(const char *name)
+{
+    if (!inet_aton(name, &found) && !__crs_look_up(name, &found))
+        return not_found();
+    snprintf(found_name, sizeof found_name, "%s", name);
+    return &entry;
 }
 
 struct hostent *gethostbyaddr(const void *address, socklen_t size, int family)
 {
-    static int said;
-
-    (void)address;
-    (void)size;
-    (void)family;
-    __crs_refuse(&said, "gethostbyaddr", ENETUNREACH);
-    h_errno = HOST_NOT_FOUND;
-    return NULL;
-}
-
-UNAVAILABLE(struct servent *, getservbyname, (const char *name, const char *protocol), NULL, ENOENT)
-UNAVAILABLE(struct protoent *, getprotobyname, (const char *name), NULL, ENOENT)
-UNAVAILABLE(int, getaddrinfo,
-            (const char *name, const char *service, const struct addrinfo *hints,
-             struct addrinfo **found), EAI_FAIL, ENETUNREACH)
-
-void freeaddrinfo(struct addrinfo *found)
-{
-    (void)found;
+    if (family != AF_INET || size != sizeof found)
+        return not_found();
+    memcpy(&found, address, sizeof found);
+    return __crs_name_of(found, found_name) ? &entry : not_found();
 }
 
 static const char *text_of(int number)
 {
-    return number == 0 ? "Success" : "Unknown host";
-}
-
-const char *gai_strerror(int number)
-{
-    return text_of(number);
+    switch (number) {
+    case 0:
+        return "Resolver Error 0 (no error)";
+    case HOST_NOT_FOUND:
+        return "Unknown host";
+    case TRY_AGAIN:
+        return "Host name lookup failure";
+    case NO_RECOVERY:
+        return "Unknown server error";
+    case NO_DATA:
+        return "No address associated with name";
+    }
+    return "Unknown resolver error";
 }
 
 const char *hstrerror(int number)

@@ -11,7 +11,7 @@
 #include <crs/write.h>
 
 static struct __crs_open_file standard_files[3] = {
-    {1, O_RDONLY, -1, 0}, {1, O_WRONLY, -1, 1}, {1, O_WRONLY, -1, 2},
+    {1, O_RDONLY, -1, 0, NULL}, {1, O_WRONLY, -1, 1, NULL}, {1, O_WRONLY, -1, 2, NULL},
 };
 static struct __crs_open_file open_files[CRS_DESCRIPTORS];
 static struct __crs_open_file *table[CRS_DESCRIPTORS] = {
@@ -63,14 +63,11 @@ static int free_descriptor(int wanted)
     return fail(EMFILE);
 }
 
-int __crs_open(const char *name, int flags)
+int __crs_install(const struct __crs_operations *operations, int number, int flags)
 {
-    int descriptor = free_descriptor(0), i, number;
+    int descriptor = free_descriptor(0), i;
 
     if (descriptor < 0)
-        return -1;
-    number = __crs_by_name(CRS_FILE_OPEN, name, flags);
-    if (number < 0)
         return -1;
     for (i = 0; open_files[i].uses > 0; i++)
         ;
@@ -78,8 +75,19 @@ int __crs_open(const char *name, int flags)
     open_files[i].flags = flags;
     open_files[i].number = number;
     open_files[i].offset = 0;
+    open_files[i].operations = operations;
     table[descriptor] = &open_files[i];
     return descriptor;
+}
+
+int __crs_open(const char *name, int flags)
+{
+    int number;
+
+    if (free_descriptor(0) < 0)
+        return -1;
+    number = __crs_by_name(CRS_FILE_OPEN, name, flags);
+    return number < 0 ? -1 : __crs_install(NULL, number, flags);
 }
 
 int __crs_close(int descriptor)
@@ -92,6 +100,8 @@ int __crs_close(int descriptor)
     table[descriptor] = NULL;
     if (--file->uses > 0 || file->number < 0)
         return 0;
+    if (file->operations != NULL)
+        return file->operations->close(file);
     message.i[0] = file->number;
     message.i[1] = message.i[2] = message.size = 0;
     return ask(CRS_FILE_CLOSE, &message);
@@ -120,7 +130,7 @@ long __crs_resize(int descriptor, long size)
 
     if (file == NULL)
         return -1;
-    if (file->number < 0 || (size >= 0 && (file->flags & O_ACCMODE) == O_RDONLY))
+    if (file->number < 0 || file->operations != NULL || (size >= 0 && (file->flags & O_ACCMODE) == O_RDONLY))
         return fail(EINVAL);
     message.i[0] = file->number;
     message.i[1] = size;
@@ -136,7 +146,7 @@ long __crs_seek(int descriptor, long offset, int whence)
 
     if (file == NULL)
         return -1;
-    if (file->number < 0)
+    if (file->number < 0 || file->operations != NULL)
         return fail(ESPIPE);
     if (whence == SEEK_CUR)
         place += file->offset;
@@ -176,6 +186,8 @@ int __crs_read(int descriptor, void *bytes, int size)
         return -1;
     if ((file->flags & O_ACCMODE) == O_WRONLY)
         return fail(EBADF);
+    if (file->operations != NULL)
+        return file->operations->read(file, bytes, size);
     if (size > CRS_DATA_SIZE)
         size = CRS_DATA_SIZE;
     message.size = 0;
@@ -210,6 +222,8 @@ int __crs_put(int descriptor, const void *bytes, int size)
         return -1;
     if ((file->flags & O_ACCMODE) == O_RDONLY)
         return fail(EBADF);
+    if (file->operations != NULL)
+        return file->operations->write(file, bytes, size) < 0 ? -1 : 0;
     if (file->number < 0)
         return __crs_write(file->offset, bytes, size);
     while (size > 0) {

@@ -32,6 +32,8 @@ static int describe_open(int descriptor, struct stat *found)
 
     if (file == NULL)
         return -1;
+    if (file->operations != NULL)
+        return describe(found, file->number, S_IFSOCK | 0777, 0);
     if (file->number < 0)
         return describe(found, 0, S_IFIFO | 0600, 0);
     return describe(found, file->number, S_IFREG | 0644, __crs_resize(descriptor, -1));

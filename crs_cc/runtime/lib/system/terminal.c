@@ -70,6 +70,8 @@ static int waiting_bytes(struct __crs_open_file *file, int descriptor)
     double wait_s;
     long left;
 
+    if (file->operations != 0)
+        return file->operations->available(file);
     if (file->number < 0)
         return (file->flags & O_ACCMODE) == O_RDONLY ? __crs_input(&wait_s) : 0;
     left = __crs_resize(descriptor, -1) - file->offset;
@@ -80,17 +82,20 @@ int ioctl(int descriptor, unsigned long request, ...)
 {
     struct __crs_open_file *file = __crs_find(descriptor);
     va_list arguments;
+    int *argument;
 
     if (file == 0)
         return -1;
-    if (request == FIONREAD) {
-        va_start(arguments, request);
-        *va_arg(arguments, int *) = waiting_bytes(file, descriptor);
-        va_end(arguments);
-    }
-    if (request == FIONREAD || request == FIONBIO)
-        return 0;
-    return no_terminal(descriptor);
+    if (request != FIONREAD && request != FIONBIO)
+        return no_terminal(descriptor);
+    va_start(arguments, request);
+    argument = va_arg(arguments, int *);
+    va_end(arguments);
+    if (request == FIONREAD)
+        *argument = waiting_bytes(file, descriptor);
+    else
+        file->flags = (file->flags & ~O_NONBLOCK) | (*argument ? O_NONBLOCK : 0);
+    return 0;
 }
 
 int cfsetispeed(struct termios *settings, speed_t speed)

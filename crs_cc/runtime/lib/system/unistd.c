@@ -33,6 +33,8 @@ static ssize_t take(int descriptor, void *bytes, size_t size)
 
     if (file == NULL)
         return -1;
+    if (file->operations != NULL)
+        return __crs_read(descriptor, bytes, size);
     do {
         piece = __crs_read(descriptor, to, size < CRS_DATA_SIZE ? size : CRS_DATA_SIZE);
         if (piece < 0)
@@ -50,6 +52,10 @@ ssize_t read(int descriptor, void *bytes, size_t size)
 
 ssize_t write(int descriptor, const void *bytes, size_t size)
 {
+    struct __crs_open_file *file = __crs_find(descriptor);
+
+    if (file != NULL && file->operations != NULL)
+        return file->operations->write(file, bytes, size);
     return __crs_put(descriptor, bytes, size) < 0 ? -1 : (ssize_t)size;
 }
 

@@ -24,6 +24,9 @@ struct sockaddr_in {
 #define IPPROTO_TCP 6
 #define IPPROTO_UDP 17
 #define IPPORT_RESERVED 1024
+#define IP_TOS 1
+#define IP_TTL 2
+#define IN_LOOPBACKNET 127
 #define INADDR_ANY ((in_addr_t)0)
 #define INADDR_LOOPBACK ((in_addr_t)0x7f000001)
 #define INADDR_BROADCAST ((in_addr_t)0xffffffff)

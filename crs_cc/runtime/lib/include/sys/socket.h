@@ -1,4 +1,4 @@
-/* POSIX sys/socket.h. A simulated robot's program has no network: every call fails. */
+/* POSIX sys/socket.h: sockets, in the network of the run. */
 #ifndef _SYS_SOCKET_H
 #define _SYS_SOCKET_H
 
@@ -46,21 +46,28 @@ struct msghdr {
 #define SOCK_STREAM 1
 #define SOCK_DGRAM 2
 #define SOCK_RAW 3
+#define SOCK_NONBLOCK 04000
+#define SOCK_CLOEXEC 02000000
 #define SOL_SOCKET 1
 #define SO_DEBUG 1
 #define SO_REUSEADDR 2
 #define SO_TYPE 3
 #define SO_ERROR 4
+#define SO_DONTROUTE 5
 #define SO_BROADCAST 6
 #define SO_SNDBUF 7
 #define SO_RCVBUF 8
 #define SO_KEEPALIVE 9
+#define SO_OOBINLINE 10
 #define SO_LINGER 13
+#define SO_REUSEPORT 15
 #define SO_RCVTIMEO 20
 #define SO_SNDTIMEO 21
 #define SOMAXCONN 128
 #define MSG_OOB 1
 #define MSG_PEEK 2
+#define MSG_DONTROUTE 4
+#define MSG_TRUNC 0x20
 #define MSG_DONTWAIT 0x40
 #define MSG_WAITALL 0x100
 #define MSG_NOSIGNAL 0x4000
@@ -74,6 +81,7 @@ int bind(int descriptor, const struct sockaddr *address, socklen_t size);
 int connect(int descriptor, const struct sockaddr *address, socklen_t size);
 int listen(int descriptor, int backlog);
 int accept(int descriptor, struct sockaddr *address, socklen_t *size);
+int accept4(int descriptor, struct sockaddr *address, socklen_t *size, int flags);
 int getsockname(int descriptor, struct sockaddr *address, socklen_t *size);
 int getpeername(int descriptor, struct sockaddr *address, socklen_t *size);
 int getsockopt(int descriptor, int level, int name, void *value, socklen_t *size);

@@ -9,4 +9,7 @@ struct sockaddr_un {
     char sun_path[108];
 };
 
+#define SUN_LEN(address) (__builtin_offsetof(struct sockaddr_un, sun_path) + \
+                          strlen((address)->sun_path))
+
 #endif
