@@ -57,7 +57,7 @@ NETWORK_REQUESTS: Final = (
         "SOCKET_CONNECT", 25,
         "int connect(int descriptor, const struct sockaddr *address, socklen_t size)",
         "begins a connection, or sets where datagrams go", (*_NUMBER, *_ADDRESS, *_PATH),
-        results=fields(("zero", "result", "1", "0 for datagrams, or -errno, EINPROGRESS once begun")),
+        results=fields(("zero", "result", "1", "0 for datagrams, or -errno; EINPROGRESS: begun")),
     ),
     _request(
         "SOCKET_ACCEPT", 26,

@@ -136,8 +136,7 @@ class Session:
         self.environment = self.state.environment
         self.fleet = self.state.fleet
         self.network = self.state.network
-        self._trace = trace
-        self._observer = observer
+        self._trace, self._observer = trace, observer
         self._hints = Hints(self.environment, self.fleet)
 
     # -- the state -----------------------------------------------------------------------------

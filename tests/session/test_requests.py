@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 import crs_cc.runtime
-from crs_cc.requests import MESSAGE, REQUESTS, Request
+from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.runtime.turns import ANSWERED
 from crs_cc.session.device_library import device_headers
 from crs_cc.session.host import HOST_CODES, Host, discard, no_input
+from crs_cc.session.network.service import _SERVERS, NETWORK_CODES
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world
 
@@ -30,7 +31,9 @@ def test_every_request_is_answered_and_described(row: Request, environment: Envi
     host = Host([[]], discard, no_input)
     answered_by_host = row.code in host._serve or row.code in ANSWERED
     assert answered_by_host == (row.server == "host")
-    assert answered_by_host != (row.code in environment._data.handlers)
+    assert (row.code in NETWORK_CODES) == (row.server == "network")
+    is_of_robot = row.server in ("robot", "device")
+    assert is_of_robot == (row.code in environment._data.handlers)
     assert row.waits == (row.code in environment._data.waits)
     for fields in (row.arguments, row.results):
         assert all(field.name.isidentifier() and field.unit for field in fields)
@@ -45,6 +48,10 @@ def test_every_request_is_answered_and_described(row: Request, environment: Envi
     if function[1] != "main":
         declaration = rf"^\w[\w *]*\b{function[1]}\([^;{{]*\);"
         assert re.search(declaration, HEADERS, re.MULTILINE), function[1]
+
+
+def test_the_network_answers_exactly_its_own_requests() -> None:
+    assert set(_SERVERS) | {CODES["SOCKET_WAIT"]} == NETWORK_CODES
 
 
 def test_the_host_rejects_other_requests() -> None:

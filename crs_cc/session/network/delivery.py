@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.session.network.addresses import ANY, BROADCAST
-from crs_cc.session.network.errors import ECONNREFUSED, ECONNRESET, ETIMEDOUT
+from crs_cc.session.network.errors import ECONNREFUSED, ECONNRESET, EPIPE, ETIMEDOUT
 from crs_cc.session.network.operations import TIMEOUT_S
 from crs_cc.session.network.sockets import (
     AF_INET,
@@ -143,7 +143,7 @@ def _end(network: Network, segment: Segment, _time_s: float) -> None:
 def _reset(network: Network, segment: Segment, _time_s: float) -> None:
     socket = _target(network, segment)
     if socket is not None and socket.condition == "connected":
-        socket.condition, socket.error, socket.at_end = "ended", ECONNRESET, True
+        socket.condition, socket.error = "ended", EPIPE if socket.at_end else ECONNRESET
         _tell(network, segment.target, "reset")
 
 

@@ -102,7 +102,7 @@ class Network:
         return self.add_waiting(robot, socket)
 
     def check_room(self, robot: int) -> None:
-        """Raise `SocketError` if a program has too many sockets; those to be accepted do not count."""
+        """Raise `SocketError` if a program has too many sockets besides those to be accepted."""
         own = [self.state.sockets[key] for key in self.state.owned(robot)]
         if len(own) - sum(len(each.waiting) for each in own) >= MOST_SOCKETS:
             raise SocketError(EMFILE)
@@ -144,19 +144,18 @@ class Network:
             raise SocketError(EADDRINUSE)
         socket.local = address, port
 
-    def name(self, key: Key, remote: Endpoint) -> None:
-        """Give a socket an address for what it sends to another, unless it has one."""
+    def origin(self, key: Key, remote: Endpoint) -> Endpoint:
+        """Return the address from which a socket sends to another; it is given a port first."""
         socket, robot = self.socket(key), key[0]
         if socket.family != AF_INET:
-            socket.local = socket.local or (ANY, b"")
-            return
+            return socket.local or (ANY, b"")
         if socket.local is None:
             self.bind(key, NOWHERE)
-        local = socket.local
-        assert local is not None
-        if local[0] == ANY:
+        address, port = socket.local or NOWHERE
+        if address == ANY:
             is_loopback = remote[0] >> 24 == LOOPBACK >> 24
-            socket.local = LOOPBACK if is_loopback else self.addresses.own(robot), local[1]
+            address = LOOPBACK if is_loopback else self.addresses.own(robot)
+        return address, port
 
     def _is_taken(self, key: Key, endpoint: Endpoint) -> bool:
         """Return whether an address is that of another socket; accepted ones do not count."""

@@ -92,7 +92,7 @@ def connect(network: Network, key: Key, to: Endpoint, at_s: float) -> None:
     """Set where a socket's datagrams go, or begin a connection, which fails with EINPROGRESS."""
     socket = network.socket(key)
     if socket.kind == DATAGRAM:
-        network.name(key, to)
+        socket.local = network.origin(key, to)
         socket.remote = None if to == NOWHERE else to
         return
     _check_can_connect(socket)
@@ -100,9 +100,9 @@ def connect(network: Network, key: Key, to: Endpoint, at_s: float) -> None:
         raise SocketError(ENOBUFS)
     if socket.family == AF_INET and not to[1]:
         raise SocketError(EADDRNOTAVAIL)
-    network.name(key, to)
+    socket.local = network.origin(key, to)
     socket.condition, socket.remote = "connecting", to
-    network.post(key, "open", None, at_s, to=to, origin=socket.local or NOWHERE)
+    network.post(key, "open", None, at_s, to=to, origin=socket.local)
     socket.until = network.cycle_after(at_s, TIMEOUT_S)
     raise SocketError(EINPROGRESS)
 
@@ -165,11 +165,10 @@ def send_datagram(
         raise SocketError(EDESTADDRREQ)
     if socket.unread >= BUFFER:
         raise SocketError(EAGAIN)
-    network.name(key, to)
+    origin = network.origin(key, to)
     if has_more:
         socket.staged = content
     else:
-        origin = socket.local or NOWHERE
         socket.unread += len(content) + DATAGRAM_HEAD
         network.post(key, "datagram", socket.peer, at_s, to=to, origin=origin, content=content)
     return len(piece)
@@ -223,9 +222,11 @@ def _receive_datagram(
 
 def _check_is_at_end(socket: Socket) -> None:
     """Return if nothing more can arrive on a connection, raise `SocketError` otherwise."""
+    if socket.at_end or socket.cannot_receive:
+        return
     if socket.error:
         raise SocketError(take_error(socket))
-    if not (socket.at_end or socket.cannot_receive or socket.condition == "ended"):
+    if socket.condition != "ended":
         is_open = socket.condition in ("connected", "connecting")
         raise SocketError(EAGAIN if is_open else ENOTCONN)
 

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include <crs/names.h>
+
 static unsigned int swapped(unsigned int value)
 {
     return value >> 24 | (value >> 8 & 0xff00) | (value & 0xff00) << 8 | value << 24;
@@ -29,9 +31,9 @@ uint32_t ntohl(uint32_t value)
     return swapped(value);
 }
 
-/* Reads one to four numbers with points between them; the last one fills the bytes that are left.
-   Returns 1, or 0 for something else. */
-static int read_address(const char *text, int only_decimal, unsigned int *address)
+/* Reads one to four numbers with points between them; the last one fills the bytes that are
+   left. */
+int __crs_read_address(const char *text, int only_decimal, unsigned int *address)
 {
     unsigned int parts[4] = {0, 0, 0, 0}, value = 0;
     int count = 0, i;
@@ -63,7 +65,7 @@ int inet_aton(const char *text, struct in_addr *address)
 {
     unsigned int value;
 
-    if (!read_address(text, 0, &value))
+    if (!__crs_read_address(text, 0, &value))
         return 0;
     address->s_addr = value;
     return 1;
@@ -73,10 +75,10 @@ in_addr_t inet_addr(const char *text)
 {
     unsigned int value;
 
-    return read_address(text, 0, &value) ? value : INADDR_NONE;
+    return __crs_read_address(text, 0, &value) ? value : INADDR_NONE;
 }
 
-static char *write_address(unsigned int value, char *text)
+char *__crs_write_address(unsigned int value, char *text)
 {
     sprintf(text, "%u.%u.%u.%u", value & 255, value >> 8 & 255, value >> 16 & 255, value >> 24);
     return text;
@@ -86,7 +88,7 @@ char *inet_ntoa(struct in_addr address)
 {
     static char text[INET_ADDRSTRLEN];
 
-    return write_address(address.s_addr, text);
+    return __crs_write_address(address.s_addr, text);
 }
 
 static int is_known(int family)
@@ -103,7 +105,7 @@ int inet_pton(int family, const char *text, void *address)
 
     if (!is_known(family))
         return -1;
-    if (!read_address(text, 1, &value))
+    if (!__crs_read_address(text, 1, &value))
         return 0;
     ((struct in_addr *)address)->s_addr = value;
     return 1;
@@ -117,5 +119,5 @@ const char *inet_ntop(int family, const void *address, char *text, socklen_t siz
         errno = ENOSPC;
         return NULL;
     }
-    return write_address(((const struct in_addr *)address)->s_addr, text);
+    return __crs_write_address(((const struct in_addr *)address)->s_addr, text);
 }

@@ -1,5 +1,5 @@
 /* Addresses of names and services, and back (POSIX netdb.h). */
-#include <arpa/inet.h>
+#include <byteswap.h>
 #include <netdb.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,6 @@ struct answer {
 /* Finds a port; returns -1 if there is none of this name. */
 static int port_of(const char *service, const struct addrinfo *hints)
 {
-    struct servent *entry;
     char *end;
     long port;
 
@@ -26,17 +25,16 @@ static int port_of(const char *service, const struct addrinfo *hints)
         return port >= 0 && port <= 0xffff ? (int)port : -1;
     if (hints->ai_flags & AI_NUMERICSERV)
         return -1;
-    entry = getservbyname(service, hints->ai_socktype == SOCK_DGRAM ? "udp" : "tcp");
-    return entry == NULL ? -1 : ntohs(entry->s_port);
+    return __crs_port_of(service);
 }
 
 static int find_address(const char *name, const struct addrinfo *hints, struct in_addr *address)
 {
     if (name == NULL) {
-        address->s_addr = htonl(hints->ai_flags & AI_PASSIVE ? INADDR_ANY : INADDR_LOOPBACK);
+        address->s_addr = bswap_32(hints->ai_flags & AI_PASSIVE ? INADDR_ANY : INADDR_LOOPBACK);
         return 0;
     }
-    if (inet_aton(name, address))
+    if (__crs_read_address(name, 0, &address->s_addr))
         return 0;
     if (hints->ai_flags & AI_NUMERICHOST || !__crs_look_up(name, address))
         return EAI_NONAME;
@@ -51,16 +49,20 @@ static struct addrinfo *make_answer(int type, struct in_addr address, int port,
     if (made == NULL)
         return NULL;
     made->address.sin_family = made->info.ai_family = AF_INET;
-    made->address.sin_port = htons(port);
+    made->address.sin_port = bswap_16(port);
     made->address.sin_addr = address;
     made->info.ai_socktype = type;
     made->info.ai_protocol = type == SOCK_STREAM ? IPPROTO_TCP : IPPROTO_UDP;
     made->info.ai_addrlen = sizeof made->address;
     made->info.ai_addr = (struct sockaddr *)&made->address;
-    if (canonical != NULL && (made->info.ai_canonname = strdup(canonical)) == NULL) {
+    if (canonical == NULL)
+        return &made->info;
+    made->info.ai_canonname = malloc(strlen(canonical) + 1);
+    if (made->info.ai_canonname == NULL) {
         free(made);
         return NULL;
     }
+    strcpy(made->info.ai_canonname, canonical);
     return &made->info;
 }
 
@@ -133,15 +135,19 @@ const char *gai_strerror(int number)
 
 static int put_text(char *to, socklen_t room, const char *text)
 {
-    return to == NULL || room == 0 || (size_t)snprintf(to, room, "%s", text) < room
-               ? 0 : EAI_OVERFLOW;
+    if (to == NULL || room == 0)
+        return 0;
+    if (strlen(text) >= room)
+        return EAI_OVERFLOW;
+    strcpy(to, text);
+    return 0;
 }
 
 int getnameinfo(const struct sockaddr *address, socklen_t size, char *name, socklen_t name_size,
                 char *service, socklen_t service_size, int flags)
 {
     const struct sockaddr_in *internet = (const struct sockaddr_in *)address;
-    struct servent *entry;
+    const char *known = NULL;
     char text[256], number[8];
 
     if (address->sa_family != AF_INET || size < sizeof *internet)
@@ -149,12 +155,12 @@ int getnameinfo(const struct sockaddr *address, socklen_t size, char *name, sock
     if (flags & NI_NUMERICHOST || !__crs_name_of(internet->sin_addr, text)) {
         if (flags & NI_NAMEREQD)
             return EAI_NONAME;
-        strcpy(text, inet_ntoa(internet->sin_addr));
+        __crs_write_address(internet->sin_addr.s_addr, text);
     }
     if (put_text(name, name_size, text) != 0)
         return EAI_OVERFLOW;
-    sprintf(number, "%u", ntohs(internet->sin_port));
-    entry = flags & NI_NUMERICSERV
-                ? NULL : getservbyport(internet->sin_port, flags & NI_DGRAM ? "udp" : "tcp");
-    return put_text(service, service_size, entry == NULL ? number : entry->s_name);
+    sprintf(number, "%u", bswap_16(internet->sin_port));
+    if (!(flags & NI_NUMERICSERV))
+        known = __crs_service_at(bswap_16(internet->sin_port));
+    return put_text(service, service_size, known == NULL ? number : known);
 }

@@ -1,11 +1,14 @@
 /* Addresses of sockets, and connections (POSIX sys/socket.h). */
+#include <byteswap.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <netinet/in.h>
-#include <poll.h>
+#include <signal.h>
+#include <stddef.h>
 #include <string.h>
 #include <sys/un.h>
 
+#include <crs/signals.h>
 #include <crs/socket.h>
 
 #define PATH_AT offsetof(struct sockaddr_un, sun_path)
@@ -21,10 +24,12 @@ static int put_path(struct __crs_message *message, const struct sockaddr_un *add
                     socklen_t size)
 {
     size_t room = size - PATH_AT;
+    const char *end;
 
     if (size <= PATH_AT || size > sizeof *address)
         return fail(EINVAL);
-    message->size = address->sun_path[0] == '\0' ? room : strnlen(address->sun_path, room);
+    end = address->sun_path[0] == '\0' ? NULL : memchr(address->sun_path, '\0', room);
+    message->size = end == NULL ? room : (size_t)(end - address->sun_path);
     memcpy(message->data, address->sun_path, message->size);
     return 0;
 }
@@ -45,8 +50,8 @@ int __crs_put_address(struct __crs_open_file *file, struct __crs_message *messag
         return put_path(message, (const struct sockaddr_un *)address, size);
     if (size < sizeof *internet)
         return fail(EINVAL);
-    message->i[1] = ntohl(internet->sin_addr.s_addr);
-    message->i[2] = ntohs(internet->sin_port);
+    message->i[1] = bswap_32(internet->sin_addr.s_addr);
+    message->i[2] = bswap_16(internet->sin_port);
     return 0;
 }
 
@@ -54,7 +59,9 @@ void __crs_take_address(struct __crs_open_file *file, const struct __crs_message
                         struct sockaddr *address, socklen_t *size)
 {
     struct sockaddr_un local = {AF_UNIX, {0}};
-    struct sockaddr_in internet = {AF_INET, htons(message->i[2]), {htonl(message->i[1])}, {0}};
+    struct sockaddr_in internet = {
+        AF_INET, bswap_16(message->i[2]), {bswap_32(message->i[1])}, {0},
+    };
     int is_local = __crs_socket_of(file)->family == AF_UNIX;
     size_t whole = sizeof internet;
 
@@ -95,7 +102,20 @@ int listen(int descriptor, int backlog)
     return file == NULL ? -1 : __crs_ask_socket(CRS_SOCKET_LISTEN, file, &message);
 }
 
-int accept4(int descriptor, struct sockaddr *address, socklen_t *size, int flags)
+/* Stores a socket's own address, or that of the other end. */
+static int get_name(int descriptor, int which, struct sockaddr *address, socklen_t *size)
+{
+    struct __crs_open_file *file = __crs_find_socket(descriptor);
+    struct __crs_message message;
+
+    message.i[1] = which;
+    if (file == NULL || __crs_ask_socket(CRS_SOCKET_NAME, file, &message) < 0)
+        return -1;
+    __crs_take_address(file, &message, address, size);
+    return 0;
+}
+
+static int take_connection(int descriptor, struct sockaddr *address, socklen_t *size, int flags)
 {
     struct __crs_open_file *file = __crs_find_socket(descriptor);
     struct __crs_message message;
@@ -107,13 +127,18 @@ int accept4(int descriptor, struct sockaddr *address, socklen_t *size, int flags
     made = __crs_install_socket(__crs_socket_of(file)->family, SOCK_STREAM, number,
                                 flags & SOCK_NONBLOCK ? O_NONBLOCK : 0);
     if (made >= 0 && address != NULL)
-        getpeername(made, address, size);
+        get_name(made, 1, address, size);
     return made;
+}
+
+int accept4(int descriptor, struct sockaddr *address, socklen_t *size, int flags)
+{
+    return take_connection(descriptor, address, size, flags);
 }
 
 int accept(int descriptor, struct sockaddr *address, socklen_t *size)
 {
-    return accept4(descriptor, address, size, 0);
+    return take_connection(descriptor, address, size, 0);
 }
 
 /* Waits until a connection is made or has failed. After a signal it goes on being made. */
@@ -124,7 +149,7 @@ static int finish_connecting(struct __crs_open_file *file)
 
     while (file->operations->poll(file) == 0)
         if (__crs_wait_for_sockets(&wanted, 1, __crs_socket_of(file)->send_s) < 0
-            && !__crs_goes_on())
+            && !__crs_restarts(SIGALRM))
             return -1;
     error = __crs_ask_socket(CRS_SOCKET_ERROR, file, &message);
     return error > 0 ? fail(error) : error;
@@ -157,19 +182,6 @@ int shutdown(int descriptor, int how)
 
     message.i[1] = how;
     return file == NULL ? -1 : __crs_ask_socket(CRS_SOCKET_SHUTDOWN, file, &message);
-}
-
-/* Stores a socket's own address, or that of the other end. */
-static int get_name(int descriptor, int which, struct sockaddr *address, socklen_t *size)
-{
-    struct __crs_open_file *file = __crs_find_socket(descriptor);
-    struct __crs_message message;
-
-    message.i[1] = which;
-    if (file == NULL || __crs_ask_socket(CRS_SOCKET_NAME, file, &message) < 0)
-        return -1;
-    __crs_take_address(file, &message, address, size);
-    return 0;
 }
 
 int getsockname(int descriptor, struct sockaddr *address, socklen_t *size)

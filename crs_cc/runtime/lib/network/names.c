@@ -1,10 +1,12 @@
 /* Names of computers (POSIX and BSD netdb.h): robots, and what the user has connected. */
-#include <arpa/inet.h>
+#include <byteswap.h>
 #include <crs_request.h>
 #include <errno.h>
 #include <netdb.h>
 #include <stdio.h>
 #include <string.h>
+
+#include <crs/names.h>
 
 int __crs_host_error;
 
@@ -25,7 +27,7 @@ int __crs_look_up(const char *name, struct in_addr *address)
     memcpy(message.data, name, size);
     if (!__crs_request(CRS_NETWORK_ADDRESS, &message))
         return 0;
-    address->s_addr = htonl(message.i[1]);
+    address->s_addr = bswap_32(message.i[1]);
     return 1;
 }
 
@@ -34,7 +36,7 @@ int __crs_name_of(struct in_addr address, char *name)
     struct __crs_message message;
     int size;
 
-    message.i[1] = ntohl(address.s_addr);
+    message.i[1] = bswap_32(address.s_addr);
     size = __crs_request(CRS_NETWORK_NAME, &message);
     memcpy(name, message.data, size);
     name[size] = '\0';
@@ -49,9 +51,10 @@ static struct hostent *not_found(void)
 
 struct hostent *gethostbyname(const char *name)
 {
-    if (!inet_aton(name, &found) && !__crs_look_up(name, &found))
+    if (strlen(name) >= sizeof found_name
+        || (!__crs_read_address(name, 0, &found.s_addr) && !__crs_look_up(name, &found)))
         return not_found();
-    snprintf(found_name, sizeof found_name, "%s", name);
+    strcpy(found_name, name);
     return &entry;
 }
 

@@ -1,7 +1,10 @@
 /* Services and protocols by name and number (POSIX netdb.h), as in /etc/services and
    /etc/protocols. */
+#include <byteswap.h>
 #include <netdb.h>
 #include <string.h>
+
+#include <crs/names.h>
 
 static char *aliases[] = {NULL};
 static const struct { const char *name; int port; } services[] = {
@@ -16,33 +19,45 @@ static const struct { const char *name; int number; } protocols[] = {
 static struct servent service;
 static struct protoent protocol;
 
-static struct servent *found_service(unsigned i, const char *wanted)
+int __crs_port_of(const char *name)
 {
-    service.s_name = (char *)services[i].name;
+    unsigned i;
+
+    for (i = 0; i < sizeof services / sizeof *services; i++)
+        if (strcmp(services[i].name, name) == 0)
+            return services[i].port;
+    return -1;
+}
+
+const char *__crs_service_at(int port)
+{
+    unsigned i;
+
+    for (i = 0; i < sizeof services / sizeof *services; i++)
+        if (services[i].port == port)
+            return services[i].name;
+    return NULL;
+}
+
+static struct servent *found_service(const char *name, int port, const char *wanted)
+{
+    if (name == NULL || port < 0)
+        return NULL;
+    service.s_name = (char *)name;
     service.s_aliases = aliases;
-    service.s_port = htons(services[i].port);
+    service.s_port = bswap_16(port);
     service.s_proto = wanted != NULL && strcmp(wanted, "udp") == 0 ? "udp" : "tcp";
     return &service;
 }
 
 struct servent *getservbyname(const char *name, const char *wanted)
 {
-    unsigned i;
-
-    for (i = 0; i < sizeof services / sizeof *services; i++)
-        if (strcmp(services[i].name, name) == 0)
-            return found_service(i, wanted);
-    return NULL;
+    return found_service(name, __crs_port_of(name), wanted);
 }
 
 struct servent *getservbyport(int port, const char *wanted)
 {
-    unsigned i;
-
-    for (i = 0; i < sizeof services / sizeof *services; i++)
-        if (services[i].port == ntohs(port))
-            return found_service(i, wanted);
-    return NULL;
+    return found_service(__crs_service_at(bswap_16(port)), bswap_16(port), wanted);
 }
 
 static struct protoent *found_protocol(unsigned i)

@@ -1,13 +1,13 @@
 /* Sockets as descriptors (POSIX sys/socket.h), and waiting for them. */
 #include <errno.h>
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <signal.h>
 #include <string.h>
 
-#include <netinet/in.h>
-
 #include <crs/clock.h>
+#include <crs/signals.h>
 #include <crs/socket.h>
 
 #define TYPE_FLAGS (SOCK_NONBLOCK | SOCK_CLOEXEC)
@@ -168,13 +168,6 @@ int __crs_wait_for_sockets(const int *wanted, int count, double wait_s)
     return __crs_alarm_s == alarm_s ? 0 : fail(EINTR);
 }
 
-int __crs_goes_on(void)
-{
-    struct sigaction action;
-
-    return sigaction(SIGALRM, NULL, &action) == 0 && action.sa_flags & SA_RESTART;
-}
-
 int __crs_attempt(int code, struct __crs_open_file *file, struct __crs_message *message,
                   int wanted, int flags)
 {
@@ -192,7 +185,7 @@ int __crs_attempt(int code, struct __crs_open_file *file, struct __crs_message *
             return result;
         if (until_s < __builtin_inf() && (left_s = until_s - __crs_now(NULL)) <= 0)
             return fail(EAGAIN);
-        if (__crs_wait_for_sockets(&wanted, 1, left_s) < 0 && !__crs_goes_on())
+        if (__crs_wait_for_sockets(&wanted, 1, left_s) < 0 && !__crs_restarts(SIGALRM))
             return -1;
         *message = asked;
     }

@@ -1,6 +1,6 @@
 /* Sending and receiving (POSIX sys/socket.h). A request has room for a piece of what is sent. */
-#include <arpa/inet.h>
 #include <errno.h>
+#include <netinet/in.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,17 +100,23 @@ static ssize_t send_all(struct __crs_open_file *file, const void *bytes, size_t 
     return send_stream(file, bytes, size, flags);
 }
 
-ssize_t sendto(int descriptor, const void *bytes, size_t size, int flags,
-               const struct sockaddr *address, socklen_t address_size)
+static ssize_t send_from(int descriptor, const void *bytes, size_t size, int flags,
+                         const struct sockaddr *address, socklen_t address_size)
 {
     struct __crs_open_file *file = __crs_find_socket(descriptor);
 
     return file == NULL ? -1 : send_all(file, bytes, size, flags, address, address_size);
 }
 
+ssize_t sendto(int descriptor, const void *bytes, size_t size, int flags,
+               const struct sockaddr *address, socklen_t address_size)
+{
+    return send_from(descriptor, bytes, size, flags, address, address_size);
+}
+
 ssize_t send(int descriptor, const void *bytes, size_t size, int flags)
 {
-    return sendto(descriptor, bytes, size, flags, NULL, 0);
+    return send_from(descriptor, bytes, size, flags, NULL, 0);
 }
 
 int __crs_write_socket(struct __crs_open_file *file, const void *bytes, int size)
@@ -160,7 +166,7 @@ static ssize_t receive_datagram(struct __crs_open_file *file, char *bytes, size_
             return -1;
         memcpy(bytes + got, message.data, count);
         got += count;
-    } while (count > 0 && got < size);
+    } while (count == CRS_DATA_SIZE && got < size);
     length = message.i[3];
     message.size = 0;
     __crs_take_address(file, &message, address, address_size);
@@ -183,17 +189,23 @@ static ssize_t receive(struct __crs_open_file *file, void *bytes, size_t size, i
     return receive_stream(file, bytes, size, flags);
 }
 
-ssize_t recvfrom(int descriptor, void *bytes, size_t size, int flags,
-                 struct sockaddr *address, socklen_t *address_size)
+static ssize_t receive_at(int descriptor, void *bytes, size_t size, int flags,
+                          struct sockaddr *address, socklen_t *address_size)
 {
     struct __crs_open_file *file = __crs_find_socket(descriptor);
 
     return file == NULL ? -1 : receive(file, bytes, size, flags, address, address_size);
 }
 
+ssize_t recvfrom(int descriptor, void *bytes, size_t size, int flags,
+                 struct sockaddr *address, socklen_t *address_size)
+{
+    return receive_at(descriptor, bytes, size, flags, address, address_size);
+}
+
 ssize_t recv(int descriptor, void *bytes, size_t size, int flags)
 {
-    return recvfrom(descriptor, bytes, size, flags, NULL, NULL);
+    return receive_at(descriptor, bytes, size, flags, NULL, NULL);
 }
 
 int __crs_read_socket(struct __crs_open_file *file, void *bytes, int size)
@@ -222,7 +234,7 @@ ssize_t sendmsg(int descriptor, const struct msghdr *message, int flags)
         memcpy(bytes + at, message->msg_iov[i].iov_base, message->msg_iov[i].iov_len);
         at += message->msg_iov[i].iov_len;
     }
-    sent = sendto(descriptor, bytes, size, flags, message->msg_name, message->msg_namelen);
+    sent = send_from(descriptor, bytes, size, flags, message->msg_name, message->msg_namelen);
     free(bytes);
     return sent;
 }
@@ -235,8 +247,8 @@ ssize_t recvmsg(int descriptor, struct msghdr *message, int flags)
 
     if (bytes == NULL)
         return fail(ENOBUFS);
-    got = recvfrom(descriptor, bytes, size, flags & ~MSG_TRUNC, message->msg_name,
-                   message->msg_name == NULL ? NULL : &message->msg_namelen);
+    got = receive_at(descriptor, bytes, size, flags & ~MSG_TRUNC, message->msg_name,
+                     message->msg_name == NULL ? NULL : &message->msg_namelen);
     for (i = 0; got > 0 && i < message->msg_iovlen && at < (size_t)got; i++) {
         size_t piece = least(got - at, message->msg_iov[i].iov_len);
         memcpy(message->msg_iov[i].iov_base, bytes + at, piece);

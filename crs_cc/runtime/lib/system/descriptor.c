@@ -130,7 +130,8 @@ long __crs_resize(int descriptor, long size)
 
     if (file == NULL)
         return -1;
-    if (file->number < 0 || file->operations != NULL || (size >= 0 && (file->flags & O_ACCMODE) == O_RDONLY))
+    if (file->number < 0 || file->operations != NULL
+        || (size >= 0 && (file->flags & O_ACCMODE) == O_RDONLY))
         return fail(EINVAL);
     message.i[0] = file->number;
     message.i[1] = size;

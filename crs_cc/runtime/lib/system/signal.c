@@ -143,6 +143,11 @@ __sighandler_t signal(int signal, __sighandler_t handler)
     return set_action(signal, &action) < 0 ? SIG_ERR : before;
 }
 
+int __crs_restarts(int signal)
+{
+    return (actions[signal].sa_flags & SA_RESTART) != 0;
+}
+
 int sigaction(int signal, const struct sigaction *action, struct sigaction *before)
 {
     struct sigaction old;

@@ -5,6 +5,9 @@
 /* Delivers a signal: runs its handler, or ends the program. */
 void __crs_signal(int signal);
 
+/* Returns whether calls go on after the handler of a signal. */
+int __crs_restarts(int signal);
+
 /* Waits for an alarm under a mask of blocked signals; returns when one was delivered. */
 void __crs_await_signal(unsigned long mask);
 

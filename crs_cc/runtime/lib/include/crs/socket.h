@@ -35,9 +35,6 @@ int __crs_attempt(int code, struct __crs_open_file *file, struct __crs_message *
 /* Waits for sockets, see `struct __crs_operations`. */
 int __crs_wait_for_sockets(const int *wanted, int count, double wait_s);
 
-/* Returns whether a call goes on after a signal has been handled. */
-int __crs_goes_on(void);
-
 /* Puts an address into a request; returns -1 with errno if it is none of the socket's family. */
 int __crs_put_address(struct __crs_open_file *file, struct __crs_message *message,
                       const struct sockaddr *address, socklen_t size);

@@ -1,0 +1,26 @@
+"""The table of limits of `docs/sockets.md`."""
+
+from __future__ import annotations
+
+from crs_cc.session.network.sockets import (
+    BUFFER,
+    LONGEST_BACKLOG,
+    LONGEST_DATAGRAM,
+    MOST_SOCKETS,
+)
+from docs.generate import Fillers, table
+
+
+def limits() -> str:
+    """Return the table of limits."""
+    rows = [
+        ("sockets of a program", f"{MOST_SOCKETS}", "`EMFILE`"),
+        ("connections that wait at a socket", f"{LONGEST_BACKLOG}", "`ECONNREFUSED`"),
+        ("bytes sent on a connection and not yet read", f"{BUFFER:,}", "`send` waits"),
+        ("bytes of a datagram", f"{LONGEST_DATAGRAM:,}", "`EMSGSIZE`"),
+        ("bytes of datagrams that wait to be read", f"{BUFFER:,}", "further ones are lost"),
+    ]
+    return table(("what", "at most", "beyond"), rows)
+
+
+FILLERS: Fillers = {"limits": limits}
