@@ -23,14 +23,12 @@ False
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Protocol, Self
 
 import numpy as np
 
-from crs_cc import __version__
 from crs_cc.core.arrays import IndexArray, Int32Array, all_of
 from crs_cc.requests import CODES, DEVICE_CODES, REQUESTS, SUSPENDED, SYSTEM_CALL
 from crs_cc.runtime.executable import Executable
@@ -200,12 +198,12 @@ class Session:
             ValueError: robots have been added to the session, or have been dismissed.
             OSError: it cannot be written.
         """
-        from crs_cc.session.snapshot_file import write_snapshot
+        from crs_cc.session.snapshot_file import identity, write_snapshot
 
         snapshot = self.snapshot()
         if snapshot.added or snapshot.environment.world is not self._world:
             raise ValueError("a session whose set of robots has been changed cannot be saved")
-        write_snapshot(path, snapshot, self._identity())
+        write_snapshot(path, snapshot, identity(self._world, self._seed, self.fleet))
 
     @classmethod
     def load(
@@ -223,28 +221,17 @@ class Session:
             RecordingError: the file is no snapshot, is damaged, or of another session or version.
             OSError: it cannot be read.
         """
-        from crs_cc.session.snapshot_file import read_snapshot, unusable
+        from crs_cc.session.snapshot_file import identity, read_snapshot, unusable
 
         session = cls(world, executables, **options)
         fresh = session.snapshot()
-        snapshot = read_snapshot(path, session._identity(), world, fresh)
+        wanted = identity(world, session._seed, session.fleet)
+        snapshot = read_snapshot(path, wanted, world, fresh)
         try:
             session.restore(snapshot)
         except (ValueError, IndexError, TypeError, KeyError, AttributeError):
             raise unusable(path) from None
         return session
-
-    def _identity(self) -> dict[str, str]:
-        """Return what another session must be like to go on from a snapshot of this one."""
-        programs = hashlib.sha256()
-        for robot in range(len(self.fleet)):
-            programs.update(hashlib.sha256(self.fleet.executable(robot).machine_code).digest())
-        return {
-            "version": __version__,
-            "seed": str(self._seed),
-            "world": hashlib.sha256(repr(self._world).encode()).hexdigest(),
-            "programs": programs.hexdigest(),
-        }
 
     def state_hash(self) -> str:
         """Return the SHA-256 of all state, see `RunResult`."""

@@ -20,8 +20,10 @@ from typing import Any, Final, cast
 import numpy as np
 import zstandard
 
+from crs_cc import __version__
 from crs_cc.core.errors import RecordingError
 from crs_cc.core.source import Location
+from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.fleet import Snapshot as ProgramSnapshot
 from crs_cc.session.files import DiskSnapshot, File
 from crs_cc.session.network.sockets import Machine, NetworkState, Segment, Socket, Wait
@@ -51,6 +53,19 @@ _CLASSES: Final = (
     SessionSnapshot, EnvironmentSnapshot, PhysicsSnapshot, Bodies, Pull, Ran, Holds, Packed, Served,
     Event, ProgramSnapshot, DiskSnapshot, File, NetworkState, Socket, Segment, Wait, Machine,
 )  # fmt: skip
+
+
+def identity(world: WorldModel, seed: int, fleet: Fleet) -> dict[str, str]:
+    """Return what a session must be like to go on from a snapshot of another one."""
+    programs = hashlib.sha256()
+    for robot in range(len(fleet)):
+        programs.update(hashlib.sha256(fleet.executable(robot).machine_code).digest())
+    return {
+        "version": __version__,
+        "seed": str(seed),
+        "world": hashlib.sha256(repr(world).encode()).hexdigest(),
+        "programs": programs.hexdigest(),
+    }
 
 
 def write_snapshot(path: Path, snapshot: SessionSnapshot, identity: Mapping[str, str]) -> None:

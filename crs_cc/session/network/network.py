@@ -84,8 +84,10 @@ class Network:
     def machine_at(self, endpoint: Endpoint) -> str | None:
         """Return name and port of what a run can reach in the real network; None for nothing."""
         name = self.addresses.machine_name(endpoint[0])
-        known = [(each.name, each.port) for each in self.state.machines]
-        return f"{name}:{endpoint[1]}" if (name, endpoint[1]) in known else None
+        for machine in self.state.machines:
+            if (machine.name, machine.port) == (name, endpoint[1]):
+                return f"{name}:{machine.port}"
+        return None
 
     # -- sockets -------------------------------------------------------------------------------
 

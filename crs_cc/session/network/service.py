@@ -215,7 +215,8 @@ def _accept(network: Network, request: HostRequest) -> int:
 
 def _send(network: Network, request: HostRequest) -> int:
     key, message = _key(request), request.message
-    content, is_addressed, has_more = _data(message), *message["i"][3:5].tolist()
+    content = _data(message)
+    is_addressed, has_more = message["i"][3:5].tolist()
     if network.socket(key).kind != DATAGRAM:
         return operations.send(network, key, content, request.clock_s)
     to = _endpoint(request, is_local=False) if is_addressed else None
