@@ -66,4 +66,15 @@ def progress_text(simulated_s: float, end_s: float | None, real_s: float, runnin
     percent = 100.0 * min(1.0, simulated_s / end_s)
     left_s = (end_s - simulated_s) / rate if rate > 0.0 else 0.0
     done = f"{simulated_s:.1f} of {end_s:.1f} s simulated ({percent:.0f} %)"
-    return f"{done}, {speed}, {math.ceil(left_s)} s left, {running}"
+    return f"{done}, {speed}, {_rough(left_s)} left, {running}"
+
+
+def _rough(time_s: float) -> str:
+    """Return a time as people say it.
+
+    >>> _rough(4.2), _rough(119.0), _rough(121.0), _rough(7300.0)
+    ('5 s', '119 s', '3 min', '3 h')
+    """
+    if time_s < 120.0:
+        return f"{math.ceil(time_s)} s"
+    return f"{math.ceil(time_s / 60)} min" if time_s < 7200.0 else f"{math.ceil(time_s / 3600)} h"

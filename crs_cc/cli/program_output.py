@@ -16,6 +16,7 @@ One robot's bytes are passed through. With several robots each line is prefixed 
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 from collections.abc import Sequence
@@ -44,9 +45,9 @@ class ProgressLine:
         return self.stream is not None and self._line_is_free and time.monotonic() >= self._next_s
 
     def draw(self, text: str) -> None:
-        """Redraw the line."""
+        """Redraw the line, cut off where the terminal ends: a second line would stay."""
         if self.stream is not None:
-            self.stream.write(_ERASE_LINE + text)
+            self.stream.write(_ERASE_LINE + text[: _columns(self.stream) - 1])
             self.stream.flush()
             self._drawn = True
             self._next_s = time.monotonic() + _REDRAW_S
@@ -61,6 +62,14 @@ class ProgressLine:
     def wrote(self, data: bytes) -> None:
         """Note other output to the terminal: an unfinished line must not be overwritten."""
         self._line_is_free = data.endswith(b"\n")
+
+
+def _columns(terminal: TextIO) -> int:
+    """Return the width of a terminal; 80 if it does not say."""
+    try:
+        return os.get_terminal_size(terminal.fileno()).columns or 80
+    except (OSError, ValueError):
+        return 80
 
 
 class ProgramOutput:

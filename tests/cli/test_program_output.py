@@ -95,3 +95,10 @@ def test_input_is_read_by_lines_whatever_its_timing(monkeypatch: pytest.MonkeyPa
 def test_closed_input_is_at_end_of_file(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stdin", None)
     assert read_line(5) == b""
+
+
+def test_a_progress_line_is_cut_off_at_the_terminals_end() -> None:
+    """What wraps cannot be erased, so each redrawing left a line."""
+    screen = io.StringIO()  # says no width: 80 columns
+    ProgressLine(screen).draw("x" * 200)
+    assert screen.getvalue().count("x") == 79
