@@ -11,6 +11,8 @@ from __future__ import annotations
 import gc
 import json
 import os
+import select
+import signal
 import sys
 from collections.abc import Callable
 from typing import Any, Final
@@ -57,14 +59,31 @@ def serve(work: Work, load: Callable[[dict[str, Any]], None] | None = None) -> N
         if not hasattr(os, "fork"):
             _work(channel, work, job)
             return
-        child = os.fork()
-        if child == 0:
-            try:
-                _work(channel, work, job)
-            finally:
-                os._exit(0)
-        _, status = os.waitpid(child, 0)
-        _say(channel, {"done": os.waitstatus_to_exitcode(status)})
+        _say(channel, {"done": _in_a_child(lambda given=job: _work(channel, work, given))})
+
+
+def _in_a_child(work: Callable[[], None]) -> int:
+    """Do something in a child; return its exit code, or end with it if nobody is left to tell.
+
+    The end of standard input says that whoever gave the job has ended, perhaps killed: nothing else
+    would stop a run without an end then.
+    """
+    its_end, held = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            work()
+        finally:
+            os._exit(0)
+    os.close(held)  # which the child holds until it ends
+    waiting = select.poll()
+    waiting.register(its_end, select.POLLIN)
+    waiting.register(sys.stdin.fileno(), 0)  # its end is always told
+    if its_end not in dict(waiting.poll()):
+        os.kill(child, signal.SIGKILL)
+    os.close(its_end)
+    _, status = os.waitpid(child, 0)
+    return os.waitstatus_to_exitcode(status)
 
 
 def _prepare() -> None:

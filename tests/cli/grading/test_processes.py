@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 from dataclasses import replace
 from pathlib import Path
@@ -45,9 +47,8 @@ def test_what_goes_wrong_with_a_run_is_its_own_grade(job: Job, tmp_path: Path) -
 
 
 def children(process: int) -> list[int]:
-    return [
-        int(each) for each in Path(f"/proc/{process}/task/{process}/children").read_text().split()
-    ]
+    lists = Path(f"/proc/{process}/task").glob("*/children")  # of each thread
+    return [int(each) for path in lists for each in path.read_text().split()]
 
 
 @pytest.fixture
@@ -63,6 +64,27 @@ def started(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
     monkeypatch.setattr(Worker, "_start", noting)
     return found
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs processes that are copied")
+def test_a_run_without_an_end_ends_with_whoever_waits_for_it() -> None:
+    """It went on to its limits when `crs grade` was killed."""
+    program = (
+        "import time; from crs_cc.jobs.worker import serve;"
+        "serve(lambda job, prepared: (prepared(), time.sleep(300)))"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as worker:
+        assert worker.stdin is not None
+        assert worker.stdout is not None
+        assert worker.stdout.readline() == b'{"ready": true}\n'
+        worker.stdin.write(b"{}\n")
+        worker.stdin.flush()
+        assert worker.stdout.readline() == b'{"prepared": true}\n'
+        worker.stdin.close()
+        assert worker.stdout.readline() == b'{"done": -9}\n'  # and then its pipe is closed
+        assert worker.stdout.read() == b""
 
 
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="needs /proc to find the processes")
