@@ -44,6 +44,18 @@ class Pace:
                 return
             time.sleep(min(left_s, LOOK_S))
 
+    def restart(self) -> None:
+        """Let simulated time begin now."""
+        self._started_s = time.monotonic()
+
+    def simulated_s(self) -> float:
+        """Return the simulated time that real time has come to [s]."""
+        return (time.monotonic() - self._started_s) * self.speed
+
+    def left_s(self, simulated_s: float) -> float:
+        """Return the real time until a simulated time [s]."""
+        return self.behind_s(simulated_s, time.monotonic() - self._started_s)
+
     @property
     def is_limited(self) -> bool:
         """Return whether there is a limit."""

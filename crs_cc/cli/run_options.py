@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from crs_cc.cli.program_options import ProgramOptions
 from crs_cc.cli.record_options import Sensors
+from crs_cc.cli.vendor_options import VendorOptions
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +34,7 @@ class RunOptions(ProgramOptions):
         record_sensors: which readings are recorded: `none`, those that programs `read`, or `all`.
         foxglove: add messages by Foxglove's schemas.
         foxglove_robots: the robots whose scans and pictures are among them.
+        vendor: which programs outside drive robots.
         summary: show the summary; None to decide by whether stderr is a terminal.
     """
 
@@ -54,3 +56,4 @@ class RunOptions(ProgramOptions):
     record_sensors: Sensors = "read"
     foxglove: bool = False
     foxglove_robots: tuple[str, ...] = ()
+    vendor: VendorOptions = field(default_factory=VendorOptions)

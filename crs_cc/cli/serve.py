@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, Literal
 
 import click
+from click.core import ParameterSource
 
 from crs_cc.cli.inputs import Inputs, check_recording_path, is_world, make_folder, parse_named_files
 from crs_cc.cli.net_address import parse_address
@@ -14,6 +16,7 @@ from crs_cc.cli.program_options import READS, SEED, WRITES, robot_options
 from crs_cc.cli.record_options import record_options
 from crs_cc.cli.serve_options import ServeOptions
 from crs_cc.cli.time_options import MAX_TIME, SPEED
+from crs_cc.cli.vendor_options import vendor_options
 
 _EXAMPLES: Final = """
 \b
@@ -21,6 +24,7 @@ Examples:
   crs serve complex-3r.xml                               for hosts on this machine
   crs serve complex-3r.xml --listen 0.0.0.0:8000 --insecure
   crs serve complex-3r.xml --record run.mcap --max-time 60
+  crs serve complex-3r.xml --nserver 7019                for programs linked with Nclient
   crs join robot0 procyon:8000 prog.c                    a robot's program, on any machine
 """
 
@@ -71,6 +75,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     help="Let pages look at the run, on the same port (default): crs view HOST:PORT opens one. "
     "Without, timesteps in which nothing happens are skipped.",
 )
+@vendor_options
 @MAX_TIME
 @SEED
 @SPEED
@@ -103,6 +108,9 @@ def serve(
     to the bit, whatever the number of hosts, their speed and the order in which they come. Files
     that programs read and write are here; what they print appears where they run. The exit status
     is that of crs run.
+
+    With --nserver, --serial or --tcp-robot, all robots are driven by programs that are linked with
+    the vendor's own client libraries, in real time unless --speed says otherwise.
     """
     if not is_world(world.name):
         raise click.UsageError(f"{world} is not a world file: its name ends with .xml.")
@@ -120,6 +128,12 @@ def serve(
         make_folder(wanted.tables)
     if wanted.record is not None:
         check_recording_path(wanted.record)
+    if wanted.vendor:
+        from crs_cc.cli.start_vendor import start_vendor
+
+        source = click.get_current_context().get_parameter_source("speed")
+        is_given = source is not ParameterSource.DEFAULT
+        return start_vendor(wanted if is_given else replace(wanted, speed=1.0))
     from crs_cc.cli.start_serve import start_serve
 
     return start_serve(wanted)

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
     from crs_cc.cli.run_view import RunView
+    from crs_cc.cli.vendor_clients import VendorClients
     from crs_cc.debug.timeline.change import Change
     from crs_cc.recording.recorder import Recorder
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -140,13 +141,14 @@ class Runner:
             self._progress,
         )
         self._interrupt = Interrupt()
-        self._input = self._source_of_input()
         self._changes = _changes(options, world)
         self._pace = Pace(options.speed if options.view is None else math.inf)  # a view has its own
         self._kept = KeptOutput(len(world.robots)) if options.as_json else None
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
+        self._clients = _vendor_clients(loaded, options, self._pace)
+        self._input = self._source_of_input()
         self._recorder = _recorder(loaded, options, self._seed)
         self._view = _run_view(loaded, options, self._seed, elsewhere)
         self.session = Session(
@@ -167,27 +169,24 @@ class Runner:
         )
         self.hints = RunHints(self.session)
 
-    def _source_of_input(self) -> Script | OwnInput | Elsewhere:
+    def _source_of_input(self) -> Script | OwnInput | Elsewhere | VendorClients:
         if self._options.input:
             return read_script(self._options.input)
-        return OwnInput() if self._elsewhere is None else self._elsewhere
+        return self._clients or self._elsewhere or OwnInput()
 
     def run(self) -> Run:
         """Step until all programs have ended, time is up, or Ctrl-C."""
         with self._interrupt:
             try:
-                if self._elsewhere is not None:
-                    self._elsewhere.begin(self.session, lambda: self._interrupt.requested)
-                if self._recorder is not None:
-                    self._recorder.begin(self.session)
-                if self._view is not None:
-                    self._view.begin(self.session, lambda: self._interrupt.requested)
+                self._begin()
                 self._step_to_end()
             except KeyboardInterrupt:  # while waiting for input
                 self._interrupt.requested = True
             finally:
                 self._progress.clear()
                 self._output.close()
+                if self._clients is not None:
+                    self._clients.close()
                 if self._view is not None:
                     self._view.close()
                 if self._live is not None:
@@ -208,6 +207,17 @@ class Runner:
             self._kept,
             tuple(self._lost_blocks()),
         )
+
+    def _begin(self) -> None:
+        """Have others take part from the start."""
+        if self._elsewhere is not None:
+            self._elsewhere.begin(self.session, lambda: self._interrupt.requested)
+        if self._recorder is not None:
+            self._recorder.begin(self.session)
+        if self._view is not None:
+            self._view.begin(self.session, lambda: self._interrupt.requested)
+        if self._clients is not None:
+            self._clients.begin(self.session)
 
     def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
         """Yield the heap blocks that each program has lost at its end, if they are reported."""
@@ -386,6 +396,14 @@ def _run_view(
     from crs_cc.cli.run_view import RunView
 
     return RunView(loaded, options, seed, None if elsewhere is None else elsewhere.front)
+
+
+def _vendor_clients(loaded: Loaded, options: RunOptions, pace: Pace) -> VendorClients | None:
+    if not options.vendor:
+        return None
+    from crs_cc.cli.vendor_clients import VendorClients
+
+    return VendorClients(options.vendor, loaded.world, loaded.sources, pace)
 
 
 def _live_map(options: RunOptions) -> LiveMap | None:

@@ -11,6 +11,7 @@ import click
 
 from crs_cc.core.suggest import unknown
 from crs_cc.frontend.preprocess.regular_file import read_regular_file
+from crs_cc.net.vendor.relay import RELAY
 from crs_cc.recording.description import RunDescription, program_row
 from crs_cc.recording.recorder import Recorder, RecorderOptions
 from crs_cc.recording.source_tree import INPUTS, SOURCES, SourceTree
@@ -51,6 +52,10 @@ def start_recording(
         if isinstance(content, bytes):
             files[path] = content
     tree = SourceTree.of(files, options.compiler.include_paths, roots)
+    if RELAY in options.inputs.sources:  # ours, but another version may have another one
+        roots = {RELAY.parent: "relay", **tree.roots}
+        files[RELAY] = RELAY.read_bytes()
+        tree = SourceTree.of(files, roots=roots)
     attachments = {f"{SOURCES}{name}": content for name, content in tree.contents.items()}
     attachments |= {f"{INPUTS}{name}": content for name, content in loaded.files.items()}
     description = _description(options, tree, loaded, seed, max_time_s)

@@ -93,21 +93,22 @@ class Server:
         """
 
         def talk(wire: _TcpWire) -> Conversation | None:
-            if not self._board.take_only(robot):
+            if not self._board.take_cabled(robot):
                 return None
             return LineConversation(self._board, wire, self.loop, robot, greets=True)
 
+        self._board.cable(robot)
         return self._listen(port, talk)
 
     def serve_terminal(self, robot: int) -> str:
         """Serve a program that is linked with Ndirect, on a pseudo terminal; return its name.
 
         Raises:
-            OSError: there is none, or the robot has a line already.
+            OSError: the system has none.
         """
-        if not self._board.take_only(robot):
-            raise OSError(f"robot {robot} has a line already")
         terminal, name, close = open_terminal()
+        self._board.cable(robot)
+        self._board.take_cabled(robot)
         self._closers.append(close)
         self._do(
             lambda: _TerminalWire(self.loop, terminal).begin(self._board, robot, self._delay_s)

@@ -56,9 +56,18 @@ class _Line:
     has_ended: bool = False
     idle_since_s: float = 0.0
 
+    has_cable: bool = False
+
     @property
     def is_busy(self) -> bool:
         return self.call is not None or bool(self.calls)
+
+    def is_free(self, *, cable: bool) -> bool:
+        return self.has_cable == cable and not (self.has_client or self.has_ended)
+
+    def take(self) -> None:
+        self.has_client = True
+        self.idle_since_s = time.monotonic()
 
 
 class Switchboard:
@@ -169,35 +178,35 @@ class Switchboard:
 
     # -- the clients' side -----------------------------------------------------------------------
 
-    def take(self, wanted: int, *, others: bool = True) -> int | None:
+    def take(self, wanted: int) -> int | None:
         """Reserve a robot for a client, and return its number.
 
         Args:
             wanted: the number of the robot in the order of the world, 1 for the first.
-            others: whether another one will do.
 
         Returns:
             that robot; if it is not free the first that is; or None.
         """
         with self._changed:
-            free = [
-                robot
-                for robot, line in self._lines.items()
-                if not (line.has_client or line.has_ended)
-            ]
-            if wanted - 1 in free:
-                robot = wanted - 1
-            elif free and others:
-                robot = free[0]
-            else:
+            free = [robot for robot, line in self._lines.items() if line.is_free(cable=False)]
+            if not free:
                 return None
-            self._lines[robot].has_client = True
-            self._lines[robot].idle_since_s = time.monotonic()
+            robot = wanted - 1 if wanted - 1 in free else free[0]
+            self._lines[robot].take()
             return robot
 
-    def take_only(self, robot: int) -> bool:
-        """Reserve this robot for a client; return False if it is not free."""
-        return self.take(robot + 1, others=False) is not None
+    def take_cabled(self, robot: int) -> bool:
+        """Reserve this robot for who is at its cable; return False if it is not free."""
+        with self._changed:
+            line = self._lines[robot]
+            if not line.is_free(cable=True):
+                return False
+            line.take()
+            return True
+
+    def cable(self, robot: int) -> None:
+        """Set a robot aside for a cable of its own."""
+        self._lines[robot].has_cable = True
 
     @property
     def is_one_left(self) -> bool:

@@ -1,0 +1,110 @@
+"""Programs linked with the vendor's client libraries, as the drivers of robots of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.cli.messages import say
+from crs_cc.core.loopback import LOOPBACK
+from crs_cc.core.suggest import unknown
+from crs_cc.net.vendor.relay import RELAY
+from crs_cc.net.vendor.server import Server
+from crs_cc.net.vendor.switchboard import Switchboard
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from crs_cc.cli.pace import Pace
+    from crs_cc.cli.vendor_options import VendorOptions
+    from crs_cc.session.session import Session
+    from crs_cc.sim.model.world import WorldModel
+
+_EVERYWHERE: Final = "0.0.0.0"  # noqa: S104 - the user has insisted
+
+
+class VendorClients:
+    """Serves these clients, and is the standard input of their robots' programs."""
+
+    def __init__(
+        self,
+        options: VendorOptions,
+        world: WorldModel,
+        sources: Sequence[Sequence[Path]],
+        pace: Pace,
+    ) -> None:
+        """Prepare to serve.
+
+        Args:
+            options: what is served.
+            world: the world.
+            sources: each robot's C files.
+            pace: how fast the run goes.
+        """
+        self._options, self._pace = options, pace
+        self._names = [robot.id for robot in world.robots]
+        relays = [number for number, files in enumerate(sources) if RELAY in files]
+        now_s = pace.simulated_s if pace.is_limited else None
+        self._board = Switchboard(relays, world.timestep_s, now_s)
+        self._server: Server | None = None
+
+    def begin(self, session: Session) -> None:
+        """Open the ports, and say which.
+
+        Raises:
+            click.UsageError: a robot is not one that is driven from outside.
+            OSError: a port is in use.
+        """
+        clock_s = session.state.clock_s
+        self._board.begin(lambda robot: float(clock_s[robot]))
+        session.state.host.reply = self._board.reply
+        self._pace.restart()
+        host = _EVERYWHERE if self._options.insecure else LOOPBACK
+        self._server = Server(self._board, self._pace.left_s, host)
+        if self._options.insecure:
+            say("crs: INSECURE: the vendor's protocols have no password: whoever reaches a port "
+                "drives its robot")  # fmt: skip
+        self._open_lines(self._server, host)
+        if self._options.nserver is not None:
+            opened = self._server.serve_nserver(self._options.nserver)
+            say(f"crs: Nserver is on port {opened} of {host}")
+
+    def _open_lines(self, server: Server, host: str) -> None:
+        """Open the lines of single robots."""
+        first = self._names[0] if self._names else ""
+        ports = [(name or first, port) for name, port in self._options.tcp_robots]
+        names = [*self._options.terminals, *(name for name, _ in ports)]
+        for name in names:
+            self._check(name)
+            if names.count(name) > 1:
+                raise click.UsageError(f"'{name}' has one line only.")
+        for name in self._options.terminals:
+            place = server.serve_terminal(self._names.index(name))
+            say(f"crs: {name} is on {place}")
+        for name, port in ports:
+            opened = server.serve_line(port, self._names.index(name))
+            say(f"crs: {name} is on port {opened} of {host}")
+
+    def _check(self, name: str) -> None:
+        if name not in self._names:
+            raise click.UsageError(f"{unknown('robot', name, self._names)}.")
+        if self._names.index(name) not in self._board.robots:
+            raise click.UsageError(f"'{name}' has a program and is not driven from outside.")
+
+    def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
+        """Return what a program can read of its input, and how long a read waits [s]."""
+        if robot not in self._board.robots:
+            return 0, 0.0
+        return self._board.waiting(robot, clock_s)
+
+    def read(self, robot: int, size: int) -> bytes:
+        """Return the next bytes of a program's input."""
+        return self._board.read(robot, size) if robot in self._board.robots else b""
+
+    def close(self) -> None:
+        """Say good-bye to all clients."""
+        self._board.close()
+        if self._server is not None:
+            self._server.close()
