@@ -3,8 +3,8 @@
 >>> mask = Mask.of_nclient((255, 255, 255, 255, 255, 15, 2))
 >>> mask.positions, mask.selects(43), sum(mask.content[1:])
 (2, True, 43)
->>> Mask().selects(17)
-False
+>>> Mask().selects(17), Mask().positions
+(True, 0)
 """
 
 from __future__ import annotations
@@ -25,10 +25,11 @@ class Mask:
     """The vendor's `Smask`: which elements of State replies renew.
 
     Attributes:
-        content: one byte each; the first has the kinds of sensors whose positions follow.
+        content: one byte each; the first has the kinds of sensors whose positions follow. At
+            first all elements are selected, and no positions.
     """
 
-    content: bytes = bytes(NUM_MASK)
+    content: bytes = bytes((0, *[1] * (NUM_MASK - 1)))
 
     @classmethod
     def of_nclient(cls, elements: Sequence[int]) -> Self:

@@ -40,9 +40,6 @@ _POSITIONS: Final = {INFRARED: 16, SONAR: 16, BUMPER: 1, LASER: 1, COMPASS: 1}
 _FIXED: Final = Mask(bytes([0] * 17 + [1] * 25 + [0, 1]))
 """What robots send whose mask is fixed: all but infrared, laser and positions."""
 
-_FIRST: Final = Mask(bytes([0] + [1] * 43))
-"""What a Nomad 200 sends until its client has selected something."""
-
 _SEGMENT_MODES: Final = frozenset({1, 33})
 _PROCESSED: Final = 35
 """The mode on the line that a client calls 51."""
@@ -131,7 +128,7 @@ class LineRobot:
         """Connect to the robot; return whether it could be."""
         reply = yield posted("CONNECT", 1, 0)
         self.model = int(reply["i"][0])
-        self._mask = _FIRST if self.model == NOMAD_200 else _FIXED
+        self._mask = Mask() if self.model == NOMAD_200 else _FIXED
         return bool(reply["result"])
 
     def greeting(self) -> bytes:
