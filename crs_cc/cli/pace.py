@@ -44,9 +44,9 @@ class Pace:
                 return
             time.sleep(min(left_s, LOOK_S))
 
-    def restart(self) -> None:
-        """Let simulated time begin now."""
-        self._started_s = time.monotonic()
+    def restart(self, simulated_s: float = 0.0) -> None:
+        """Let simulated time be this now [s]."""
+        self._started_s = time.monotonic() - simulated_s / self.speed
 
     def simulated_s(self) -> float:
         """Return the simulated time that real time has come to [s]."""

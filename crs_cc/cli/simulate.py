@@ -147,7 +147,7 @@ class Runner:
         self._started_s = time.monotonic()
         self._plot = _plot(options)
         self._trace = _trace(options.trace, world) if options.trace else None
-        self._clients = _vendor_clients(loaded, options, self._pace)
+        self._clients = _vendor_clients(loaded, options)
         self._input = self._source_of_input()
         self._recorder = _recorder(loaded, options, self._seed)
         self._view = _run_view(loaded, options, self._seed, elsewhere)
@@ -398,12 +398,12 @@ def _run_view(
     return RunView(loaded, options, seed, None if elsewhere is None else elsewhere.front)
 
 
-def _vendor_clients(loaded: Loaded, options: RunOptions, pace: Pace) -> VendorClients | None:
+def _vendor_clients(loaded: Loaded, options: RunOptions) -> VendorClients | None:
     if not options.vendor:
         return None
     from crs_cc.cli.vendor_clients import VendorClients
 
-    return VendorClients(options.vendor, loaded.world, loaded.sources, pace)
+    return VendorClients(options.vendor, loaded.world, loaded.sources, options.speed)
 
 
 def _live_map(options: RunOptions) -> LiveMap | None:

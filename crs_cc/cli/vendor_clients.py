@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.messages import say
+from crs_cc.cli.pace import Pace
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.core.suggest import unknown
 from crs_cc.net.vendor.relay import RELAY
@@ -17,7 +18,6 @@ from crs_cc.net.vendor.switchboard import Switchboard
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from crs_cc.cli.pace import Pace
     from crs_cc.cli.vendor_options import VendorOptions
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
@@ -33,7 +33,7 @@ class VendorClients:
         options: VendorOptions,
         world: WorldModel,
         sources: Sequence[Sequence[Path]],
-        pace: Pace,
+        speed: float,
     ) -> None:
         """Prepare to serve.
 
@@ -41,13 +41,13 @@ class VendorClients:
             options: what is served.
             world: the world.
             sources: each robot's C files.
-            pace: how fast the run goes.
+            speed: the multiple of real time; infinite if time goes by requests.
         """
-        self._options, self._pace = options, pace
+        self._options, self._pace = options, Pace(speed)
         self._names = [robot.id for robot in world.robots]
         relays = [number for number, files in enumerate(sources) if RELAY in files]
-        now_s = pace.simulated_s if pace.is_limited else None
-        self._board = Switchboard(relays, world.timestep_s, now_s)
+        clock = self._pace if self._pace.is_limited else None
+        self._board = Switchboard(relays, world.timestep_s, clock)
         self._server: Server | None = None
 
     def begin(self, session: Session) -> None:

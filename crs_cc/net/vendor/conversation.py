@@ -52,6 +52,9 @@ class Wire(Protocol):
     def pause(self, *, paused: bool) -> None:
         """Read nothing from the client, or go on reading."""
 
+    def is_foreign(self) -> bool:
+        """Return whether the client is another user of this machine."""
+
     def close(self) -> None:
         """End the connection when all has been sent."""
 
@@ -159,6 +162,9 @@ class NserverConversation(Conversation):
         elif self.robot is None:
             self._send(_REFUSED)
             self._go_on()
+        elif self._wire.is_foreign():
+            self.gone()
+            self._wire.close()
         else:
             self._ask(self._client.answer(packet), self._answered)
 

@@ -93,7 +93,7 @@ class Server:
         """
 
         def talk(wire: _TcpWire) -> Conversation | None:
-            if not self._board.take_cabled(robot):
+            if wire.is_foreign() or not self._board.take_cabled(robot):
                 return None
             return LineConversation(self._board, wire, self.loop, robot, greets=True)
 
@@ -169,7 +169,7 @@ class _TcpWire(asyncio.Protocol):
         """Begin a conversation, unless too many others have not begun theirs."""
         self._transport = cast("asyncio.Transport", transport)
         strangers = sum(wire._is_stranger for wire in self._wires)
-        if strangers < MAX_STRANGERS and not self._is_foreign():
+        if strangers < MAX_STRANGERS:
             self._conversation = self._talk(self)
         if self._conversation is None:
             self._transport.abort()
@@ -178,7 +178,7 @@ class _TcpWire(asyncio.Protocol):
         self._wires.add(self)
         self._loop.call_later(OPENING_S, self._end_if_stranger)
 
-    def _is_foreign(self) -> bool:
+    def is_foreign(self) -> bool:
         """Return whether another user of this machine is at the other end."""
         client = self._transport.get_extra_info("socket")
         return is_loopback(client) and is_of_another_user(client)
@@ -253,6 +253,10 @@ class _TerminalWire:
             self._loop.remove_reader(self._terminal)
         else:
             self._loop.add_reader(self._terminal, self._read)
+
+    def is_foreign(self) -> bool:
+        """Return False: the system gives the terminal to its user."""
+        return False
 
     def close(self) -> None:
         """Do nothing: a line stays."""

@@ -17,7 +17,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Any, Final, TypeAlias
+from typing import Any, Final, Protocol, TypeAlias
 
 from crs_cc.net.vendor.exchange import Exchange, ReplyReader, posted
 
@@ -27,6 +27,9 @@ LOOK_S: Final = 0.05
 PATIENCE_S: Final = 0.5
 """How long time stands still for a client that asks for nothing, while others do; chosen by us."""
 
+LAG_S: Final = 0.25
+"""A run that is so far behind real time does not catch up: its time begins anew; chosen by us."""
+
 _LEAST_S: Final = 1e-3
 """The shortest time that a relay sleeps; chosen by us."""
 
@@ -34,6 +37,16 @@ _ROUNDING: Final = 1e-6  # [timesteps]
 
 Done: TypeAlias = Callable[[Any, float], None]
 """Is told what an exchange has come to, and at what simulated time [s]; in the run's thread."""
+
+
+class WallClock(Protocol):
+    """The simulated time that real time has come to."""
+
+    def simulated_s(self) -> float:
+        """Return it [s]."""
+
+    def restart(self, simulated_s: float = 0.0) -> None:
+        """Let it be this now [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,19 +94,19 @@ class Switchboard:
         self,
         robots: Iterable[int],
         timestep_s: float,
-        now_s: Callable[[], float] | None = None,
+        clock: WallClock | None = None,
     ) -> None:
         """Join no relay with any client yet.
 
         Args:
             robots: the numbers of the robots that run a relay.
             timestep_s: the length of a timestep [s].
-            now_s: returns the simulated time by the wall clock [s]; None if requests move time.
+            clock: what time goes by; None if it goes by requests.
         """
         self._lines = {robot: _Line() for robot in robots}
         self.robots = frozenset(self._lines)
         self._timestep_s = timestep_s
-        self._now_s = now_s
+        self._clock = clock
         self._changed = threading.Condition()
         self._clock_s: Callable[[int], float] = lambda _robot: 0.0
 
@@ -166,8 +179,11 @@ class Switchboard:
         cycle = math.floor(clock_s / self._timestep_s + _ROUNDING)
         end_s = (cycle + 1) * self._timestep_s
         others = any(each.is_busy for each in self._lines.values())
-        if self._now_s is not None:
-            now_s = self._now_s()
+        if self._clock is not None:
+            now_s = self._clock.simulated_s()
+            if now_s > end_s + LAG_S:  # the run was paused, or is too much for this machine
+                self._clock.restart(clock_s)
+                now_s = clock_s
             if now_s >= end_s:
                 return end_s - clock_s
             return max(now_s - clock_s, _LEAST_S) if others else now_s - end_s
@@ -215,7 +231,7 @@ class Switchboard:
 
     def ask(self, robot: int, exchange: Exchange[Any], done: Done) -> None:
         """Have an exchange with a robot; `done` is told what it has come to."""
-        asked_s = -math.inf if self._now_s is None else self._now_s()
+        asked_s = -math.inf if self._clock is None else self._clock.simulated_s()
         with self._changed:
             self._lines[robot].calls.append(_Call(exchange, done, asked_s))
             self._changed.notify_all()
