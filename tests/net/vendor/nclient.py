@@ -140,6 +140,7 @@ class Nclient:
     # -- calls -----------------------------------------------------------------------------------
 
     def connect_robot(self, robot: int = 1) -> int:
+        self.laser_mode = 51
         self._socket = socket.create_connection(("127.0.0.1", self.port), timeout=30)
         self.ask(102, robot, self.pid)
         port = self.received[0]
@@ -180,7 +181,8 @@ class Nclient:
 
     def conf_ls(self, *numbers: int) -> int:
         done = self.state_call(25, *numbers)
-        self.laser_mode = numbers[0]
+        if self._socket is not None:
+            self.laser_mode = numbers[0]
         return done
 
     def tk(self, text: str) -> int:
