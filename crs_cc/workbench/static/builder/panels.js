@@ -40,6 +40,8 @@ class ThingList {
     this.root = root;
     /** @type {Map<string, any>} */
     this.rows = new Map();
+    /** What is shown as selected. */
+    this.marked = new Set();
   }
 
   draw() {
@@ -53,25 +55,39 @@ class ThingList {
     const isSame = before.size === this.rows.size && [...this.rows.values()].every((row, at) => row === this.root.children[at]);
     if (!isSame) fill(this.root, ...this.rows.values());
     this.mark();
+    this.state();
   }
 
   row(name, tag) {
     const { model } = this;
     const choose = (event) => model.select(event.shiftKey ? [...model.selection, name] : [name]);
-    const made = el("button.thing", { type: "button", role: "option", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name), el("span.state"), el("span", {}, tag));
+    const made = el("button.thing", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name), el("span.state"), el("span", {}, tag));
     made.dataset.name = name;
     return made;
   }
 
-  mark() {
-    const { selection, hidden, locked } = this.model;
-    for (const row of this.rows.values()) {
+  /** Show in the list what is hidden and locked. */
+  state() {
+    const { hidden, locked } = this.model;
+    for (const row of this.root.children) {
       const { name } = row.dataset;
       const state = [hidden.has(name) ? "hidden" : "", locked.has(name) ? "locked" : ""].join(" ").trim();
-      const isChosen = String(selection.has(name));
-      if (row.getAttribute("aria-selected") !== isChosen) row.setAttribute("aria-selected", isChosen);
       if (row.children[1].textContent !== state) row.children[1].textContent = state;
     }
+  }
+
+  /** Show in the list what is selected. */
+  mark() {
+    const { selection, index } = this.model;
+    for (const name of [...this.marked].filter((each) => !selection.has(each))) this.select(name, false);
+    for (const name of selection) if (index.has(name) && !this.marked.has(name)) this.select(name, true);
+  }
+
+  select(name, isOn) {
+    const tag = this.model.index.get(name)?.tag;
+    this.rows.get(`${tag} ${name}`)?.setAttribute("aria-selected", String(isOn));
+    if (isOn) this.marked.add(name);
+    else this.marked.delete(name);
   }
 }
 

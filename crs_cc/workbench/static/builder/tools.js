@@ -6,6 +6,7 @@ import { handleAt, paintHandles } from "./handles.js";
 import { Brush } from "./heights.js";
 
 const NEAR = 10; // [px] to snap to an end
+const HELD = 2000; // [ms] that a world may be held still before it is drawn anew
 const ANGLE = Math.PI / 12; // of turns without Alt
 const RIGHT = Math.PI / 36; // walls this near to a right angle get one
 
@@ -117,6 +118,7 @@ export class Tools {
     if (drag?.kind === "pan") {
       const scale = this.view.scale;
       this.view.centre = [drag.centre[0] - (event.offsetX - drag.at[0]) / scale, drag.centre[1] + (event.offsetY - drag.at[1]) / scale];
+      this.view.moving(HELD);
     } else if (drag?.kind === "move") {
       const step = event.altKey ? 1e-4 : this.view.step();
       drag.by = [0, 1].map((axis) => Math.round((point[axis] - drag.from[axis]) / step) * step);
@@ -142,6 +144,7 @@ export class Tools {
   async up(event) {
     const { drag, tool, model } = this;
     this.drag = null;
+    if (drag?.kind === "pan") this.view.moving(0);
     const { by } = toolOf(tool);
     if (by === "click" && drag?.kind !== "pan") addClicked(model, tool, this.snapped(event));
     else if (by === "corners" && drag?.kind !== "pan") this.corners.put(tool, this.snapped(event));

@@ -3,9 +3,12 @@
 import { gridStep, lengthText } from "../units.js";
 import { palette } from "../theme.js";
 import { into, moved } from "./frames.js";
+import { Layer, penOf, resized } from "./layer.js";
 import { corners, isOn, paintShape } from "./paint.js";
 
 const NEAR = 8; // [px]
+const FAST = 6; // a picture that takes less is always drawn anew [ms]
+const REST = 200; // without a move, until it is drawn anew [ms]
 const DIM = 0.3; // what is around a definition that is edited
 
 export class View {
@@ -20,16 +23,21 @@ export class View {
     /** How the selection is moved while it is dragged. @type {((point: number[]) => number[]) | null} */
     this.dragged = null;
     this.isWaiting = false;
-    /** What does not change while something is dragged. */
-    this.backdrop = document.createElement("canvas");
-    this.drawn = "";
+    /** Everything, and again what is selected: pictures that are moved while something is dragged. */
+    this.backdrop = new Layer();
+    this.chosen = new Layer();
     this.version = 0;
+    this.choice = 0;
     this.colours = palette();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       this.colours = palette();
       this.renew();
     });
-    for (const kind of ["change", "select"]) model.addEventListener(kind, () => this.renew());
+    model.addEventListener("change", () => this.renew());
+    model.addEventListener("select", () => {
+      this.choice += 1;
+      this.draw();
+    });
     new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
@@ -64,7 +72,7 @@ export class View {
     this.scale = Math.min(5000, Math.max(0.05, this.scale * factor));
     const after = this.toWorld(at);
     this.centre = [this.centre[0] + before[0] - after[0], this.centre[1] + before[1] - after[1]];
-    this.draw();
+    this.moving();
   }
 
   /** Show an element in the middle. */
@@ -118,27 +126,37 @@ export class View {
   }
 
   paint() {
-    const { canvas } = this;
+    const { canvas, backdrop, chosen } = this;
     const ratio = devicePixelRatio || 1;
     this.frozen = { clientWidth: canvas.clientWidth, clientHeight: canvas.clientHeight };
     const [width, height] = [this.frozen.clientWidth, this.frozen.clientHeight];
-    for (const each of [canvas, this.backdrop]) {
-      if (each.width === Math.round(width * ratio) && each.height === Math.round(height * ratio)) continue;
-      each.width = Math.round(width * ratio);
-      each.height = Math.round(height * ratio);
-      this.drawn = "";
-    }
-    const key = [this.version, this.centre, this.scale, Boolean(this.dragged)].join();
-    if (key !== this.drawn) this.paintAll(penOf(this.backdrop, ratio), width, height);
-    this.drawn = key;
+    resized(canvas, width, height, ratio);
+    const isBusy = this.isMoving && backdrop.took > FAST;
+    backdrop.renew(this, `${this.version}`, isBusy, (pen) => this.paintAll(pen, width, height));
+    chosen.renew(this, `${this.version},${this.choice}`, isBusy, (pen) => {
+      for (const name of this.model.selection) this.paintThing(pen, name, true);
+    });
     const pen = penOf(canvas, ratio);
-    if (width && height) pen.drawImage(this.backdrop, 0, 0, width, height);
-    if (this.dragged) for (const name of this.model.selection) this.paintThing(pen, name);
+    pen.fillStyle = this.colours.sky;
+    pen.fillRect(0, 0, width, height);
+    backdrop.show(pen, this, null);
+    chosen.show(pen, this, this.dragged);
     if (this.model.document?.area) this.preview?.(pen);
     this.frozen = null;
   }
 
-  /** Everything but what is dragged. */
+  /** The view moves: large worlds are drawn anew when it rests. @param {number} rest [ms] */
+  moving(rest = REST) {
+    this.isMoving = true;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.isMoving = false;
+      this.draw();
+    }, rest);
+    this.draw();
+  }
+
+  /** Everything, without what shows that it is selected. */
   paintAll(pen, width, height) {
     const { model, colours } = this;
     pen.fillStyle = colours.sky;
@@ -147,17 +165,15 @@ export class View {
     this.paintFloor(pen, colours, width, height);
     if (model.inside) this.paintAround(pen, into(model.inside.pose));
     this.wrong = new Set(model.document.problems.map((each) => each.name));
-    for (const { name } of model.things) if (!this.dragged || !model.selection.has(name)) this.paintThing(pen, name);
+    for (const { name } of model.things) this.paintThing(pen, name, false);
   }
 
-  paintThing(pen, name) {
+  paintThing(pen, name, isChosen) {
     const { model, colours } = this;
     if (model.hidden.has(name)) return;
-    const isChosen = model.selection.has(name);
     const outline = isChosen ? colours.accent : this.wrong?.has(name) ? colours.danger : "";
     for (const shape of model.shapes(name)) {
-      if (shape.kind === "range" && !isChosen) continue;
-      paintShape(pen, this, isChosen && this.dragged ? moved(shape, this.dragged) : shape, { outline });
+      if (shape.kind !== "range" || isChosen) paintShape(pen, this, shape, { outline });
     }
   }
 
@@ -231,8 +247,3 @@ export class View {
   }
 }
 
-function penOf(canvas, ratio) {
-  const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  return pen;
-}
