@@ -13,6 +13,7 @@ from crs_cc.builder import markup
 from crs_cc.builder.addresses import address, fresh, ids, outermost, referred
 from crs_cc.builder.document import Document, Splice
 from crs_cc.builder.motion import Motion, movable, moved
+from crs_cc.builder.mounting import is_mounted, mounted
 from crs_cc.builder.naming import renamed
 from crs_cc.builder.spans import Node
 from crs_cc.core.suggest import unknown
@@ -127,9 +128,10 @@ def add(
         values = {"id": name, **values}
     elif "name" in values:
         name = f"{tag}[{values['name']}]"
+    own = f"{tag}[{count}]" if count else tag
     new = markup.element(tag, values, text)
     where = "" if parent.parent is None else f"{address(parent)}/"
-    return Plan(markup.insert(document, parent, tag, [new]), [where + (name or f"{tag}[{count}]")])
+    return Plan(markup.insert(document, parent, tag, [new]), [where + (name or own)])
 
 
 def _add_with_home(document: Document, home: str, inner: str, own: str) -> Plan:
@@ -188,6 +190,9 @@ def move(document: Document, nodes: Sequence[Node], motion: Motion) -> Plan:
     """
     splices: list[Splice] = []
     for node in outermost(nodes):
+        if is_mounted(node):
+            splices += mounted(document, node, motion)
+            continue
         parts = list(movable(node))
         for part in parts or [node]:
             order = [row.name for row in properties(schema_of(document), path_of(part))]

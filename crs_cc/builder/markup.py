@@ -23,6 +23,9 @@ ORDER: Final = (
 FIRST: Final = ("area", "surface", "heightmap")
 """Elements that must stand before all others."""
 
+LAST: Final = ("link", "host", "sensor", "setup")
+"""Elements of a robot definition that must stand behind all others, in this order."""
+
 _NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*")
 _NO_XML: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _COMMENTS: Final = re.compile(rb"[ \t]*(?:<!--(?:(?!--)[^\n])*-->[ \t]*)*(?=\r?\n|\Z)")
@@ -215,6 +218,9 @@ def _before(parent: Node, tag: str) -> Node | None:
         known = FIRST[: FIRST.index(tag)]
     elif parent.tag == "world" and tag in ORDER:
         known = ORDER[: ORDER.index(tag)]
+    elif parent.tag == "robot-definition":
+        behind = LAST[LAST.index(tag) :] if tag in LAST else LAST
+        known = tuple(each.tag for each in parent.children if each.tag not in behind)
     else:
         known = tuple(each.tag for each in parent.children)
     earlier = [each for each in parent.children if each.tag in known]

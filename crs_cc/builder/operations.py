@@ -12,6 +12,7 @@ from crs_cc.builder.changes import Plan
 from crs_cc.builder.document import Document
 from crs_cc.builder.mirroring import mirror
 from crs_cc.builder.motion import Motion, position, quantity
+from crs_cc.builder.mounting import is_mounted, mount
 from crs_cc.builder.scaling import scale
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import Values
@@ -75,7 +76,10 @@ def _centre(
     builder: Workspace, nodes: Sequence[Node], x_m: float | None, y_m: float | None
 ) -> tuple[float, float]:
     """Return a point, by default the middle of elements; of one, its own position."""
-    if len(nodes) == 1 and nodes[0].tag not in ("wall", "polygon", "map"):
+    if len(nodes) == 1 and is_mounted(nodes[0]):
+        place = mount(nodes[0])
+        middle = place.x_m, place.y_m
+    elif len(nodes) == 1 and nodes[0].tag not in ("wall", "polygon", "map"):
         middle = position(builder.document, nodes[0])
     else:
         middle = arrangement.around(builder.document, nodes, builder.extents()).centre_m

@@ -18,6 +18,7 @@ from crs_cc.builder.composition import definitions
 from crs_cc.builder.document import Document
 from crs_cc.builder.library import LibraryObject, library, put_object
 from crs_cc.builder.motion import quantity
+from crs_cc.builder.robot_shapes import robot_area, robot_shapes
 from crs_cc.builder.shapes import shapes
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import OPERATIONS
@@ -34,9 +35,10 @@ from crs_cc.workbench.messages import VERSION, answer, message, refusal
 from crs_cc.workbench.problem_list import problems
 from crs_cc.workbench.program_checks import ProgramChecks
 from crs_cc.workbench.server import Server
+from crs_cc.workbench.world_data import world_data
 
 MAX_NAMES: Final = 10_000
-_LOOKS: Final = ("properties", "form", "library")
+_LOOKS: Final = ("properties", "form", "library", "scene")
 """Commands that change nothing."""
 
 _LONGEST: Final = 60_000
@@ -78,7 +80,7 @@ class BuildScreen:
             "apply": self._apply, "undo": self._undo, "redo": self._redo, "save": self._save,
             "copy": self._copy, "paste": self._paste, "properties": self._properties,
             "try": self._try, "read": self._read, "form": self._form, "again": lambda _: None,
-            "library": self._library, "take": self._take,
+            "scene": self._scene, "library": self._library, "take": self._take,
         }  # fmt: skip
         self._shelf: list[LibraryObject] = []
         self._programs = ProgramChecks(lambda: self.server.soon(self._tell))
@@ -111,6 +113,11 @@ class BuildScreen:
         if world is not None:
             self._shown = {"area": _area(world), "shapes": shapes(builder.document, world)}
         root = builder.document.root
+        is_robot = root.tag == "robot-definition"
+        if is_robot:
+            self._shown = {
+                "area": robot_area(builder.document), "shapes": robot_shapes(builder.document)
+            }  # fmt: skip
         things = [_thing(node, name) for node, name in named(root)]
         return message(
             "document",
@@ -120,6 +127,7 @@ class BuildScreen:
             undo=builder.document.undoable[-1:],
             redo=builder.document.redoable[-1:],
             unit=builder.document.length_unit,
+            isRobot=is_robot,
             things=things,
             parts={
                 name: [_thing(part, address(part)) for part in node.children]
@@ -230,6 +238,11 @@ class BuildScreen:
             raise ValueError("unknown object of the library")
         x_m, y_m = (LENGTH.parse(str(place.get(name, 0))) for name in ("x", "y"))
         return put_object(self.builder, self._shelf[index], x_m, y_m)
+
+    def _scene(self, _: dict[str, Any]) -> dict[str, Any] | None:
+        """Return the world as the viewer draws it; None if its form is wrong."""
+        world = self.builder.visible()
+        return None if world is None else world_data(world, [each.id for each in world.robots])
 
     def _try(self, _: dict[str, Any]) -> str:
         self.builder.world()  # or says what is wrong

@@ -11,6 +11,7 @@ from typing import Any
 from crs_cc.cli.debug_options import DebugOptions
 from crs_cc.cli.inputs import Inputs
 from crs_cc.cli.start_view import screen_of
+from crs_cc.workbench.build_screen import BuildScreen
 from crs_cc.workbench.screen import Screen
 
 FLAGS = [
@@ -44,7 +45,9 @@ def played(screen: Screen) -> Iterator[Screen]:
 
 
 @contextmanager
-def page_in(browser: Any, screen: Screen, width: int = 900, height: int = 600) -> Iterator[Any]:
+def page_in(
+    browser: Any, screen: Screen | BuildScreen, width: int = 900, height: int = 600
+) -> Iterator[Any]:
     """Open a page; at its end, nothing has gone wrong in it, and it has asked only this machine."""
     made = browser.new_page(viewport={"width": width, "height": height})
     wrong: list[str] = []

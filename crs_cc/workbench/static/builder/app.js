@@ -7,6 +7,7 @@ import { toolsFor } from "./drawing.js";
 import { Model } from "./model.js";
 import { makeOptions } from "./options.js";
 import { makePanels } from "./panels.js";
+import { Solid } from "./solid.js";
 import { Tools } from "./tools.js";
 import { View } from "./view.js";
 
@@ -17,7 +18,8 @@ const model = new Model();
 const view = new View(canvas, model);
 const tools = new Tools(model, view);
 const clipboard = new Clipboard(model, view);
-fill(part("world"), canvas, makeOptions(model, tools));
+const solid = new Solid(model, view);
+fill(part("world"), canvas, solid.element, makeOptions(model, tools));
 makePanels(model, view);
 
 const bar = el("div.tools", { role: "toolbar", "aria-label": "Tools" });
@@ -25,9 +27,10 @@ const undo = button({ text: "Undo", title: "Undo", key: "Ctrl-Z", onclick: () =>
 const redo = button({ text: "Redo", title: "Redo", key: "Ctrl-Y", onclick: () => model.ask("redo") });
 const save = button({ text: "Save", title: "Save", key: "Ctrl-S", className: "primary", onclick: () => store() });
 const attempt = button({ text: "Try", title: "Try: run the world, Back returns here", key: "F5", onclick: () => run() });
+const deep = button({ text: "3-D", title: "Look at it in three dimensions, and back", key: "3", onclick: () => solid.toggle() });
 const title = el("h1");
 const note = el("span.note-text.said", { role: "status" });
-fill(part("head"), title, bar, el("span.spacer"), note, undo, redo, attempt, save);
+fill(part("head"), title, bar, el("span.spacer"), note, deep, undo, redo, attempt, save);
 
 async function store() {
   const file = model.document.file || prompt("Save as", "room.xml");
@@ -59,6 +62,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 const ACTIONS = {
   f: () => view.fit(),
   F5: () => run(),
+  3: () => !model.document?.isRobot && solid.toggle(),
   u: () => model.toggle(model.hidden, [...model.hidden]),
 };
 const ON_SELECTION = {
@@ -106,6 +110,7 @@ model.addEventListener("change", () => {
   undo.disabled = !known.undo.length || !model.mayChange;
   redo.disabled = !known.redo.length || !model.mayChange;
   undo.title = `Undo ${known.undo[0] ?? ""} (Ctrl-Z)`;
+  attempt.hidden = deep.hidden = known.isRobot;
   save.disabled = wrong || !model.mayChange;
   save.title = wrong ? "Save: the problems at the left are in the way" : "Save (Ctrl-S)";
   const where = model.path.join("/");
@@ -116,7 +121,11 @@ model.addEventListener("change", () => {
   showTools();
 });
 model.addEventListener("note", () => (note.textContent = model.note));
-model.addEventListener("tool", () => showTools());
+model.addEventListener("tool", () => {
+  if (solid.isOn && tools.tool !== "select") solid.toggle();
+  showTools();
+  deep.setAttribute("aria-pressed", String(solid.isOn));
+});
 
 function showTools() {
   const buttons = toolsFor(model.document?.isRobot).map((tool) => {
@@ -129,4 +138,4 @@ function showTools() {
 }
 
 /** For tests and the curious. */
-Object.assign(window, { crs: { model, view, tools } });
+Object.assign(window, { crs: { model, view, tools, solid } });

@@ -29,6 +29,9 @@ export const TOOLS = [
 /** The tools for a kind of document. @param {boolean} isRobot whether it is a robot definition */
 export const toolsFor = (isRobot) => TOOLS.filter((tool) => (isRobot ? ["select", "sensor"].includes(tool.id) : tool.id !== "sensor"));
 
+/** A length as it is written in a file. @param {number} value [m] @param {string} unit */
+export const lengthIn = (value, unit) => `${+(value / (UNITS[unit] ?? 1)).toFixed(4)}${unit}`;
+
 export const toolOf = (id) => TOOLS.find((tool) => tool.id === id) ?? TOOLS[0];
 
 /** Add what was dragged. @param {import("./model.js").Model} model @param {string} id */
@@ -103,8 +106,7 @@ export class Corners {
   /** End a chain, or close a polygon. @param {string} id the tool */
   finish(id) {
     if (id === "polygon" && this.points.length > 2) {
-      const { unit } = this.model.document;
-      const text = (value) => `${+(value / (UNITS[unit] ?? 1)).toFixed(4)}${unit}`;
+      const text = (value) => lengthIn(value, this.model.document.unit);
       this.model.add("polygon", { points: this.points.map(([x, y]) => `${text(x)},${text(y)}`).join(" ") });
     }
     this.clear();

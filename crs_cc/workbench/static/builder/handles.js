@@ -1,5 +1,6 @@
 /** Handles of what is selected: a knob that turns, ends of walls, corners of boxes, a radius. */
 
+import { lengthIn } from "./drawing.js";
 import { corners } from "./paint.js";
 
 const KNOB = 28; // [px] above the selection
@@ -20,7 +21,7 @@ export function bounds(model) {
 
 /**
  * The handles of the selection, each with its place and what a drag of it sets.
- * @returns {{kind: string, place: number[], name?: string, set?: (to: number[]) => Record<string, number>}[]}
+ * @returns {{kind: string, place: number[], name?: string, set?: (to: number[]) => Record<string, number | string>}[]}
  */
 export function handles(model, view) {
   const around = bounds(model);
@@ -33,6 +34,11 @@ export function handles(model, view) {
   const thing = model.thing(name);
   const [shape] = model.shapes(name);
   if (!shape || shape.kind === "heights") return [];
+  const { unit } = model.document;
+  if (thing?.tag === "body") return [rim(name, shape, unit)];
+  if (thing?.tag === "drive") return model.shapes(name).map((each) => wheel(name, each, unit));
+  const own = model.shapes(name).find((each) => each.kind === "sensor");
+  if (own) return thing?.tag === "laser" || thing?.tag === "arm" ? [] : [aim(own, view)];
   if (shape.kind === "range" || shape.kind === "goal") return model.shapes(name).map((each) => ring(name, each));
   if (thing?.tag === "wall") {
     found.push({ kind: "end", place: shape.points[0], set: ([x, y]) => ({ x1: x, y1: y }) });
@@ -52,6 +58,23 @@ function ring(name, shape) {
   const set = ([x, y]) => ({ [attribute]: Math.max(0.01, Math.hypot(x - shape.x, y - shape.y)) });
   const target = shape.element ? `${name}/${shape.element}` : name;
   return { kind: "size", place: [shape.x + shape.radius, shape.y], name: target, set };
+}
+
+/** The handle of a wheel, which sets the distance of both. */
+function wheel(name, shape, unit) {
+  const place = [0, (shape.points[0][1] + shape.points[2][1]) / 2];
+  return { kind: "size", place, name, set: ([, y]) => ({ "wheel-base": lengthIn(Math.max(0.01, 2 * Math.abs(y)), unit) }) };
+}
+
+/** The handle of a robot's body, which sets its radius. */
+function rim(name, { radius }, unit) {
+  return { kind: "size", place: [-radius, 0], name, set: ([x, y]) => ({ radius: lengthIn(Math.max(0.01, Math.hypot(x, y)), unit) }) };
+}
+
+/** The knob in front of a sensor, by which it is turned about itself. */
+function aim({ x, y, heading }, view) {
+  const away = (2 * KNOB) / view.scale;
+  return { kind: "turn", place: [x + away * Math.cos(heading), y + away * Math.sin(heading)], middle: [x, y], start: heading };
 }
 
 /** The attributes of a box of which one corner goes to a place, and the opposite one stays. */

@@ -1,6 +1,7 @@
 /** What the page knows of the world that is edited, and what it asks of the builder. */
 
 import { SocketChannel } from "../channel.js";
+import { lengthIn } from "./drawing.js";
 import { byPart, compose } from "./frames.js";
 
 /**
@@ -10,6 +11,8 @@ import { byPart, compose } from "./frames.js";
  * @typedef {{name: string, tag: string, attributes: Record<string, string>, pose?: [number, number, number]}} Thing
  * @typedef {{root: string, pose: [number, number, number], things: Thing[], shapes: Record<string, Shape[]>}} Inside
  */
+
+const MOST_SONARS = 16;
 
 export class Model extends EventTarget {
   constructor() {
@@ -151,7 +154,7 @@ export class Model extends EventTarget {
   async ask(name, fields = {}) {
     try {
       const value = await this.channel.ask(name, fields);
-      if (!["properties", "form", "library"].includes(name)) this.say("");
+      if (!["properties", "form", "library", "scene"].includes(name)) this.say("");
       return value;
     } catch (error) {
       this.say(/** @type {Error} */ (error).message);
@@ -169,6 +172,41 @@ export class Model extends EventTarget {
     const names = await this.apply("add", { names: [], values: { kind, into }, attributes });
     if (names) this.choose(names.filter((name) => !name.includes("/visit/")));
     return names;
+  }
+
+  /** Put a sonar on a robot, that looks away from its centre; its other numbers are those of the last one. */
+  async mount([x, y]) {
+    const sonars = this.things.filter((each) => each.tag === "sensor");
+    const found = sonars.length ? await this.ask("properties", { name: sonars.at(-1)?.name }) : null;
+    const known = Object.fromEntries((found?.children ?? []).map((each) => [each.tag, each.text]));
+    const all = await Promise.all(sonars.map((each) => this.ask("properties", { name: each.name })));
+    const taken = new Set(all.flatMap((each) => each.children.filter((child) => child.tag === "id").map((child) => Number(child.text))));
+    let id = 0;
+    while (taken.has(id)) id += 1;
+    if (id >= MOST_SONARS) {
+      this.say(`a robot has at most ${MOST_SONARS} sonars`);
+      return;
+    }
+    const name = sonars.length ? `sensor[${sonars.length}]` : "sensor";
+    const length = (value) => lengthIn(value, this.document.unit);
+    const leaf = (into, kind, text) => ({ operation: "add", values: { kind, into, text } });
+    const place = (kind, text) => leaf(`${name}/position`, kind, text);
+    await this.ask("apply", {
+      steps: [
+        leaf("", "sensor", ""), leaf(name, "id", String(id)), leaf(name, "type", "sonar"), leaf(name, "position", ""),
+        place("x-relative", length(x)), place("y-relative", length(y)), place("z-relative", known["z-relative"] ?? "20cm"),
+        place("range", known.range ?? "3m"), place("radius", known.radius ?? "50cm"),
+        place("dir-relative", `${+((Math.atan2(y, x) * 180) / Math.PI).toFixed(3)}deg`),
+        ...this.inOrder(id),
+      ],
+    });
+    this.choose([name]);
+  }
+
+  /** The step that lets a new sonar fire, if the robot has an order of its sonars. */
+  inOrder(id) {
+    const order = this.thing("sonars")?.attributes.order;
+    return order === undefined ? [] : [{ operation: "set", names: ["sonars"], attributes: { order: `${order} ${id}` } }];
   }
 
   async paste(clip, values) {

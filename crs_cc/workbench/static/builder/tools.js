@@ -135,7 +135,7 @@ export class Tools {
 
   turn(drag, point, isFree) {
     const [x, y] = drag.middle;
-    const angle = Math.atan2(point[1] - y, point[0] - x) - Math.PI / 2;
+    const angle = Math.atan2(point[1] - y, point[0] - x) - (drag.start ?? Math.PI / 2);
     drag.angle = isFree ? angle : Math.round(angle / ANGLE) * ANGLE;
     const [cos, sin] = [Math.cos(drag.angle), Math.sin(drag.angle)];
     this.view.dragged = ([px, py]) => [x + cos * (px - x) - sin * (py - y), y + sin * (px - x) + cos * (py - y)];
