@@ -254,6 +254,7 @@ def properties_are_typed_and_everything_is_undone_and_done_again(
 
 
 def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path) -> None:
+    hand.page.set_default_timeout(60_000)  # a process starts, and compiles
     hand.page.get_by_role("button", name="Try").click()
     wait(hand.page, "window.crs && crs.model && crs.model.state && crs.model.state.t > 0.2")
     assert (folder / ".hall.trial.xml").exists()

@@ -61,7 +61,7 @@ class ThingList {
   row(name, tag) {
     const { model } = this;
     const choose = (event) => model.select(event.shiftKey ? [...model.selection, name] : [name]);
-    const made = el("button.thing", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name), el("span.state"), el("span", {}, tag));
+    const made = el("button.thing", { type: "button", role: "option", "aria-selected": "false", onclick: choose, ondblclick: () => model.enter(name) }, el("b", {}, name.slice(name.indexOf("/", model.inside?.root.length ?? Infinity) + 1)), el("span.state"), el("span", {}, tag));
     made.dataset.name = name;
     return made;
   }
@@ -85,7 +85,9 @@ class ThingList {
 
   select(name, isOn) {
     const tag = this.model.index.get(name)?.tag;
-    this.rows.get(`${tag} ${name}`)?.setAttribute("aria-selected", String(isOn));
+    const row = this.rows.get(`${tag} ${name}`);
+    row?.setAttribute("aria-selected", String(isOn));
+    if (isOn && this.model.selection.size === 1) row?.scrollIntoView({ block: "nearest" });
     if (isOn) this.marked.add(name);
     else this.marked.delete(name);
   }
