@@ -71,6 +71,8 @@ CONFINED = {
     "pettingzoo": ("api/parallel_env.py",),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
+    "scipy": ("sweeps/report/",),
+    "matplotlib": ("sweeps/report/figures.py",),
     "textual": ("debug/tui/",),
     "websockets": ("workbench/server.py",),
 }

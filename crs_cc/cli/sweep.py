@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.messages import is_terminal, say
+from crs_cc.cli.sweep_report import report
 
 if TYPE_CHECKING:
     from crs_cc.sweeps.sweep import Progress, Sweep
@@ -21,11 +22,34 @@ Examples:
   crs sweep speeds.toml --out speeds
   crs sweep speeds.toml --out speeds --resume
   crs sweep speeds.toml --out speeds --jobs 8 --parquet
+  crs sweep report speeds --measure distance_m
 """
 _EVERY_S: Final = 0.2
 
 
-@click.command(epilog=_EXAMPLES, short_help="Run an experiment over parameters and seeds.")
+class _RunByDefault(click.Group):
+    """A group in which `run` may be left out."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put in `run` where an experiment is named instead of a command."""
+        is_named = bool(args) and args[0] not in (*self.commands, *ctx.help_option_names)
+        return super().parse_args(ctx, ["run", *args] if is_named else args)
+
+
+@click.group(
+    cls=_RunByDefault,
+    epilog=_EXAMPLES,
+    short_help="Run an experiment over parameters and seeds.",
+    no_args_is_help=True,
+)
+def sweep() -> None:
+    """Run an experiment over parameters and seeds, and report on its results.
+
+    `crs sweep EXPERIMENT.toml` is `crs sweep run EXPERIMENT.toml`.
+    """
+
+
+@sweep.command("run", epilog=_EXAMPLES, short_help="Run an experiment.")
 @click.argument("experiment", type=click.Path(dir_okay=False, path_type=Path),
                 metavar="EXPERIMENT.toml")  # fmt: skip
 @click.option(
@@ -45,7 +69,7 @@ _EVERY_S: Final = 0.2
 @click.option("--resume", is_flag=True, help="Go on with a sweep that was interrupted.")
 @click.option("--parquet", is_flag=True, help="Write runs.parquet as well (extra 'arrow').")
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only.")
-def sweep(
+def run_sweep(
     *, experiment: Path, out: Path, jobs: int, resume: bool, parquet: bool, quiet: bool
 ) -> int:
     """Run an experiment over all combinations of its parameters, with all its seeds.
@@ -77,6 +101,9 @@ def sweep(
         rows = list(wanted.rows.values())
         write_records(out / "runs.parquet", heading(rows), list(records(rows)))
     return _summary(wanted, quiet=quiet)
+
+
+sweep.add_command(report)
 
 
 def _summary(wanted: Sweep, *, quiet: bool) -> int:

@@ -13,16 +13,18 @@ from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, Self
 
 from crs_cc import __version__
+from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Location
 from crs_cc.jobs.pool import Outcome, Pool, Task
 from crs_cc.recording.description import versions
+from crs_cc.recording.recording import Recording
 from crs_cc.sweeps.experiment import Experiment, ExperimentError
 from crs_cc.sweeps.experiment_file import parse, read_text
 from crs_cc.sweeps.plan import Parameters, PlannedRun, combinations, names_of, runs_of
-from crs_cc.sweeps.rows import TABLE, Row, RowFile, replace_text, table_text
+from crs_cc.sweeps.rows import ROWS, TABLE, Row, RowFile, read_rows, replace_text, table_text
 
 _MODULE: Final = "crs_cc.sweeps.worker"
 _PLAN: Final = "sweep.json"
@@ -82,16 +84,40 @@ class Sweep:
         rows: the rows that there are, by the numbers of their runs.
     """
 
-    def __init__(self, path: Path, folder: Path) -> None:
+    def __init__(self, path: Path, folder: Path, text: str | None = None) -> None:
         """Read an experiment.
+
+        Args:
+            path: its file.
+            folder: the folder of its results.
+            text: what it says; by default the content of the file.
 
         Raises:
             ExperimentError: it is invalid.
         """
-        self._text = read_text(path)
+        self._text = read_text(path) if text is None else text
         self.experiment: Experiment = parse(self._text, path)
         self.folder = folder
         self.rows: dict[int, Row] = {}
+        self._versions = {"crs": __version__, **versions()}
+
+    @classmethod
+    def of(cls, folder: Path) -> Self:
+        """Return the sweep whose results are in a folder.
+
+        Raises:
+            ExperimentError: there are none.
+        """
+        try:
+            plan = json.loads((folder / _PLAN).read_text("utf-8"))
+            found = cls(Path(os.path.normpath(folder / plan["path"])), folder, plan["experiment"])
+            found.rows, _ = read_rows(folder / ROWS)
+        except (OSError, ValueError, KeyError, TypeError):
+            text, hint = "no results of a sweep", "crs sweep EXPERIMENT.toml --out DIR makes them"
+            raise ExperimentError.at(Location(str(folder)), text, hint) from None
+        if not found.rows:
+            raise found._error("no run has ended yet", "go on with crs sweep --resume")
+        return found
 
     def run(
         self,
@@ -132,7 +158,7 @@ class Sweep:
 
     def write_table(self) -> None:
         """Write the table of the rows that there are."""
-        constants = {"crs": __version__, "sources": versions()["sources"]}
+        constants = {name: self._versions[name] for name in ("crs", "sources")}
         text = table_text(list(self.rows.values()), constants)
         replace_text(self.folder / TABLE, text)
 
@@ -170,13 +196,14 @@ class Sweep:
             raise ExperimentError(list(self._messages(wrong, wanted)))
         self._check_macros([results[number]["unused"] for number in range(len(wanted))])
         return {
+            "path": os.path.relpath(self.experiment.path, self.folder),
             "experiment": self._text,
             "files": {
                 name: digest
                 for number in range(len(wanted))
                 for name, digest in results[number]["files"].items()
             },
-            "versions": {"crs": __version__, **versions()},
+            "versions": self._versions,
         }
 
     def _messages(
@@ -265,13 +292,31 @@ class Sweep:
             self.rows[number] = {**self.rows[number], "recording": name}
             if not (self.folder / name).exists():
                 missing.append((number, name))
-        self.record([(self._planned(number), name) for number, name in missing], pool)
+        self._record([(self._planned(number), name) for number, name in missing], pool)
 
     def _planned(self, number: int) -> PlannedRun:
         row = self.rows[number]
         return PlannedRun(number, row["parameters"], row["seed"])
 
-    def record(self, runs: Sequence[tuple[PlannedRun, str]], pool: RunTasks) -> None:
+    def record_again(self, runs: Sequence[tuple[int, str]]) -> str:
+        """Record runs that have a row, in files of the folder by their names.
+
+        Returns:
+            what went wrong, empty for nothing.
+        """
+        with Pool(_MODULE, 1) as workers:
+            self._record([(self._planned(number), name) for number, name in runs], workers.run)
+        for number, name in runs:
+            wanted = self.rows[number]["state_hash"]
+            try:
+                found = Recording(self.folder / name).result or {}
+            except (OSError, CrsError) as error:
+                return str(error)
+            if found.get("state_hash") != wanted:
+                return f"run {number} has another result now: a file or crs has changed"
+        return ""
+
+    def _record(self, runs: Sequence[tuple[PlannedRun, str]], pool: RunTasks) -> None:
         """Run some runs again and record them in files of the folder, by their names."""
         tasks = [
             self._task("record", run, record=os.path.abspath(self.folder / name))  # noqa: PTH100

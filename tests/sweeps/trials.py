@@ -68,7 +68,7 @@ def _as_worker() -> Iterator[None]:
         worker._loaded = None
 
 
-def inline(tasks: Iterable[Task], _retries: int) -> Generator[Outcome, None, None]:
+def inline(tasks: Iterable[Task], _retries: int = 0) -> Generator[Outcome, None, None]:
     """Run tasks in this process."""
     with _as_worker():
         for number, task in enumerate(tasks):

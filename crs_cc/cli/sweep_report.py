@@ -1,0 +1,130 @@
+"""`crs sweep report`: statistics and figures of a sweep, as a page with replays."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+import numpy as np
+
+from crs_cc.cli.messages import say
+
+if TYPE_CHECKING:
+    from crs_cc.sweeps.report.results import Results
+    from crs_cc.sweeps.rows import Row
+    from crs_cc.sweeps.sweep import Sweep
+
+_NEEDED: Final = ("scipy", "matplotlib")
+_CELL_M: Final = 0.1
+
+
+@click.command(short_help="Report on the results of a sweep.")
+@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path),
+                metavar="DIR")  # fmt: skip
+@click.option(
+    "--measure",
+    default="",
+    metavar="COLUMN",
+    help="What to report on, a column of the table. Default: the time of the first goal that was "
+    "met, else the points.",
+)
+@click.option(
+    "--replays/--no-replays",
+    default=True,
+    help="Run three runs again, and link pages that replay them. Default: do so.",
+)
+def report(*, folder: Path, measure: str, replays: bool) -> int:
+    """Report on the sweep in DIR: write DIR/report.html, DIR/summary.csv and DIR/figures.
+
+    It has medians with quartiles and bootstrapped intervals over the seeds, tests and effect sizes,
+    figures, and replays of the runs with the smallest, the median and the largest value. It needs
+    the extra 'analysis'.
+    """
+    if not all(map(find_spec, _NEEDED)):
+        raise click.UsageError(
+            "a report needs scipy and matplotlib: pip install 'crs_cc[analysis]'."
+        )
+    from crs_cc.sweeps.report.findings import medians
+    from crs_cc.sweeps.report.page import drawn, page
+    from crs_cc.sweeps.report.results import results
+    from crs_cc.sweeps.rows import replace_text
+    from crs_cc.sweeps.sweep import Sweep
+
+    sweep = Sweep.of(folder)
+    rows = list(sweep.rows.values())
+    try:
+        found = results(rows, measure)
+    except ValueError as error:
+        raise click.UsageError(f"{error}.") from None
+    svg = drawn(found)
+    links = _replayed(sweep, found, svg) if replays else {}
+    figures = folder / "figures"
+    figures.mkdir(exist_ok=True)
+    for name, text in svg.items():
+        replace_text(figures / f"{name}.svg", text)
+    summary = medians(found)
+    replace_text(folder / "summary.csv", _csv([summary.heading, *summary.rows]))
+    title = sweep.experiment.title or sweep.experiment.path.stem
+    replace_text(folder / "report.html", page(title, rows, found, svg, links))
+    say(f"{folder / 'report.html'}: {found.measure} of {len(rows)} runs")
+    return 0
+
+
+def _csv(rows: Sequence[Sequence[str]]) -> str:
+    target = io.StringIO()
+    csv.writer(target, lineterminator="\n").writerows(rows)
+    return target.getvalue()
+
+
+def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, str]:
+    """Record the smallest, the median and the largest run; return the links to their pages."""
+    from crs_cc.cli.recording_plot import world_of
+    from crs_cc.recording.recording import Recording
+    from crs_cc.sweeps.report.figures import visits
+    from crs_cc.sweeps.sweep import shown
+    from crs_cc.workbench.page import html_page
+
+    chosen = extremes(found)
+    names = {what: f"replays/{row['run']:04d}.mcap" for what, row in chosen.items()}
+    wrong = sweep.record_again(list(dict.fromkeys(zip(
+        (row["run"] for row in chosen.values()), names.values(), strict=True))))  # fmt: skip
+    if wrong:
+        say(f"no replays: {wrong}")
+        return {}
+    links = {}
+    for what, row in chosen.items():
+        path = sweep.folder / names[what]
+        recording = Recording(path)
+        page = path.with_suffix(".html")
+        page.write_text(html_page(recording, world_of(recording)), "utf-8", errors="replace")
+        combination = shown(row["parameters"])
+        links[f"{what}: run {row['run']}, {combination}, seed {row['seed']}"] = (
+            f"replays/{page.name}"
+        )
+        if what == "median":
+            places = [frame.values[:2].T for frame in recording.frames()]
+            svg["visits"] = visits(np.concatenate(places), _CELL_M)
+    return links
+
+
+def extremes(found: Results) -> dict[str, Row]:
+    """Return the runs with the smallest, the median and the largest value."""
+    ordered = sorted(
+        (
+            (value, row["run"], row)
+            for group in found.groups
+            for value, row in zip(group.values, group.rows, strict=True)
+        ),
+        key=lambda each: each[:2],
+    )
+    middle = (len(ordered) - 1) // 2
+    return {
+        "smallest": ordered[0][2],
+        "median": ordered[middle][2],
+        "largest": ordered[-1][2],
+    }

@@ -1,0 +1,130 @@
+"""Reports on sweeps: what they say of results that are known, and the same bytes each time."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from crs_cc.cli.main import main
+from crs_cc.sweeps.report import figures
+from crs_cc.sweeps.report.findings import comparisons, medians, scaling
+from crs_cc.sweeps.report.page import drawn, page
+from crs_cc.sweeps.report.results import Results, measures_of, results
+from tests.sweeps.trials import inline, swept, write
+
+
+def row(run: int, parameters: dict[str, Any], at_s: float | None, seed: int) -> dict[str, Any]:
+    goal = {"status": "open" if at_s is None else "met", "at_s": at_s}
+    return {
+        "run": run,
+        "parameters": parameters,
+        "seed": seed,
+        "status": "ended",
+        "error": "",
+        "simulated_s": 60.0 if at_s is None else at_s,
+        "goals": {"cool": goal},
+        "measures": {"points": 0.0 if at_s is None else 1.0, "word": "no number"},
+        "state_hash": "x",
+    }
+
+
+def made(robots: tuple[int, ...] = (1, 2, 4)) -> list[dict[str, Any]]:
+    """Return rows in which twice as many robots take half the time, and one never ends."""
+    found = []
+    for count in robots:
+        for seed in range(1, 6):
+            at_s = None if (count, seed) == (1, 5) else (40.0 + seed) / count
+            found.append(row(len(found), {"robots": count, "setup": "noisy"}, at_s, seed))
+    return found
+
+
+def timed() -> Results:
+    return results(made())
+
+
+def test_results_are_sorted_by_what_varies() -> None:
+    found = timed()
+    assert (found.measure, found.varied) == ("goal.cool.at_s", ("robots",))
+    assert measures_of(made()) == ["goal.cool.at_s", "points"]
+    assert [group.label for group in found.groups] == ["robots=1", "robots=2", "robots=4"]
+    assert found.groups[0].values == (41.0, 42.0, 43.0, 44.0, 60.0)
+    assert found.groups[0].reached == (True, True, True, True, False)
+    assert results(made(), "points").groups[0].values == (1.0, 1.0, 1.0, 1.0, 0.0)
+    with pytest.raises(ValueError, match="unknown measure 'speed'"):
+        results(made(), "speed")
+
+
+def test_a_run_that_failed_counts_in_no_measure() -> None:
+    rows = made()
+    rows[0] |= {"status": "time out", "goals": {}, "measures": {}}
+    found = results(rows)
+    assert found.failed == 1
+    assert len(found.groups[0].values) == 4
+    assert "1 runs have no goal.cool.at_s" in medians(found).note
+
+
+def test_medians_say_where_a_goal_was_not_met() -> None:
+    table = medians(timed())
+    assert table.heading[:4] == ("robots", "runs", "met", "median")
+    assert table.rows[0][:6] == ("1", "5", "4", "43", "42", "44")
+    assert table.rows[0][6] == "41 to ≥ 60"
+    assert table.rows[1][:4] == ("2", "5", "5", "21.5")
+
+
+def test_scaling_and_differences_are_those_of_the_rows() -> None:
+    assert [row[1:] for row in scaling(timed()).rows] == [
+        ("1.00", "1.00"),
+        ("2.00", "1.00"),
+        ("4.00", "1.00"),
+    ]
+    table = comparisons(timed())
+    assert [row[:4] for row in table.rows] == [
+        ("robots=1", "robots=2", "0.008", "+1.00"),
+        ("robots=1", "robots=4", "0.008", "+1.00"),
+        ("robots=2", "robots=4", "0.008", "+1.00"),
+    ]
+    assert table.rows[0][4] == "6 (there are 5)"
+
+
+def test_equal_results_show_no_effect() -> None:
+    rows = made((1, 2))
+    for each in rows:
+        each["measures"]["points"] = 1.0
+    (only,) = comparisons(results(rows, "points")).rows
+    assert only[2:] == ("1.000", "+0.00", "no effect")
+
+
+def test_figures_are_those_that_suit_the_results_and_the_same_each_time() -> None:
+    found = drawn(timed())
+    assert set(found) == {"values", "curve", "survival"}
+    assert found == drawn(timed())
+    rows = made()
+    for each in rows:
+        each["parameters"] = {"robots": each["parameters"]["robots"], "seeded": each["seed"] % 2}
+    two = results(rows, "points")
+    assert figures.heat_map(two).startswith("<svg")
+    assert "&lt;b&gt;" in page("<b>", rows, two, found, {"smallest": "a.html"})
+
+
+def test_a_report_has_figures_tables_and_replays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("crs_cc.jobs.pool.Pool.run", lambda _pool, *some: inline(*some))
+    path = write(tmp_path / "trial", "[parameters]\ndefine.SPEED = [50, 100]\n")
+    out = tmp_path / "out"
+    swept(path, out)
+    assert main(["sweep", "report", str(out), "--measure", "distance_m"]) == 0
+    text = (out / "report.html").read_text()
+    assert len(re.findall("<svg", text)) == 2
+    links = re.findall(r'href="(replays/\d+.html)"', text)
+    assert len(links) == 3
+    assert all((out / link).stat().st_size > 10_000 for link in links)
+    assert (out / "summary.csv").read_text().splitlines()[0].startswith("define.SPEED,runs,median")
+    assert main(["sweep", "report", str(out), "--measure", "speed"]) == 2
+    assert main(["sweep", "report", str(tmp_path), "--no-replays"]) == 122
+    (path.parent / "drive.c").write_text("int main(void) { return 0; }\n")
+    assert main(["sweep", "report", str(out), "--measure", "distance_m"]) == 0
+    assert "Replays" not in (out / "report.html").read_text()
