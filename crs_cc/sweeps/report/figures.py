@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _SIZE_IN: Final = (7.0, 4.2)
-_STYLE: Final = {
+_STYLE: Final[Any] = {
     "svg.hashsalt": "crs",  # names in the file depend on what is drawn only
     "svg.fonttype": "none",
     "font.family": "sans-serif",
