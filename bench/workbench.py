@@ -3,7 +3,8 @@
 The server sends 20 frames a second of robots that all move to pages that read as fast as they come.
 A page is drawn by a browser without a graphics card: the time to its first picture, and for each
 picture that of the page's scripts besides the call that draws it, and the processor time of all
-processes of the browser.
+processes of the browser; last, the median time of a step in which the table of robots is scrolled,
+its layout included.
 
     python bench/workbench.py [--pages N] [--seconds S] [ROBOTS...]
 
@@ -83,6 +84,7 @@ class Circles:
     def where(self) -> None: ...
     def panel(self) -> None: ...
     def new_world(self) -> None: ...
+    def switch(self, name: str) -> None: ...
 
     def status(self, *, is_playing: bool) -> dict[str, Any]:  # noqa: ARG002
         return {"t": self.time_s, "first": 0, "robots": [], "sensors": {}, "devices": {}}
@@ -164,9 +166,11 @@ def page(robots: int, seconds: float) -> str:
         play(screen, run, seconds)
         scripts, draws = made.evaluate("[window.scripts, window.pictures]")
         cpu_s = (browser_cpu_s() - before_s) / max(1, draws)
+        scroll_ms = made.evaluate(SCROLL)
         browser.close()
     script_ms = statistics.median(scripts) if scripts else 0.0
-    return f"{first_s:>10.1f} {script_ms:>10.1f} {cpu_s:>10.2f} {draws / seconds:>10.1f}"
+    figures = f"{first_s:>10.1f} {script_ms:>10.1f} {cpu_s:>10.2f} {draws / seconds:>10.1f}"
+    return f"{figures} {scroll_ms:>10.1f}"
 
 
 def browser_cpu_s() -> float:
@@ -188,6 +192,22 @@ def browser_cpu_s() -> float:
 
     return sum(times_s[each] for each in parents if "chrom" in names[each] and is_ours(each))
 
+
+SCROLL = """async () => {
+    crs.drawer.open("table");
+    const scroll = document.querySelector(".robot-table .scroll");
+    const took = [];
+    for (let step = 0; step < 40; step++) {
+        await new Promise(requestAnimationFrame);
+        const begin = performance.now();
+        scroll.scrollTop += 90;
+        scroll.dispatchEvent(new Event("scroll"));
+        void scroll.offsetHeight;
+        void document.querySelector(".robot-table .row:last-child").getBoundingClientRect();
+        took.push(performance.now() - begin);
+    }
+    return took.sort((a, b) => a - b)[20];
+}"""
 
 MEASURE = """() => {
     window.scripts = []; window.pictures = 0;
@@ -226,6 +246,7 @@ def main() -> None:
         ""
         if options.no_browser
         else f" {'first s':>10} {'scripts ms':>10} {'cpu s':>10} {'pictures/s':>10}"
+        f" {'scroll ms':>10}"
     )
     for robots in options.robots:
         row = f"{robots:>8,} {server(robots, options.pages, options.seconds)}"

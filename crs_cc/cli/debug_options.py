@@ -26,6 +26,7 @@ class DebugOptions(ProgramOptions):
         foxglove: add messages by Foxglove's schemas.
         foxglove_robots: the robots whose scans and pictures are among them.
         at_s: the time to go to first, in a recording [s].
+        max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's.
         dap: serve an editor instead: `stdio` or a port number.
     """
 
@@ -37,6 +38,7 @@ class DebugOptions(ProgramOptions):
     tui: bool | None = None
     dap: str | None = None
     at_s: float | None = None
+    max_time_s: float | None = None
     record: Path | None = None
     record_every_s: float = 0.05
     record_sensors: Sensors = "read"

@@ -13,6 +13,7 @@ from crs_cc.cli.messages import say
 from crs_cc.cli.page_options import page_options
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
+from crs_cc.cli.time_options import MAX_TIME
 from crs_cc.cli.view_address import address_of, is_address
 
 _ADDRESSES: Final = "crs_cc.addresses"
@@ -46,6 +47,7 @@ class _View(WithProgramArguments):
     options_metavar="[OPTIONS]",
 )
 @page_options
+@MAX_TIME
 @click.option("--play", is_flag=True, help="Start at once, without a click.")
 @click.option(
     "--input",
@@ -91,6 +93,8 @@ def view(port: int, *, opens: bool, play: bool, token: str | None, **options: An
     if any(path.suffix.lower() == ".mcap" for path in sources):
         if len(sources) > 1 or wanted.inputs.world is not None or wanted.arguments:
             raise click.UsageError("a recording is viewed alone: it has programs and world.")
+        if wanted.max_time_s is not None:
+            raise click.UsageError("a recording ends where it ends: --max-time is for programs.")
         return view_recording(sources[0], port, opens=opens, plays=play)
     return view_programs(wanted, port, opens=opens, plays=play)
 

@@ -439,6 +439,7 @@ class Debugger:
         self.branches.leave_past()
         self.run.changed(Change(self.position, text, robot, patches, program))
         self.branches.changed()
+        self.stop_points.meet()
 
     # -- branches ------------------------------------------------------------------------------
 
@@ -465,6 +466,7 @@ class Debugger:
             DebugError: it does not exist.
         """
         self.branches.switch(name)
+        self.stop_points.meet()
         return self._arrive(self.navigator.stop("goto"))
 
     def compare(self, name: str) -> list[Difference]:

@@ -96,7 +96,8 @@ class Navigator:
                     return stop
         except InterruptedRunError:
             return self.stop("interrupt")
-        return self.stop("end")
+        is_cut = run.session.timesteps >= run.last_timestep
+        return self.stop("end", text=f"the run ends at {run.session.time_s:g} s" * is_cut)
 
     def stop(self, reason: Reason, robot: int = -1, text: str = "") -> Stop:
         """Return a stop at the current position."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any, Final
 
 from crs_cc.core.suggest import unknown
@@ -50,6 +52,20 @@ class StopPoints:
         robots = range(len(self._run.programs)) if robot is None else [robot]
         found = find_location(place, self._run.programs, robots, here)
         return self._add("breakpoint", place, found, options)
+
+    def meet(self) -> None:
+        """Let breakpoints of all robots stop robots that have joined, where their programs can."""
+        robots = range(len(self._run.programs))
+        for each in self.breakpoints:
+            if each.place is None or each.robot is not None:
+                continue
+            where = each.place.location
+            text = f"{where.file}:{where.line}" if where and each.text.isdecimal() else each.text
+            with contextlib.suppress(DebugError):
+                place = find_location(text, self._run.programs, robots, "")
+                self._check(place, each.condition)
+                known = {**each.place.statements, **place.statements}
+                each.place = replace(each.place, statements=known)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
         """Add a catchpoint for an event kind, or for the `exit` of a program.
@@ -145,6 +161,8 @@ class StopPoints:
 
     def _sites(self, place: BreakpointLocation) -> Iterator[tuple[Evaluator, StatementSite]]:
         for robot, numbers in place.statements.items():
+            if robot >= len(self._run.programs):  # it has joined after now
+                continue
             sites = self._run.programs[robot].executable.detail().compiled.statements
             for number in numbers:
                 yield self._view.evaluator(robot), sites[number]

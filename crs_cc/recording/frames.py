@@ -90,16 +90,33 @@ def messages(times_ns: Sequence[int], block: FloatArray) -> list[tuple[int, byte
 
 def _planes(block: FloatArray) -> npt.NDArray[np.uint8]:
     """Return the bytes of what is written of a block, (frames, columns, rows, 4)."""
-    scaled = np.rint(block * PER_UNIT)
+    whole = whole_numbers(block)
+    whole[1:] -= whole[:-1].copy()
+    whole[2:] -= whole[1:-1].copy()
+    return folded(whole).view(np.uint8).reshape(*block.shape, _BYTES)
+
+
+def difference(before: Numbers, now: Numbers) -> bytes:
+    """Return a frame as its difference to the one before.
+
+    Args:
+        before: the numbers of that, see `whole_numbers`.
+        now: those of this frame, of the same shape (columns, rows).
+    """
+    columns, rows = now.shape
+    planes = folded(now - before).view(np.uint8).reshape(columns, rows, _BYTES).swapaxes(1, 2)
+    return HEAD.pack(DIFFERENCE, columns, VERSION, rows) + planes.tobytes()
+
+
+def whole_numbers(values: FloatArray) -> Numbers:
+    """Return numbers [m, rad] as they are written: rounded, `NOWHERE` for NaN."""
+    scaled = np.rint(values * PER_UNIT)
     np.minimum(scaled, _LARGEST, out=scaled)  # np.clip takes longer for few numbers
     np.maximum(scaled, -_LARGEST, out=scaled)
     missing = np.isnan(scaled)
     if missing.any():
         scaled[missing] = NOWHERE
-    whole = scaled.astype(np.int32).view(np.uint32)
-    whole[1:] -= whole[:-1].copy()
-    whole[2:] -= whole[1:-1].copy()
-    return folded(whole).view(np.uint8).reshape(*block.shape, _BYTES)
+    return scaled.astype(np.int32).view(np.uint32)
 
 
 def count_in(message: bytes) -> int:

@@ -15,7 +15,7 @@ from typing import Final, Literal
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.recording.frames import encode
+from crs_cc.recording.frames import Numbers, encode
 from crs_cc.workbench.messages import frame_message
 
 Role = Literal["view", "control"]
@@ -33,22 +33,24 @@ class LiveFrame:
 
     Attributes:
         number: its number, rising by 1.
+        whole: its numbers as they are written.
         change: the message with the difference; None if there is no frame before of its shape.
     """
 
     number: int
     time_s: float
     values: FloatArray
+    whole: Numbers
     change: bytes | None
-    _whole: bytes | None = None
+    _complete: bytes | None = None
 
     def message(self, before: int) -> bytes:
         """Return the message for a page that has got a frame with this number last."""
         if self.change is not None and before == self.number - 1:
             return self.change
-        if self._whole is None:
-            self._whole = frame_message(self.time_s, encode(np.array([self.values]))[0])
-        return self._whole
+        if self._complete is None:
+            self._complete = frame_message(self.time_s, encode(np.array([self.values]))[0])
+        return self._complete
 
 
 @dataclass(slots=True, eq=False)
@@ -61,6 +63,7 @@ class Client:
         frame_number: the number of the last frame that it was sent.
         wake: set when there is something to send.
         is_lost: whether its connection must end.
+        is_sending: whether a message is on its way to it.
     """
 
     role: Role
@@ -68,11 +71,17 @@ class Client:
     frame_number: int = -1
     wake: asyncio.Event = field(default_factory=asyncio.Event)
     is_lost: bool = False
+    is_sending: bool = False
     _messages: deque[str | bytes] = field(default_factory=deque)
     _bytes: int = 0
     _latest: dict[str, str | LiveFrame] = field(default_factory=dict)
     _allowance: float = MAX_COMMANDS_PER_S
     _asked_s: float = field(default_factory=time.monotonic)
+
+    def is_ready(self, frame: LiveFrame) -> bool:
+        """Return whether a frame can be sent at once, as the difference to the one before."""
+        is_idle = not (self.is_sending or self._messages or self._latest)
+        return is_idle and frame.change is not None and self.frame_number == frame.number - 1
 
     def put(self, message: str | bytes) -> None:
         """Add a message that must arrive."""

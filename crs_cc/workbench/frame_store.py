@@ -92,10 +92,17 @@ class FrameStore:
             found = (each.content for each in self._blocks if each.number == number)
             return next(found, None)
 
-    def between(self, begin_s: float, end_s: float) -> Iterator[tuple[float, FloatArray]]:
-        """Yield the times [s] and frames of a span."""
+    @property
+    def frames_about(self) -> int:
+        """How many frames there are at most."""
+        return (len(self._blocks) + 1) * _FRAMES
+
+    def between(
+        self, begin_s: float, end_s: float, stride: int = 1
+    ) -> Iterator[tuple[float, FloatArray]]:
+        """Yield the times [s] and frames of a span, from every `stride`th block."""
         with self._lock:
-            blocks = [each for each in self._blocks if each.end_s >= begin_s]
+            blocks = [each for each in self._blocks if each.end_s >= begin_s][::stride]
             last = list(zip(self._times_s, self._frames, strict=True))
         stored = (
             zip(*unpacked(each.content), strict=True) for each in blocks if each.begin_s <= end_s

@@ -6,8 +6,8 @@ its command and either a `value` or an `error`.
 
 >>> answer(7, {"time_s": 12.5})
 '{"type":"answer","id":7,"value":{"time_s":12.5}}'
->>> frame_message(1.0, b"...")[:1], block_message(3, b"...")
-(b'F', b'B\x03\x00\x00\x00...')
+>>> block_message(3, b"...")
+b'B\x03\x00\x00\x00...'
 """
 
 from __future__ import annotations
@@ -16,7 +16,11 @@ import json
 import struct
 from typing import Any, Final
 
-VERSION: Final = 1
+import numpy as np
+
+from crs_cc.recording.frames import HEAD
+
+VERSION: Final = 2
 """Of the channel. A page of another version says so and asks to be loaded again."""
 
 PROTOCOL: Final = "crs.1"
@@ -26,6 +30,7 @@ MAX_BYTES: Final = 64 * 1024
 """Of a message of the page."""
 
 _FRAME: Final = struct.Struct("<cd")
+_PRESENT: Final = struct.Struct("<Q")
 _BLOCK: Final = struct.Struct("<cI")
 
 
@@ -45,8 +50,17 @@ def refusal(number: int, error: str) -> str:
 
 
 def frame_message(time_s: float, frame: bytes) -> bytes:
-    """Return the message of a frame, encoded as in a recording."""
-    return _FRAME.pack(b"F", time_s) + frame
+    """Return the message of a frame.
+
+    It is that of a recording but for planes of zeros, which are left out: in differences, the upper
+    bytes. A number before the planes has a bit for each that is there, the first is its lowest.
+    """
+    rows = HEAD.unpack_from(frame)[-1]
+    planes = np.frombuffer(frame, np.uint8, offset=HEAD.size).reshape(-1, max(1, rows))
+    is_there = planes.any(axis=1)
+    bits = sum(1 << plane for plane in np.flatnonzero(is_there).tolist())
+    head = _FRAME.pack(b"F", time_s) + frame[: HEAD.size] + _PRESENT.pack(bits)
+    return head + planes[is_there].tobytes()
 
 
 def block_message(number: int, block: bytes) -> bytes:

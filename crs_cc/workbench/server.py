@@ -21,8 +21,7 @@ from dataclasses import dataclass
 from http import HTTPStatus
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
-import numpy as np
-from websockets.asyncio.server import ServerConnection, serve
+from websockets.asyncio.server import ServerConnection, broadcast, serve
 from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
@@ -30,7 +29,7 @@ from websockets.http11 import Request, Response
 from crs_cc.core.arrays import FloatArray
 from crs_cc.core.host_system import is_of_another_user
 from crs_cc.core.loopback import LOOPBACK, is_own_host, is_own_origin, is_token, new_token
-from crs_cc.recording.frames import encode
+from crs_cc.recording.frames import difference, whole_numbers
 from crs_cc.workbench.clients import Client, LiveFrame, Role
 from crs_cc.workbench.messages import MAX_BYTES, PROTOCOL, frame_message
 from crs_cc.workbench.static_files import POLICY, file_at
@@ -162,15 +161,22 @@ class Server:
         """Send a frame to all pages, in place of one that still waits."""
         if not self._clients:
             return
-        before, change = self._last, None
-        if before is not None and before.values.shape == values.shape:
-            change = frame_message(time_s, encode(np.array([before.values, values]))[1])
+        before, change, whole = self._last, None, whole_numbers(values)
+        if before is not None and before.whole.shape == whole.shape:
+            change = frame_message(time_s, difference(before.whole, whole))
         number = 0 if before is None else before.number + 1
-        frame = self._last = LiveFrame(number, time_s, values, change)
+        frame = self._last = LiveFrame(number, time_s, values, whole, change)
 
         def put() -> None:
-            for client in self._clients:
-                client.put_latest("frame", frame)
+            ready = []
+            for client, connection in self._clients.items():
+                if client.is_ready(frame) and not connection.transport.get_write_buffer_size():
+                    client.frame_number = frame.number
+                    ready.append(connection)
+                else:
+                    client.put_latest("frame", frame)
+            if frame.change is not None:
+                broadcast(ready, frame.change)  # at once: a task for each takes twice as long
 
         self.soon(put)
 
@@ -289,7 +295,9 @@ async def _send(client: Client, connection: ServerConnection) -> None:
             if message is None:
                 await client.wake.wait()
             else:
+                client.is_sending = True
                 await connection.send(message)
+                client.is_sending = False
         await connection.close(_TOO_SLOW, "this page is too slow")
 
 

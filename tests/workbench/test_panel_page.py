@@ -200,6 +200,23 @@ def the_run_before_is_kept_and_compared(page: Any, debugger: Debugger) -> None:
     wait(page, "Math.abs((crs.model.scene.body(1)?.x ?? 9) - 1) < 1e-3")
 
 
+def a_gamepad_drives_the_robot(page: Any, debugger: Debugger) -> None:
+    page.click("#tab-robot")
+    before_m = debugger.session.environment.state.x_m[1]
+    page.evaluate(
+        "navigator.getGamepads = () => [null, { connected: true, axes: [0, window.stick ?? -0.5] }]"
+    )
+    click(page, "Drive", ".actions")
+    wait(page, f"(crs.model.scene.body(1)?.x ?? 0) > {before_m + 0.1}")
+    page.evaluate("window.stick = 0.05")  # as good as in the middle: it stops
+    wait(page, "crs.model.panel.changes.at(-1).text === 'drive bob 0 0'")
+    page.keyboard.press("Escape")
+    page.wait_for_selector(".driving", state="hidden")
+    page.keyboard.press(" ")
+    wait(page, "!crs.model.state.playing")
+    assert changes(debugger)[0] == "drive bob 0.3 0"
+
+
 def a_robot_joins_with_a_program_of_its_own(page: Any, folder: Path) -> None:
     dance = folder / "dance.c"
     dance.write_text("int main(void) { return x; }")
@@ -230,6 +247,7 @@ def test_a_run_is_seen_changed_and_restored_by_the_panel(browser: Any, tmp_path:
             messages_are_listed_shut_and_sent(page, debugger)
             changes_are_listed_taken_back_and_written_out(page, debugger)
             the_run_before_is_kept_and_compared(page, debugger)
+            a_gamepad_drives_the_robot(page, debugger)
             a_robot_joins_with_a_program_of_its_own(page, tmp_path)
 
 

@@ -180,6 +180,21 @@ def test_pause_interrupts_a_command_that_would_run_for_ever(live: Screen) -> Non
         assert live.run.time_s == pytest.approx(stood + 0.05, abs=0.05)
 
 
+def test_a_run_ends_at_the_time_that_is_given(tmp_path: Path) -> None:
+    (tmp_path / "go.c").write_text(PROGRAM)
+    (tmp_path / "room.xml").write_text(WORLD)
+    files = Inputs((tmp_path / "go.c",), tmp_path / "room.xml")
+    screen = screen_of(DebugOptions(inputs=files, quiet=True, max_time_s=0.52), 0)
+    assert not screen.run.advance(100)
+    assert screen.run.time_s == pytest.approx(
+        0.55
+    )  # ends at 0.52 s or later
+    assert (screen.run.halt.reason, screen.run.halt.text) == ("end", "the run ends at 0.55 s")
+    screen.run.seek(0.2)
+    assert screen.run.shell().debugger.resume().reason == "end"
+    screen.server.close()
+
+
 @pytest.fixture
 def replayed(recorded: Path) -> Iterator[Screen]:
     with ExitStack() as stack:

@@ -76,7 +76,7 @@ def stop_lines(
     text = stop.text
     if not text and not hit and stop.reason in _SAID:
         text = f"{WORDS[stop.reason].capitalize()}."
-    if stop.reason == "end":
+    if stop.reason == "end" and not text:
         text = f"All programs have ended: {_ends(debugger)}. Step back, or quit."
     elif stop.reason == "exit" and not text:
         text = f"{debugger.names[stop.robot]} {activity(debugger.session, stop.robot)}."

@@ -58,6 +58,7 @@ class RecordedRun:
         input_log: the input of the programs in each round.
         programs: by robot, its program.
         uploads: programs that the user has brought.
+        last_timestep: at whose start the run ends, even if programs would go on.
         interrupted: set to make `advance` raise `InterruptedRunError`.
         is_off_timeline: whether the state is no state of the run: programs ran too far, or
             without the world. Then only `seek` or `restore` lead on.
@@ -90,6 +91,7 @@ class RecordedRun:
         self.event_history = EventHistory()
         self.input_log = InputLog()
         self.interrupted = False
+        self.last_timestep = math.inf
         self._step: Step | None = None
         self._marks = StopRequest()
         self._armed: set[int] = set()  # robots whose programs may have marks or watched objects
@@ -136,7 +138,9 @@ class RecordedRun:
     @property
     def can_advance(self) -> bool:
         """Whether programs are running or robots have yet to join."""
-        return self.session.state.running > 0 or self.session.environment.awaits
+        session = self.session
+        is_before_end = session.timesteps < self.last_timestep
+        return is_before_end and (session.state.running > 0 or session.environment.awaits)
 
     def name(self, robot: int) -> str:
         """Return a robot's name."""

@@ -2,6 +2,7 @@
 import { oneAtATime } from "crs/one_at_a_time.js";
 
 const EVERY = 3000; // while the run goes on [ms]
+const SHARE = 0.03; // of the time of a run that goes on
 
 export class Approaches {
   /** @param {any} model */
@@ -11,6 +12,7 @@ export class Approaches {
     this.events = [];
     this.asked = "";
     this.askedAt = 0;
+    this.took = 0;
     this.ask = oneAtATime(() => this.find());
     for (const kind of ["state", "look"]) model.on(kind, () => this.ask());
     model.on("hello", () => (this.asked = ""));
@@ -26,10 +28,11 @@ export class Approaches {
     const { playing, busy, end, robot } = model.state;
     const what = `${end} ${robot}`;
     if (!model.isConnected || model.channel.isLocal || what === this.asked) return;
-    if ((playing || busy) && performance.now() - this.askedAt < EVERY) return;
+    if ((playing || busy) && performance.now() - this.askedAt < Math.max(EVERY, this.took / SHARE)) return;
     this.askedAt = performance.now();
     try {
       const { approaches } = await model.channel.ask("near", { robot });
+      this.took = performance.now() - this.askedAt;
       this.asked = what;
       const names = model.run.rosters.at(-1)?.robots ?? [];
       this.events = approaches.map(([time, row, other, gap, x, y]) =>

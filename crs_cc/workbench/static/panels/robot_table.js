@@ -1,5 +1,5 @@
 /** The table of robots: what each does, where, how fast, and what fails. Only rows in view are made. */
-import { el, fill } from "crs/dom.js";
+import { el } from "crs/dom.js";
 import { oneAtATime } from "crs/one_at_a_time.js";
 import { angleText } from "crs/units.js";
 
@@ -7,6 +7,42 @@ const ROW = 30; // pixels
 const SPARE = 6; // rows beyond those in view
 const COLUMNS = ["robot", "kind", "program", "stands at", "pose", "speed", "battery", "bumper", "state", "what fails"];
 const OUTCOMES = { exited: "ended", failed: "error", left: "left" };
+
+/** A row: its elements stay, and only what has changed is written. */
+class Row {
+  /** @param {HTMLElement} body @param {(robot: number) => void} choose */
+  constructor(body, choose) {
+    this.robot = -1;
+    this.dot = el("i.dot");
+    this.name = document.createTextNode("");
+    this.cells = COLUMNS.slice(1).map(() => el("span", { role: "gridcell" }));
+    this.shown = [];
+    this.element = el("div.row", { role: "row", onclick: () => choose(this.robot) },
+      el("span", { role: "rowheader" }, this.dot, this.name), ...this.cells);
+    body.append(this.element);
+  }
+
+  /** Be the row of another robot. */
+  become(robot, name, colour) {
+    this.robot = robot;
+    this.element.id = `robot-row-${robot}`;
+    this.name.data = name;
+    this.dot.style.background = colour;
+  }
+
+  /** @param {number} top [pixels] @param {boolean} isChosen @param {[string, string][]} texts and their classes */
+  show(top, isChosen, texts) {
+    if (this.top !== top) this.element.style.transform = `translateY(${(this.top = top)}px)`;
+    if (this.isChosen !== isChosen) this.element.setAttribute("aria-selected", String((this.isChosen = isChosen)));
+    texts.forEach(([text, kind], at) => {
+      const key = `${kind} ${text}`;
+      if (this.shown[at] === key) return;
+      this.shown[at] = key;
+      const cell = this.cells[at];
+      [cell.textContent, cell.className, cell.title] = [text, kind.slice(1), text.length > 12 ? text : ""];
+    });
+  }
+}
 
 /** @type {import("./index.js").Panel} */
 export const robotTable = {
@@ -43,22 +79,31 @@ export const robotTable = {
       return [first, numbers.slice(first, first + Math.ceil(scroll.clientHeight / ROW) + 2 * SPARE)];
     };
 
+    /** @type {Map<number, Row>} the rows that are shown, by robot; those that leave are used again */
+    const rows = new Map();
     const draw = () => {
       if (!root.offsetParent || !model.run) return;
       isDrawn = true;
       const names = model.run.rosters.at(-1)?.robots ?? [];
       const [first, shown] = visible();
-      fill(body, ...shown.map((number, at) => row(names[number], number, first + at)));
-    };
-
-    const row = (id, number, place) => {
-      const data = known.get(number) ?? model.status.robots[number - model.status.first];
-      const dot = el("i.dot");
-      dot.style.background = model.run.world.robots[number]?.colour ?? "#888888";
-      const made = el("div.row", { role: "row", id: `robot-row-${number}`, "aria-selected": String(number === model.state.robot), onclick: () => model.select(number) },
-        el("span", { role: "rowheader" }, dot, id), ...cells(data, number).map(([text, kind]) => el(`span${kind}`, { role: "gridcell", title: text.length > 12 ? text : undefined }, text)));
-      made.style.top = `${place * ROW}px`;
-      return made;
+      const wanted = new Set(shown);
+      const free = [...rows.keys()].filter((number) => !wanted.has(number));
+      shown.forEach((number, at) => {
+        let row = rows.get(number);
+        if (!row) {
+          const other = free.pop();
+          row = other === undefined ? new Row(body, (chosen) => model.select(chosen)) : rows.get(other);
+          rows.delete(other);
+          rows.set(number, row);
+          row.become(number, names[number], model.run.world.robots[number]?.colour ?? "#888888");
+        }
+        const data = known.get(number) ?? model.status.robots[number - model.status.first];
+        row.show((first + at) * ROW, number === model.state.robot, cells(data, number));
+      });
+      for (const number of free) {
+        rows.get(number).element.remove();
+        rows.delete(number);
+      }
     };
 
     const cells = (data, number) => {

@@ -1,0 +1,48 @@
+"""Where programs of robots that join stop."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from tests.debug.debuggers import debugger_of
+
+LOOP = """\
+#include "Nclient.h"
+int main(void)
+{
+    int i;
+    connect_robot(1, MODEL_SCOUT, "", 38400);
+    for (i = 0; i < 100; i++)
+        get_rc();
+    return 0;
+}
+"""
+
+
+@pytest.fixture
+def debugger(tmp_path: Path) -> Debugger:
+    return debugger_of(LOOP, folder=tmp_path)
+
+
+@pytest.mark.parametrize("place", ["7", "get_rc"])
+def test_a_breakpoint_stops_a_robot_that_joins_later(debugger: Debugger, place: str) -> None:
+    debugger.stop_points.add_breakpoint(place, condition="i == 30")
+    debugger.goto_timestep(2)
+    debugger.edit_world("join two like robot0 to 2 2")
+    stops = [debugger.resume() for _ in range(2)]
+    assert {stop.robot for stop in stops} == {0, 1}
+    assert [stop.breakpoints for stop in stops] == [(1,), (1,)]
+    debugger.goto_timestep(1)  # before it joined
+    debugger.stop_points.set_condition(1, "i == 40")
+    assert {debugger.resume().robot for _ in range(2)} == {0, 1}
+
+
+def test_a_breakpoint_of_one_robot_stops_no_other(debugger: Debugger) -> None:
+    debugger.stop_points.add_breakpoint("7", robot=0, condition="i == 30")
+    debugger.goto_timestep(2)
+    debugger.edit_world("join two like robot0 to 2 2")
+    assert debugger.resume().robot == 0
+    assert debugger.resume().reason == "end"
