@@ -186,9 +186,7 @@ def test_a_run_ends_at_the_time_that_is_given(tmp_path: Path) -> None:
     files = Inputs((tmp_path / "go.c",), tmp_path / "room.xml")
     screen = screen_of(DebugOptions(inputs=files, quiet=True, max_time_s=0.52), 0)
     assert not screen.run.advance(100)
-    assert screen.run.time_s == pytest.approx(
-        0.55
-    )  # ends at 0.52 s or later
+    assert screen.run.time_s == pytest.approx(0.55)  # ends at 0.52 s or later
     assert (screen.run.halt.reason, screen.run.halt.text) == ("end", "the run ends at 0.55 s")
     screen.run.seek(0.2)
     assert screen.run.shell().debugger.resume().reason == "end"
