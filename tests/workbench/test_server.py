@@ -19,6 +19,7 @@ from crs_cc.recording.frames import FrameDecoder
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.messages import MAX_BYTES, answer
 from crs_cc.workbench.server import Server
+from tests.workbench.channel_frames import frame_in
 
 
 class Echo:
@@ -153,7 +154,7 @@ def test_a_slow_page_loses_frames_and_gets_a_whole_one_then(server: Server) -> N
             data = page.recv(5)
             assert isinstance(data, bytes)
             time_s = float(np.frombuffer(data, "<f8", 1, 1)[0])
-            seen.append((time_s, decoder.decode(data[9:])[0, 0]))
+            seen.append((time_s, decoder.decode(frame_in(data))[0, 0]))
     assert all(value == (time_s + 1) * 0.25 for time_s, value in seen)
 
 
