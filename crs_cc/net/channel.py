@@ -64,7 +64,7 @@ _MOST: Final = {
 """The largest content of a kind [bytes]; others are small. Chosen by us."""
 
 _HEAD: Final = struct.Struct("<IIII")  # kind, size, number, CRC-32 of the content
-_CHUNK: Final = 2**20
+_LEAST, _CHUNK = 2**14, 2**20
 
 
 class ConnectionLostError(ConnectionError):
@@ -93,6 +93,7 @@ class Channel:
         self.is_closed = False
         self._connection = connection
         self._sending = threading.Lock()
+        self._rest = bytearray()  # received, and not read
         self._sent = self._received = 0
         self._sent_s = time.monotonic()
 
@@ -155,20 +156,22 @@ class Channel:
 
     def _read(self, size: int, end_s: float | None) -> bytes:
         """Return so many bytes; memory is taken as they come."""
-        content = bytearray()
-        while len(content) < size:
+        rest = self._rest
+        while len(rest) < size:
             if end_s is not None and time.monotonic() > end_s:
                 raise ConnectionLostError("too slow")
             try:
-                part = self._connection.recv(min(size - len(content), _CHUNK))
+                part = self._connection.recv(min(max(size - len(rest), _LEAST), _CHUNK))
             except TimeoutError:
                 raise ConnectionLostError(f"nothing heard for {SILENCE_S:g} s") from None
             except OSError as error:
                 raise ConnectionLostError(_reason(error)) from None
             if not part:
                 raise ConnectionLostError("the other side has closed the connection")
-            content += part
-        return bytes(content)
+            rest += part
+        content = bytes(rest[:size])
+        del rest[:size]
+        return content
 
     def has_ended(self) -> bool:
         """Return whether the other side is known to be gone; what it has said is not read."""

@@ -16,14 +16,13 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Records
+from crs_cc.core.arrays import IndexArray
 from crs_cc.net import changed_words, memories
 from crs_cc.net.changed_words import WORDS, Table
 from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.error_data import report_of
 from crs_cc.net.memories import Memory
-from crs_cc.requests import ERROR_KINDS, FAILED
-from crs_cc.runtime.turns import RECORD
+from crs_cc.requests import ERROR_KINDS, FAILED, slot_offset, timing_offset
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
@@ -132,11 +131,11 @@ class HostLink:
             raise ValueError("answer to another grant")
         found = self._known.copy()
         rows = changed_words.apply(content[RAN.size :], found)
-        before, after = _records(self._known)[rows], _records(found)[rows]
-        _check(before, after)
+        after = found[rows]
+        _check(self._known[rows], after)
         self._found = found
         self.round += rounds
-        self.asks = bool(after["timing"]["asks"].any())
+        self.asks = bool((after[:, _FLAGS] & _ASKS).any())
         if self.asks and not rounds:
             raise ValueError("requests without a round")
 
@@ -283,29 +282,41 @@ class HostLink:
         return rows + (memories.pack(self._kept) if is_kept else b"")
 
 
-def _records(table: Table) -> Records:
-    """Return the rows of a table as slots and clocks."""
-    return table.reshape(-1).view(RECORD)
-
-
-def _check(before: Records, after: Records) -> None:
+def _check(before: Table, after: Table) -> None:
     """Check what a host says of programs that have run: it must not harm those of others.
+
+    Words are compared as a whole, since this is done in every round; numbers that are not negative
+    are ordered as their bits are, floating-point ones too.
 
     Raises:
         ValueError: it has changed what is not its own, or a clock goes back.
     """
-    old, new, slot = before["timing"], after["timing"], after["slot"]
-    for name in ("due_s", "speed_hz", "alive"):
-        if old[name].tobytes() != new[name].tobytes():
-            raise ValueError(f"a host must not change {name}")
-    clocks = np.isfinite(new["clock_s"]) & (new["clock_s"] >= old["clock_s"])
-    if not clocks.all() or (new["fuel"] < old["fuel"]).any() or new["pending"].any():
-        raise ValueError("the clock of a program goes back")
-    kinds, status = slot["error_kind"], slot["status"]
-    if ((kinds < 0) | (kinds >= len(ERROR_KINDS)) | (status < 0) | (status > FAILED)).any():
-        raise ValueError("an unknown status")
-    if (new["asks"].view(np.uint32) > 1).any():
-        raise ValueError("an unknown request")
+    clock, fuel = after[:, _CLOCK], after[:, _FUEL]
+    wrong = (clock < before[:, _CLOCK]) | (clock >= _INFINITE)
+    wrong |= (fuel < before[:, _FUEL]) | (fuel >= _NEGATIVE)
+    wrong |= after[:, _PENDING] != 0
+    wrong |= (before[:, _FLAGS] ^ after[:, _FLAGS]) & ~_ASKS != 0
+    for constant in (_DUE, _SPEED):
+        wrong |= before[:, constant] != after[:, constant]
+    wrong |= after[:, _STATUS] >= _STATUS_END
+    wrong |= after[:, _ERROR_KIND] >= _ERROR_KIND_END
+    if wrong.any():
+        raise ValueError("it has changed what is not its own, or a clock goes back")
 
 
+def _word(field: str) -> int:
+    return timing_offset(field) // 8
+
+
+_CLOCK, _DUE, _SPEED, _FUEL = map(_word, ("clock_s", "due_s", "speed_hz", "fuel"))
+_PENDING, _FLAGS = map(_word, ("pending", "alive"))
+_INFINITE: Final = np.uint64(0x7FF << 52)
+"""The bits of the first number of seconds that is not finite."""
+_NEGATIVE: Final = np.uint64(1 << 63)
+_ASKS: Final = np.uint64(1 << 32)
+"""In the word of `alive`, the bit of `asks`."""
+_STATUS, _ERROR_KIND = (slot_offset(name) // 8 for name in ("status", "error_kind"))
+"""Words of which these are the upper halves."""
+_STATUS_END: Final = np.uint64((FAILED + 1) << 32)
+_ERROR_KIND_END: Final = np.uint64(len(ERROR_KINDS) << 32)
 _NO_MEMORY: Final = memories.unpack(bytes(8), 1)[0]

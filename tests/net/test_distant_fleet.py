@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import random
 import socket
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 import pytest
 
+from crs_cc.net.changed_words import WORDS, pack
+from crs_cc.net.channel import Channel, Kind
+from crs_cc.net.host_link import RAN, HostGoneError, HostLink
 from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.turns import RECORD
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.model.world import WorldModel
@@ -177,3 +183,31 @@ def test_programs_of_a_host_that_is_lost_for_good_stop_alone(programs: list[Exec
     kinds = [each.error.kind if each.error else "" for each in session.result().robots]
     assert len(hosts.lost) == kinds.count("host lost") > 0
     assert any(each.outcome == "exited" for each in session.result().robots)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        *(("clock_s", -1.0), ("clock_s", math.inf), ("clock_s", math.nan), ("clock_s", 0.5)),
+        *(("fuel", 3), ("fuel", -1), ("pending", 1), ("alive", False), ("asks", 2)),
+        *(("due_s", 1.0), ("speed_hz", 1.0), ("status", 3), ("status", -1), ("error_kind", 999)),
+    ],
+)
+def test_what_a_host_says_is_believed_of_its_own_programs_only(field: str, value: float) -> None:
+    here, there = socket.socketpair()
+    with here, there:
+        link = HostLink(("robot0",), np.arange(1), Channel(here), refuse)
+        table = np.zeros((1, WORDS), np.uint64)
+        rows = table.view(RECORD)[:, 0]
+        rows["timing"]["clock_s"], rows["timing"]["fuel"], rows["timing"]["alive"] = 1.0, 7, True
+        link.grant(2.0, table)
+        known, said = table.copy(), table.copy()
+        part = "timing" if field in RECORD["timing"].names else "slot"
+        said.view(RECORD)[:, 0][part][field] = value
+        Channel(there).send(Kind.RAN, RAN.pack(1, 1) + pack(known, said))
+        with pytest.raises(HostGoneError, match="not its own, or a clock goes back"):
+            link.collect()
+
+
+def refuse(_link: HostLink, reason: str) -> Channel:
+    raise HostGoneError(reason)

@@ -1,0 +1,178 @@
+"""Measures runs whose programs are on hosts, in processes of their own on this machine.
+
+Two programs, one that waits for its robot and one that computes all the time, on 1, 2 and 4 hosts
+and in the session's own process (one thread): real time of a timestep of 50 ms, processor time of
+the thread that runs it, rounds that hosts are asked for, and what a round costs more real time than
+at home. The latter needs as many idle processors as hosts, and one more.
+
+    python bench/distributed.py [--steps N] [--hosts N ...] [ROBOTS ...]
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+import numpy as np
+
+from crs_cc.core.source import Diagnostics
+from crs_cc.net.access import Access
+from crs_cc.net.distant_fleet import DistantFleet
+from crs_cc.net.gate import Gate, bound
+from crs_cc.net.host_link import HostLink
+from crs_cc.net.roster import Roster
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.session.build import build_driver, build_executable
+from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import parse_world
+from crs_cc.sim.model.world import WorldModel
+
+PROGRAMS = {
+    "waiting": """
+#include <Nclient.h>
+
+int main(void)
+{
+    connect_robot(1);
+    for (;;) {
+        get_sn();
+        vm(State[STATE_SONAR_0] < 20 ? 0 : 50, 100, 0);
+    }
+}
+""",
+    "computing": """
+#include <Nclient.h>
+
+int main(void)
+{
+    unsigned sum = 0, i;
+    connect_robot(1);
+    for (;;) {
+        for (i = 0; i < 400000; i++)
+            sum = sum * 1664525 + i;
+        vm(sum % 50, 100, 0);
+    }
+}
+""",
+}
+WARM_STEPS = 5
+MILLISECONDS = 1e3
+
+
+def world_of(robots: int) -> WorldModel:
+    """Return a floor with Scouts in rows."""
+    side = math.ceil(math.sqrt(robots))
+    rows = "".join(
+        f'<robot id="r{n}" x="{2 * (n % side) + 1}m" y="{2 * (n // side) + 1}m"/>'
+        for n in range(robots)
+    )
+    text = f'<world version="1"><area length="{2 * side}m" width="{2 * side}m"/>{rows}</world>'
+    return parse_world(text.encode(), "floor.xml")
+
+
+@contextmanager
+def hosts(world: WorldModel, executable: Executable, source: Path, count: int) -> Iterator[Fleet]:
+    """Yield a fleet on a number of hosts; none is a fleet in this process."""
+    if not count:
+        yield Fleet([executable] * len(world.robots), build_driver(), threads=1)
+        return
+    with ExitStack() as stack:
+        roster, access = Roster(world.robots), Access.made()
+        gate = Gate(bound("127.0.0.1", 0), access, roster)
+        stack.callback(gate.close)
+        names = [robot.id for robot in world.robots]
+        for part in range(count):
+            own = ",".join(names[part::count])
+            words = ["join", own, f"127.0.0.1:{gate.port}", str(source), "--threads", "1", "-q"]
+            line = [sys.executable, "-m", "crs_cc", *words, "--token", access.token("robot")]
+            process = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            stack.callback(process.wait)
+        while roster.missing():
+            roster.wait()
+        links = []
+        for seat in roster.begin():
+            channel = roster.take(seat, lambda: False)
+            assert channel
+            robots = np.array([names.index(name) for name in seat.names], np.intp)
+            links.append(HostLink(seat.names, robots, channel, _no_other))
+        fleet = DistantFleet([executable] * len(names), links)
+        yield fleet
+        fleet.outcome = lambda _robot: {"exit_status": 0, "failed": False}
+        fleet.dismiss(everyone=True)
+
+
+def _no_other(link: HostLink, reason: str) -> None:  # type: ignore[misc]
+    raise SystemExit(f"the host of {link.names[0]} is lost: {reason}")
+
+
+def step_s(
+    world: WorldModel, executable: Executable, fleet: Fleet, steps: int
+) -> tuple[float, float, float, str]:
+    """Return real and processor time of a timestep here [s], its rounds, and the state hash."""
+    rounds = 0
+    run = fleet.run_rounds
+
+    def counted(end_s: float) -> int:
+        nonlocal rounds
+        found = run(end_s)
+        rounds += found > 0
+        return found
+
+    fleet.run_rounds = counted  # type: ignore[method-assign]
+    session = Session(world, [executable] * len(world.robots), fleet=fleet)
+    while session.timesteps < WARM_STEPS:
+        session.advance(1)
+    rounds, begin_s, begin_cpu_s = 0, time.perf_counter(), time.thread_time()
+    while session.timesteps < WARM_STEPS + steps:
+        session.advance(1)
+    took_s, cpu_s = time.perf_counter() - begin_s, time.thread_time() - begin_cpu_s
+    return took_s / steps, cpu_s / steps, rounds / steps, session.state_hash()
+
+
+def measure(name: str, source: Path, robots: int, counts: Sequence[int], steps: int) -> None:
+    """Print a row for each number of hosts."""
+    world = world_of(robots)
+    executable = build_executable([source], Diagnostics())
+    known = home_s = None
+    for count in (0, *counts):
+        if count > robots:
+            continue
+        with hosts(world, executable, source, count) as fleet:
+            took_s, cpu_s, rounds, state = step_s(world, executable, fleet, steps)
+        if home_s is None:
+            known, home_s = state, took_s
+        assert state == known, "another state than at home"
+        more_ms = (took_s - home_s) / max(rounds, 1e-9) * MILLISECONDS
+        more = f"{more_ms:14.3f}" if count else " " * 14
+        row = f"{robots:7} {count or 'none':>6} {took_s * MILLISECONDS:12.2f}"
+        row += f" {cpu_s * MILLISECONDS:8.2f} {rounds:7.1f}"
+        print(f"{name:10} {row} {more}", flush=True)
+
+
+def main() -> None:
+    """Measure all that is asked for."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("robots", nargs="*", type=int, default=[10, 100, 1000])
+    parser.add_argument("--steps", type=int, default=40)
+    parser.add_argument("--hosts", nargs="*", type=int, default=[1, 2, 4])
+    asked = parser.parse_args()
+    head = f"{'program':10} {'robots':>7} {'hosts':>6} {'ms/timestep':>12}"
+    print(f"{head} {'cpu here':>8} {'rounds':>7}  ms/round more")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in PROGRAMS.items():
+            source = Path(folder, f"{name}.c")
+            source.write_text(text)
+            for robots in asked.robots:
+                measure(name, source, robots, asked.hosts, asked.steps)
+
+
+if __name__ == "__main__":
+    main()
