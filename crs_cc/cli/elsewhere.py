@@ -12,6 +12,7 @@ from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.requests import FAILED
 
 if TYPE_CHECKING:
+    from crs_cc.cli.resumption import Resumption
     from crs_cc.net.channel import Channel
     from crs_cc.net.roster import Roster, Seat
     from crs_cc.runtime.executable import Executable
@@ -36,6 +37,7 @@ class Elsewhere:
         *,
         waits: bool,
         front: Front | None,
+        resumption: Resumption | None = None,
     ) -> None:
         """Take the hosts that are ready.
 
@@ -46,10 +48,12 @@ class Elsewhere:
             executables: the names of their programs.
             waits: whether the run waits for another host in place of one that is lost.
             front: where pages connect; None for nowhere.
+            resumption: what is known of the first part of the run.
         """
         import numpy as np
 
         self._roster, self._waits, self.front = roster, waits, front
+        self._resumption = resumption
         self._is_interrupted: Callable[[], bool] = lambda: False
         self._seats = {seat.names: seat for seat in seats}
         links = []
@@ -67,12 +71,29 @@ class Elsewhere:
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Return standard input of the host of a robot."""
+        if self._resumption is not None and self._session.time_s < self._resumption.end_s:
+            return self._resumption.given.read(robot, wanted)
         return self.fleet.link(robot).read(robot, wanted, 0.0)
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         """Return how much of it there is, and when there will be more, see `session.host`."""
+        if self._resumption is not None and self._session.time_s < self._resumption.end_s:
+            return self._resumption.given.waiting(robot, clock_s)
         size, wait_s = json.loads(self.fleet.link(robot).read(robot, -1, clock_s))
         return int(size), float("inf") if wait_s is None else float(wait_s)
+
+    def timesteps_left(self) -> int | None:
+        """Return how many timesteps may be run before `look`; None for any number."""
+        return None if self._resumption is None else self._resumption.timesteps_left(self._session)
+
+    def look(self) -> None:
+        """Look at the run between two timesteps.
+
+        Raises:
+            ReplayMismatch: it is resumed, and takes another course.
+        """
+        if self._resumption is not None:
+            self._resumption.compare(self._session)
 
     def close(self) -> None:
         """Dismiss all hosts: the run has ended."""

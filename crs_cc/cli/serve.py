@@ -69,6 +69,13 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "programs.",
 )
 @click.option(
+    "--resume",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE.mcap",
+    help="Go on where the recording of an environment ends that was killed: run to there again, "
+    "compare the hashes, and go on. Give the other options and programs as before.",
+)
+@click.option(
     "--view/--no-view",
     "shows",
     default=True,
@@ -128,6 +135,8 @@ def serve(
         make_folder(wanted.tables)
     if wanted.record is not None:
         check_recording_path(wanted.record)
+        if wanted.resume is not None and wanted.record.resolve() == wanted.resume.resolve():
+            raise click.UsageError("--record and --resume name the same file.")
     if wanted.vendor:
         from crs_cc.cli.start_vendor import start_vendor
 

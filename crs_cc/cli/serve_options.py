@@ -19,12 +19,14 @@ class ServeOptions(RunOptions):
         tokens: the file of tokens; None for new ones.
         insecure: whether to listen to other machines without TLS.
         on_loss: what to do when a host is lost: `wait` for another one, or `stop` its programs.
+        resume: the recording at whose end the run goes on; None for a new run.
     """
 
     listen: tuple[str, int] = ("127.0.0.1", 8000)
     tokens: Path | None = None
     insecure: bool = False
     on_loss: Literal["wait", "stop"] = "wait"
+    resume: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)

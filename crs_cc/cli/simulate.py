@@ -275,6 +275,8 @@ class Runner:
     def _most_timesteps(self) -> int:
         """Return the number of timesteps to run without a look at output and interrupts."""
         most = self._changes.timesteps_left(self.session) if self._changes else _MOST
+        if self._elsewhere is not None:
+            most = min(most, self._elsewhere.timesteps_left() or most)
         if self._view is not None:
             return min(most, self._view.timesteps())
         if self._plot is not None or self._live is not None or self._pace.is_limited:
@@ -300,6 +302,8 @@ class Runner:
 
     def _sample(self) -> None:
         """Add the current positions to the plot and to the recording."""
+        if self._elsewhere is not None:
+            self._elsewhere.look()
         if self._recorder is not None:
             self._recorder.sample()
         if self._plot is not None:

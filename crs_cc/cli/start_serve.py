@@ -16,6 +16,7 @@ from crs_cc.cli.load import Loaded, arguments_of, load_world_of, program_of, use
 from crs_cc.cli.messages import say
 from crs_cc.cli.net_address import shown_address, token_left
 from crs_cc.cli.program_options import RobotProgram
+from crs_cc.cli.resumption import Resumption
 from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics
@@ -45,6 +46,7 @@ def start_serve(options: ServeOptions) -> int:
     """
     with logged() as files_read:
         world = load_world_of(options)
+    resumption = None if options.resume is None else Resumption(options.resume)
     access = _access(options.tokens)
     roster = Roster(world.robots)
     with _gate(options, access, roster) as gate:
@@ -59,8 +61,15 @@ def start_serve(options: ServeOptions) -> int:
         run = _as_run(options, world, programs)
         names = [robot.id for robot in world.robots]
         waits = options.on_loss == "wait"
-        front = _front(options, access, gate)
-        elsewhere = Elsewhere(roster, seats, names, loaded.executables, waits=waits, front=front)
+        elsewhere = Elsewhere(
+            roster,
+            seats,
+            names,
+            loaded.executables,
+            waits=waits,
+            front=_front(options, access, gate),
+            resumption=resumption,
+        )
         return run_loaded(loaded, run, Diagnostics(), elsewhere)
 
 

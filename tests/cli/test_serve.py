@@ -18,6 +18,7 @@ import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
+from crs_cc.recording.recording import Recording
 from tests.session.programs import ROAM
 
 WORLD = """<world version="1"><area length="6m" width="4m"/>
@@ -155,6 +156,31 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
     assert status == 0
     assert [others[0].returncode, others[3].returncode] == [0, 0]
     assert folder.joinpath("killed.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
+
+
+def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path) -> None:
+    options = ["--max-time", "3", "--record", "killed.mcap"]
+    with served(folder, *options, "--speed", "1") as environment:
+        at = environment.address
+        hosts = [join(folder, name, at, "roam.c", "--retry", "60") for name in ("left", "right")]
+        environment.wait_for("look only")
+        while len(list(Recording(folder / "killed.mcap").hashes())) < 2:
+            time.sleep(0.02)
+        environment.process.kill()
+        environment.process.wait()
+    options[-1] = "resumed.mcap"
+    again = "--resume", "killed.mcap", "--listen", at
+    with served(folder, *options, *again) as environment:
+        environment.wait_for(r"goes on at [12]\.00 s")
+        assert environment.finish()[0] == 0
+        shown = outputs(hosts)
+    assert [host.returncode for host in hosts] == [0, 0]
+    assert (
+        folder.joinpath("resumed.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
+    )
+    lines = [line for text, _ in shown for line in text.splitlines()]
+    local = folder.joinpath("local.txt").read_text().splitlines()
+    assert sorted(lines) == sorted(line.partition("] ")[2] for line in local)
 
 
 def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> None:
