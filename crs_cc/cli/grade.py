@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.grading.submissions import Submission
 
 _MIB: Final = 2**20
+_BYTE_ORDER_MARK: Final = "\ufeff"
 _EXAMPLES: Final = """
 \b
 Examples:
@@ -42,12 +43,14 @@ class _Targets:
 
     Attributes:
         csv: the table; None for none.
+        for_excel: whether it begins with a byte order mark.
         html: the page; None for none.
         runs: the folder of pictures and recordings; None for none.
         quiet: write nothing to stdout.
     """
 
     csv: Path | None
+    for_excel: bool
     html: Path | None
     runs: Path | None
     quiet: bool
@@ -60,6 +63,9 @@ class _Targets:
 )
 @click.argument("files", nargs=-1, required=True, metavar="SUBMISSIONS... WORLD.xml...")
 @written_file("--csv", "Write a table, with a line for each submission and a column for each goal.")
+@click.option(
+    "--excel", is_flag=True, help="Begin the table with a byte order mark: Excel knows UTF-8 by it."
+)
 @written_file("--html", "Write a page with the table, and a picture of each run.")
 @written_folder("--runs", "Write a picture and a recording of each run to DIR.")
 @click.option(
@@ -143,7 +149,7 @@ class _Targets:
 @program_options.robot_options
 @click.option("-q", "--quiet", is_flag=True, help="Do not write the grades to stdout.")
 def grade(
-    *, files: Sequence[str], csv: Path | None, html: Path | None, runs: Path | None,
+    *, files: Sequence[str], csv: Path | None, excel: bool, html: Path | None, runs: Path | None,
     seeds: Sequence[int], allowed: tuple[str, ...], named_files: Sequence[str],
     data: tuple[str, ...], jobs: int, max_time_s: float | None, max_fuel: int, max_output: int,
     max_memory: int, compile_s: float, wall_s: float, quiet: bool, **robots: Any,
@@ -177,13 +183,15 @@ def grade(
         for case in _cases(each, name, seeds, wanted, several=len(worlds) > 1)
     ]
     submissions = _submissions([Path(name) for name in files if not is_world(name)])
+    if excel and csv is None:
+        raise click.UsageError("--excel is about the table: add --csv FILE.")
     for path in (csv, html):
         _check_target(path)
     if runs is not None:
         make_folder(runs)
     settings = Settings(jobs, allowed, limits, runs, wanted, inputs, data)
     grades = _grade_all(submissions, cases, settings, quiet=quiet)
-    targets = _Targets(csv, html, runs, quiet)
+    targets = _Targets(csv, excel, html, runs, quiet)
     _write(grades, " and ".join(world.name for world in worlds), targets)
     return 0
 
@@ -289,8 +297,9 @@ def _write(grades: Sequence[Grade], worlds: str, targets: _Targets) -> None:
     from crs_cc.cli.grading.tables import as_csv, as_lines
 
     texts: list[tuple[Path, str]] = []
+    mark = _BYTE_ORDER_MARK if targets.for_excel else ""
     if targets.csv is not None:
-        texts.append((targets.csv, as_csv(grades)))
+        texts.append((targets.csv, mark + as_csv(grades)))
     if targets.html is not None:
         runs = None if targets.runs is None else link_to(targets.runs, targets.html)
         texts.append((targets.html, as_page(grades, f"Grades: {worlds}", runs)))

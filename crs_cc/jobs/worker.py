@@ -15,6 +15,7 @@ import select
 import signal
 import sys
 from collections.abc import Callable
+from functools import partial
 from typing import Any, Final
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -59,7 +60,7 @@ def serve(work: Work, load: Callable[[dict[str, Any]], None] | None = None) -> N
         if not hasattr(os, "fork"):
             _work(channel, work, job)
             return
-        _say(channel, {"done": _in_a_child(lambda given=job: _work(channel, work, given))})
+        _say(channel, {"done": _in_a_child(partial(_work, channel, work, job))})
 
 
 def _in_a_child(work: Callable[[], None]) -> int:

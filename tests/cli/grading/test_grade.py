@@ -103,7 +103,7 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def rows(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
+    with path.open(encoding="utf-8-sig", newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -205,7 +205,9 @@ def test_grades_are_the_same_one_by_one_and_in_another_order(
     files = [str(graded / "submissions" / name) for name in names]
     table = graded / "again.csv"
     arguments = [*files, str(graded / "task.xml"), *LIMITS, "--jobs", "1", "--csv", str(table)]
-    assert main(["grade", *arguments]) == 0
+    assert main(["grade", *arguments, "--excel"]) == 0
+    assert table.read_bytes().startswith(b"\xef\xbb\xbfsubmission,")
+    assert not (graded / "grades.csv").read_bytes().startswith(b"\xef")
     before = {row["submission"]: row for row in rows(graded / "grades.csv")}
     assert rows(table) == [before[name] for name in names]
     assert capfd.readouterr().out.splitlines() == [
