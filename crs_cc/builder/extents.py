@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Final
 
 import numpy as np
 
 from crs_cc.builder.addresses import address, ids
 from crs_cc.builder.arrangement import Extent, Extents
+from crs_cc.builder.composition import definitions
 from crs_cc.builder.document import Document
+from crs_cc.builder.motion import frame
 from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model.ground import Patch
@@ -28,8 +30,12 @@ def extents(document: Document, world: WorldModel) -> Extents:
     """
     known = ids(document.root)
     corners: dict[str, list[tuple[float, float]]] = {}
+    solids: dict[str, list[Solid]] = {}
     for solid in world.solids()[len(world.edge_walls()) :]:
-        corners.setdefault(element_of(solid.id, known), []).extend(_corners(solid))
+        name = element_of(solid.id, known)
+        solids.setdefault(name, []).append(solid)
+        corners.setdefault(name, []).extend(_corners(solid))
+    corners.update(_parts(document, solids))
     for robot in world.robots:
         corners[robot.id] = list(_disc(robot.start.x_m, robot.start.y_m, robot.model.radius_m))
     for name, patch in patches(document, world):
@@ -44,6 +50,26 @@ def extents(document: Document, world: WorldModel) -> Extents:
         )
         for name, found in corners.items()
     }
+
+
+def _parts(
+    document: Document, solids: Mapping[str, Sequence[Solid]]
+) -> Iterator[tuple[str, list[tuple[float, float]]]]:
+    """Yield corners of the parts of definitions, in their frames, as far as they are used."""
+    known, done = definitions(document.root), set[str]()
+    for name, node in ids(document.root).items():
+        ref = node.attributes.get("ref", "")
+        if node.tag != "object" or ref not in known or ref in done or name not in solids:
+            continue
+        done.add(ref)
+        back = frame(node).inverse()
+        for own, part in ids(known[ref]).items():
+            whole = f"{name}.{own}"
+            found = [back.point(*corner) for solid in solids[name]
+                     if solid.id == whole or solid.id.startswith(f"{whole}.")
+                     for corner in _corners(solid)]  # fmt: skip
+            if found:
+                yield address(part), found
 
 
 def patches(document: Document, world: WorldModel) -> Iterator[tuple[str, Patch]]:

@@ -77,6 +77,12 @@ class Motion:
             self.yx * x_m + self.yy * y_m + self.y_m,
         )
 
+    def inverse(self) -> Motion:
+        """Return the motion that takes a shift and a turn back."""
+        back = Motion.turn(-self.turn_rad, 0.0, 0.0)
+        x_m, y_m = back.point(self.x_m, self.y_m)
+        return replace(back, x_m=-x_m, y_m=-y_m)
+
     def heading(self, heading_rad: float) -> float:
         """Return what becomes of a heading, at most a turn."""
         if not self.mirrors:

@@ -434,3 +434,16 @@ def test_examined_worlds_have_what_is_right_in_them() -> None:
     assert world is not None
     assert len(messages) == 2
     assert messages[0].location.line == 8
+
+
+def test_parts_are_aligned_by_their_sides_in_the_frame_of_their_definition() -> None:
+    """Their centres were brought into line: what a part covers was not known."""
+    builder = WorldBuilder.new(9, 9)
+    builder.add("box", id="top", x=2, y=2, length=1, width=1)
+    builder.add("cylinder", id="leg", x=2, y=3, radius="10cm")
+    desk = builder.group(["top", "leg"], "desk")
+    builder.turn(desk, "90deg")
+    builder.move(desk, x="3m")
+    parts = ["define[desk]/top", "define[desk]/leg"]
+    builder.align(parts, "right")
+    assert [builder.get(name)["x"] for name in parts] == ["0m", "0.4m"]
