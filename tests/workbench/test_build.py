@@ -383,6 +383,22 @@ def it_is_looked_at_in_three_dimensions(hand: Hand) -> None:
     hand.press("Escape")
 
 
+def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
+    hand.page.select_option("[aria-label=unit]", "cm")
+    hand.press("c")
+    hand.drag((3.4, 5.4), (3.6, 5.4))
+    hand.has("cylinder0")
+    known = hand.page.evaluate("crs.model.thing('cylinder0').attributes")
+    assert known == {"id": "cylinder0", "x": "340cm", "y": "540cm", "radius": "20cm"}
+    hand.page.once("dialog", lambda dialog: dialog.accept("post"))
+    wait(hand.page, "crs.model.selection.has('cylinder0')")
+    hand.press("Control+g")
+    hand.has("post", "define[post]")
+    hand.press("Control+z", "Control+z", "Escape")
+    wait(hand.page, "!crs.model.thing('cylinder0')")
+    hand.page.select_option("[aria-label=unit]", "")
+
+
 def elements_are_locked_and_hidden(hand: Hand) -> None:
     hand.click(0.5, 3.0)
     wait(hand.page, "crs.model.selection.has('wall0')")
@@ -411,6 +427,7 @@ def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder
     goals_sounds_steps_and_ranges_are_drawn(hand)
     the_ground_is_raised_by_a_brush_and_read_from_a_picture(hand, folder)
     a_definition_is_edited_and_all_copies_follow(hand, screen)
+    a_unit_is_chosen_for_what_is_drawn(hand)
     elements_are_locked_and_hidden(hand)
     it_is_looked_at_in_three_dimensions(hand)
     an_object_is_dragged_from_the_library(hand)

@@ -5,7 +5,7 @@ import { restoreTheme } from "../theme.js";
 import { Clipboard } from "./clipboard.js";
 import { toolsFor } from "./drawing.js";
 import { Model } from "./model.js";
-import { makeOptions } from "./options.js";
+import { makeOptions, makeUnits } from "./options.js";
 import { makePanels } from "./panels.js";
 import { Solid } from "./solid.js";
 import { Tools } from "./tools.js";
@@ -19,7 +19,7 @@ const view = new View(canvas, model);
 const tools = new Tools(model, view);
 const clipboard = new Clipboard(model, view);
 const solid = new Solid(model, view);
-fill(part("world"), canvas, solid.element, makeOptions(model, tools));
+fill(part("world"), canvas, solid.element, makeOptions(model, tools), makeUnits(model));
 makePanels(model, view);
 
 const bar = el("div.tools", { role: "toolbar", "aria-label": "Tools" });
@@ -49,6 +49,12 @@ async function duplicate() {
   if (made?.length) model.choose(made);
 }
 
+async function group() {
+  const name = model.selection.size ? prompt("Name of the object that is made of the selection", "object") : "";
+  const made = name ? await model.apply("group", { values: { name } }) : null;
+  if (made) model.choose(made);
+}
+
 const SHORTCUTS = {
   z: (event) => model.ask(event.shiftKey ? "redo" : "undo"),
   y: () => model.ask("redo"),
@@ -56,6 +62,7 @@ const SHORTCUTS = {
   c: () => clipboard.copy(),
   x: () => clipboard.cut(),
   d: () => duplicate(),
+  g: () => group(),
   a: () => model.select(model.things.map((thing) => thing.name).filter((name) => model.isFree(name) && model.shapes(name).length)),
 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

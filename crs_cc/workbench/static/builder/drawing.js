@@ -1,10 +1,8 @@
 /** What each tool draws: how the mouse gives its corners, and the element that becomes of them. */
 
-import { lengthText } from "../units.js";
-
 const NEAR = 10; // [px] to close a polygon
 const LEAST = 0.001; // [m]
-const UNITS = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254, ft: 0.3048 };
+export const UNITS = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254, ft: 0.3048 };
 
 /**
  * The tools: `by` says how, by dragging from corner to corner or from a centre, clicking once or
@@ -30,7 +28,7 @@ export const TOOLS = [
 export const toolsFor = (isRobot) => TOOLS.filter((tool) => (isRobot ? ["select", "sensor"].includes(tool.id) : tool.id !== "sensor"));
 
 /** A length as it is written in a file. @param {number} value [m] @param {string} unit */
-export const lengthIn = (value, unit) => `${+(value / (UNITS[unit] ?? 1)).toFixed(4)}${unit}`;
+export const lengthIn = (value, unit) => `${+(value / UNITS[unit]).toFixed(4)}${unit}`;
 
 export const toolOf = (id) => TOOLS.find((tool) => tool.id === id) ?? TOOLS[0];
 
@@ -106,7 +104,7 @@ export class Corners {
   /** End a chain, or close a polygon. @param {string} id the tool */
   finish(id) {
     if (id === "polygon" && this.points.length > 2) {
-      const text = (value) => lengthIn(value, this.model.document.unit);
+      const text = (value) => lengthIn(value, this.model.unit);
       this.model.add("polygon", { points: this.points.map(([x, y]) => `${text(x)},${text(y)}`).join(" ") });
     }
     this.clear();
@@ -127,7 +125,8 @@ export class Corners {
   ahead(pointer) {
     if (!this.typed) return pointer;
     const [x, y] = this.last ?? [0, 0];
-    const share = Number(this.typed) / (distance(pointer, [x, y]) || 1);
+    const length = Number(this.typed) * UNITS[this.model.unit];
+    const share = length / (distance(pointer, [x, y]) || 1);
     return [x + (pointer[0] - x) * share, y + (pointer[1] - y) * share];
   }
 
@@ -136,7 +135,7 @@ export class Corners {
     pen.beginPath();
     this.view.line(pen, [...(id === "wall" ? this.points.slice(-1) : this.points), end]);
     pen.stroke();
-    label(this.typed || lengthText(distance(end, this.last ?? end)), end);
+    label(this.typed || lengthIn(distance(end, this.last ?? end), this.model.unit), end);
   }
 }
 

@@ -34,7 +34,7 @@ export function handles(model, view) {
   const thing = model.thing(name);
   const [shape] = model.shapes(name);
   if (!shape || shape.kind === "heights") return [];
-  const { unit } = model.document;
+  const { unit } = model;
   if (thing?.tag === "body") return [rim(name, shape, unit)];
   if (thing?.tag === "drive") return model.shapes(name).map((each) => wheel(name, each, unit));
   const own = model.shapes(name).find((each) => each.kind === "sensor");

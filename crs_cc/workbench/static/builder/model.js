@@ -30,6 +30,7 @@ export class Model extends EventTarget {
     this.inside = null;
     /** @type {Map<string, Thing>} */
     this.index = new Map();
+    this.chosenUnit = "";
     this.isConnected = false;
     this.mayChange = false;
     this.note = "";
@@ -75,6 +76,18 @@ export class Model extends EventTarget {
   /** @returns {Shape[]} */
   shapes(name) {
     return (this.inside?.shapes ?? this.document?.shapes)?.[name] ?? [];
+  }
+
+  /** The unit in which lengths are shown, typed and drawn: the user's choice, or that of the file. */
+  get unit() {
+    return this.chosenUnit || this.document?.unit || "m";
+  }
+
+  /** Attributes of what is drawn, whose numbers are lengths [m], in the unit that was chosen. */
+  written(attributes) {
+    if (!this.chosenUnit) return attributes;
+    const text = (value) => (typeof value === "number" ? lengthIn(value, this.unit) : value);
+    return Object.fromEntries(Object.entries(attributes).map(([name, value]) => [name, text(value)]));
   }
 
   // -- definitions -------------------------------------------------------------------------------
@@ -169,7 +182,7 @@ export class Model extends EventTarget {
 
   /** Add an element and select it. */
   async add(kind, attributes, into = this.inside?.root ?? "") {
-    const names = await this.apply("add", { names: [], values: { kind, into }, attributes });
+    const names = await this.apply("add", { names: [], values: { kind, into }, attributes: this.written(attributes) });
     if (names) this.choose(names.filter((name) => !name.includes("/visit/")));
     return names;
   }
@@ -188,7 +201,7 @@ export class Model extends EventTarget {
       return;
     }
     const name = sonars.length ? `sensor[${sonars.length}]` : "sensor";
-    const length = (value) => lengthIn(value, this.document.unit);
+    const length = (value) => lengthIn(value, this.unit);
     const leaf = (into, kind, text) => ({ operation: "add", values: { kind, into, text } });
     const place = (kind, text) => leaf(`${name}/position`, kind, text);
     await this.ask("apply", {

@@ -1,6 +1,19 @@
 /** Above the world: the way out of a definition, and the settings of the brush. */
 
 import { el, fill } from "../dom.js";
+import { UNITS } from "./drawing.js";
+
+/** The unit of what is drawn, as in the file unless one is chosen. @param {import("./model.js").Model} model */
+export function makeUnits(model) {
+  const choose = (event) => {
+    model.chosenUnit = event.target.value;
+    event.target.blur();
+  };
+  const auto = el("option", { value: "" });
+  model.addEventListener("change", () => (auto.textContent = `as in the file: ${model.document?.unit ?? "m"}`));
+  const others = Object.keys(UNITS).map((unit) => el("option", { value: unit }, unit));
+  return el("select.unit", { "aria-label": "unit", title: "The unit of what is drawn and typed", onchange: choose }, auto, ...others);
+}
 
 /** @param {import("./model.js").Model} model @param {import("./tools.js").Tools} tools */
 export function makeOptions(model, tools) {

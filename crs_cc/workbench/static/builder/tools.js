@@ -1,7 +1,7 @@
 /** What the mouse does: select, move, turn, resize, and draw with each tool. */
 
-import { angleText, lengthText } from "../units.js";
-import { addClicked, addDragged, Corners, distance, toolOf } from "./drawing.js";
+import { angleText } from "../units.js";
+import { addClicked, addDragged, Corners, distance, lengthIn, toolOf } from "./drawing.js";
 import { handleAt, paintHandles } from "./handles.js";
 import { Brush } from "./heights.js";
 
@@ -153,7 +153,7 @@ export class Tools {
     } else if (drag?.kind === "turn" && drag.angle) {
       await model.apply("turn", { values: { angle: drag.angle, x: drag.middle[0], y: drag.middle[1] } });
     } else if (drag?.kind === "resize" && drag.to) {
-      await model.apply("set", { names: drag.name ? [drag.name] : [...model.selection], attributes: drag.set(drag.to) });
+      await model.apply("set", { names: drag.name ? [drag.name] : [...model.selection], attributes: model.written(drag.set(drag.to)) });
     } else if (drag?.kind === "frame") {
       const names = this.view.inside(drag.from, drag.to);
       model.select(event.shiftKey ? [...model.selection, ...names] : names);
@@ -216,6 +216,6 @@ export class Tools {
     if (drag.kind === "draw" && toolOf(this.tool).by === "disc") pen.arc(from[0], from[1], distance(from, to), 0, 7);
     else pen.rect(from[0], from[1], to[0] - from[0], to[1] - from[1]);
     pen.stroke();
-    if (drag.kind === "draw") label([0, 1].map((axis) => lengthText(Math.abs(drag.to[axis] - drag.from[axis]))).join(" × "), drag.to);
+    if (drag.kind === "draw") label([0, 1].map((axis) => lengthIn(Math.abs(drag.to[axis] - drag.from[axis]), this.model.unit)).join(" × "), drag.to);
   }
 }
