@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.session.session import Session
     from crs_cc.sim.engine.step import Step
+    from crs_cc.workbench.pointing import Pointing
     from crs_cc.workbench.server import Front
 
 
@@ -63,6 +64,11 @@ class RunView:
         self._announced.enter_context(announced(self._screen.server))
         say(f"crs: open {self._screen.server.address()}")
         say(f"crs: to look only: {self._screen.server.address('view')}")
+
+    @property
+    def pointing(self) -> Pointing:
+        """Where programs ask the user for a pose."""
+        return self._screen.pointing
 
     def timesteps(self) -> int:
         """Wait while pages pause the run or it is too fast; return how far it may go on."""

@@ -217,7 +217,8 @@ class Runner:
         if self._view is not None:
             self._view.begin(self.session, lambda: self._interrupt.requested)
         if self._clients is not None:
-            self._clients.begin(self.session)
+            pointing = None if self._view is None else self._view.pointing
+            self._clients.begin(self.session, pointing)
 
     def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
         """Yield the heap blocks that each program has lost at its end, if they are reported."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 import click
@@ -11,6 +11,7 @@ from crs_cc.cli.messages import say
 from crs_cc.cli.pace import Pace
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.core.suggest import unknown
+from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.net.vendor.relay import RELAY
 from crs_cc.net.vendor.server import Server
 from crs_cc.net.vendor.switchboard import Switchboard
@@ -19,10 +20,35 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from crs_cc.cli.vendor_options import VendorOptions
+    from crs_cc.net.vendor.switchboard import Configuration
     from crs_cc.session.session import Session
     from crs_cc.sim.model.world import WorldModel
+    from crs_cc.workbench.pointing import Pointing
 
 _EVERYWHERE: Final = "0.0.0.0"  # noqa: S104 - the user has insisted
+
+
+class _Window:
+    """The simulator's window, to which programs ask the user to point."""
+
+    def __init__(self, pointing: Pointing, names: Sequence[str]) -> None:
+        self._pointing, self._names = pointing, names
+
+    def ask(self, robot: int, answer: Callable[[Configuration], None]) -> None:
+        """Ask for a configuration of a robot."""
+
+        def convert(pose: tuple[float, float, float]) -> None:
+            x_m, y_m, heading_deg = pose
+            heading = round(heading_deg * 10) % 3600
+            x, y = (round(float(m_to_tenths_inch(each))) for each in (x_m, y_m))
+            answer((x, y, heading, heading))
+
+        say(f"crs: the program of {self._names[robot]} asks for a pose: click in the page")
+        self._pointing.ask(robot, convert)
+
+    def forget(self, robot: int) -> None:
+        """Ask no more."""
+        self._pointing.forget(robot)
 
 
 class VendorClients:
@@ -50,8 +76,12 @@ class VendorClients:
         self._board = Switchboard(relays, world.timestep_s, clock)
         self._server: Server | None = None
 
-    def begin(self, session: Session) -> None:
+    def begin(self, session: Session, pointing: Pointing | None = None) -> None:
         """Open the ports, and say which.
+
+        Args:
+            session: the run.
+            pointing: where programs ask the user for a pose; None if nobody looks.
 
         Raises:
             click.UsageError: a robot is not one that is driven from outside.
@@ -60,6 +90,8 @@ class VendorClients:
         clock_s = session.state.clock_s
         self._board.begin(lambda robot: float(clock_s[robot]))
         session.state.host.reply = self._board.reply
+        if pointing is not None:
+            self._board.pointing = _Window(pointing, self._names)
         self._pace.restart()
         host = _EVERYWHERE if self._options.insecure else LOOPBACK
         self._server = Server(self._board, self._pace.left_s, host)

@@ -69,6 +69,10 @@ def _select(screen: Context, robot: int) -> None:
     screen.robot = robot
 
 
+def _point(screen: Context, robot: int, x_m: float, y_m: float, heading_deg: float) -> None:
+    screen.pointing.point(robot, x_m, y_m, heading_deg)
+
+
 def _frames(screen: Context, block: int) -> bytes:
     content = screen.feed.frames.content(block)
     if content is None:
@@ -91,6 +95,8 @@ RUNNING: Final = (
     Command("span", "Repeat the time between two instants; end it if they are equal.", _span,
             {"begin_s": float, "end_s": float}, needs="seek"),
     Command("select", "Select a robot, by number.", _select, {"robot": int}),
+    Command("point", "Answer a program that has asked the user for a pose.", _point,
+            {"robot": int, "x_m": float, "y_m": float, "heading_deg": float}),
     Command("page", "Send the run, as far as it is known, as one HTML page.", _page, asks=True),
     Command("frames", "Send a block of frames.", _frames, {"block": int}, controls=False,
             at_once=True),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from crs_cc.workbench.feed import Feed
     from crs_cc.workbench.player import Player
+    from crs_cc.workbench.pointing import Pointing
     from crs_cc.workbench.run import Run
     from crs_cc.workbench.server import Server
 
@@ -21,6 +22,7 @@ class Context(Protocol):
         player: when it goes on.
         server: sends messages to pages.
         robot: the selected robot.
+        pointing: poses for which programs have asked the user.
     """
 
     run: Run
@@ -28,6 +30,7 @@ class Context(Protocol):
     player: Player
     server: Server
     robot: int
+    pointing: Pointing
 
     def publish(self) -> None:
         """Tell all about where the run stands."""

@@ -18,6 +18,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.commands import TABLE
 from crs_cc.workbench.messages import answer, message, refusal
+from crs_cc.workbench.pointing import Pointing
 from crs_cc.workbench.server import Front, Server
 
 if TYPE_CHECKING:
@@ -43,6 +44,7 @@ class Screen:
         player: when it goes on.
         server: serves the pages.
         robot: the selected robot.
+        pointing: poses for which programs have asked the user.
     """
 
     def __init__(
@@ -55,6 +57,7 @@ class Screen:
         """
         self.run, self.feed, self.player = run, feed, player
         self.robot = 0
+        self.pointing = Pointing()
         self.is_busy = False
         self._waiting = 0
         self._newest: dict[str, int] = {}
@@ -121,6 +124,7 @@ class Screen:
             rate=round(player.rate, 3),
             span=player.span,
             robot=self.robot,
+            asks=self.pointing.robots,
             halt={"reason": halt.reason, "text": halt.text, "robot": halt.robot},
         )
 

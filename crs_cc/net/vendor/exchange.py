@@ -4,8 +4,8 @@ An exchange is a generator that yields requests, receives their replies, and ret
 to. It knows nothing of time or of connections.
 
 >>> asked = read_laser(3, width=2)
->>> next(asked).message["i"].tolist()[:2]
-[0, 0]
+>>> next(asked).code == CODES["LASER_PAGE"]
+True
 >>> reply = posted("LASER_PAGE", 2, data=np.array([10, -1, 20, -2, 30, -3], "<i4").tobytes())
 >>> reply.message["result"] = 3
 >>> try:
@@ -53,8 +53,13 @@ class Posted:
         return self.code.to_bytes(4, "little") + message[: HEAD + size]
 
 
+@dataclass(frozen=True, slots=True)
+class AskUser:
+    """A question to the user, for the configuration that he points at; None if there is nobody."""
+
+
 T = TypeVar("T")
-Exchange: TypeAlias = Generator[Posted, Any, T]
+Exchange: TypeAlias = Generator[Posted | AskUser, Any, T]
 """Yields requests, and receives each one's reply, of dtype `MESSAGE`."""
 
 

@@ -9,7 +9,7 @@ import struct
 from collections.abc import Callable, Sequence
 from typing import Final, TypeAlias
 
-from crs_cc.net.vendor.exchange import Exchange, Posted, numbers_in, posted, read_poses
+from crs_cc.net.vendor.exchange import AskUser, Exchange, Posted, numbers_in, posted, read_poses
 from crs_cc.net.vendor.nserver_packets import Packet
 
 _REPLY: Final = 82
@@ -149,9 +149,9 @@ def _motion_check(elements: Elements) -> Exchange[Packet]:
 
 
 def _get_conf(_elements: Elements) -> Exchange[Packet]:
-    """Ask the user for a pose; the robot refuses where there is no window to point at."""
-    reply = yield posted("GET_CONF")
-    return Packet(88, tuple(reply["i"][:4].tolist())) if reply["result"] else _ERROR
+    """Ask the user for a configuration; fail if nobody looks."""
+    found = yield AskUser()
+    return Packet(88, found) if found is not None else _ERROR
 
 
 _OTHERS: Final[dict[int, Callable[[Elements], Exchange[Packet]]]] = {

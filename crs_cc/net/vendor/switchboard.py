@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol, TypeAlias
 
-from crs_cc.net.vendor.exchange import Exchange, ReplyReader, posted
+from crs_cc.net.vendor.exchange import AskUser, Exchange, ReplyReader, posted
 
 LOOK_S: Final = 0.05
 """Real time between two looks at the wall clock and at interrupts."""
@@ -49,6 +49,20 @@ class WallClock(Protocol):
         """Let it be this now [s]."""
 
 
+Configuration: TypeAlias = tuple[int, int, int, int]
+"""x and y [0.1 in], heading and turret [0.1 deg]."""
+
+
+class Window(Protocol):
+    """What a user looks at."""
+
+    def ask(self, robot: int, answer: Callable[[Configuration], None]) -> None:
+        """Ask him for a configuration of a robot."""
+
+    def forget(self, robot: int) -> None:
+        """Ask no more."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Call:
     exchange: Exchange[Any]
@@ -60,11 +74,13 @@ class _Call:
 class _Line:
     """A robot's end of the switchboard."""
 
+    robot: int
     inbox: bytearray = field(default_factory=bytearray)
     calls: deque[_Call] = field(default_factory=deque)
     call: _Call | None = None
     replies: ReplyReader = field(default_factory=ReplyReader)
     has_client: bool = False
+    is_asking: bool = False
     is_left: bool = False
     has_ended: bool = False
     idle_since_s: float = 0.0
@@ -73,7 +89,7 @@ class _Line:
 
     @property
     def is_busy(self) -> bool:
-        return self.call is not None or bool(self.calls)
+        return (self.call is not None and not self.is_asking) or bool(self.calls)
 
     def is_free(self, *, cable: bool) -> bool:
         return self.has_cable == cable and not (self.has_client or self.has_ended)
@@ -88,7 +104,10 @@ class Switchboard:
 
     Attributes:
         robots: the numbers of the robots that run a relay.
+        pointing: asks the user for configurations; None if nobody looks.
     """
+
+    pointing: Window | None = None
 
     def __init__(
         self,
@@ -103,18 +122,18 @@ class Switchboard:
             timestep_s: the length of a timestep [s].
             clock: what time goes by; None if it goes by requests.
         """
-        self._lines = {robot: _Line() for robot in robots}
+        self._lines = {robot: _Line(robot) for robot in robots}
         self.robots = frozenset(self._lines)
         self._timestep_s = timestep_s
         self._clock = clock
         self._changed = threading.Condition()
-        self._clock_s: Callable[[int], float] = lambda _robot: 0.0
+        self._run_s: Callable[[int], float] = lambda _robot: 0.0
 
     # -- the run's side --------------------------------------------------------------------------
 
     def begin(self, clock_s: Callable[[int], float]) -> None:
         """Store the function that returns the clock of a robot's program [s]."""
-        self._clock_s = clock_s
+        self._run_s = clock_s
 
     def waiting(self, robot: int, clock_s: float) -> tuple[int, float]:
         """Return what a relay can read, and for how long it is to sleep, see `session.host`.
@@ -152,7 +171,7 @@ class Switchboard:
         reply = line.replies.add(content)
         if reply is not None:
             with self._changed:
-                self._advance(line, lambda call: call.exchange.send(reply), self._clock_s(robot))
+                self._advance(line, lambda call: call.exchange.send(reply), self._run_s(robot))
 
     def _begin_call(self, line: _Line) -> None:
         """Begin the next exchange if there is none."""
@@ -165,11 +184,32 @@ class Switchboard:
         call = line.call
         assert call is not None
         try:
-            line.inbox += go(call).encoded()
+            posted = go(call)
+            while isinstance(posted, AskUser) and (self.pointing is None or line.is_left):
+                posted = call.exchange.send(None)
+            line.is_asking = isinstance(posted, AskUser)
+            if isinstance(posted, AskUser):
+                self._ask_user(line)
+            else:
+                line.inbox += posted.encoded()
         except StopIteration as end:
+            line.is_asking = False
             line.call = None
             line.idle_since_s = time.monotonic()
             call.done(end.value, at_s)
+
+    def _ask_user(self, line: _Line) -> None:
+        """Ask the user for what a call wants."""
+        call = line.call
+
+        def answer(found: Configuration) -> None:
+            with self._changed:
+                if line.call is call and line.is_asking:
+                    at_s = self._run_s(line.robot)
+                    self._advance(line, lambda call: call.exchange.send(found), at_s)
+
+        assert self.pointing is not None
+        self.pointing.ask(line.robot, answer)
 
     def _pause_s(self, line: _Line, clock_s: float) -> float:
         """Return for how long a relay without input sleeps [s].
@@ -178,7 +218,8 @@ class Switchboard:
         """
         cycle = math.floor(clock_s / self._timestep_s + _ROUNDING)
         end_s = (cycle + 1) * self._timestep_s
-        others = any(each.is_busy for each in self._lines.values())
+        lines = self._lines.values()
+        others = any(each.is_busy for each in lines)
         if self._clock is not None:
             now_s = self._clock.simulated_s()
             if now_s > end_s + LAG_S:  # the run was paused, or is too much for this machine
@@ -188,6 +229,7 @@ class Switchboard:
                 return end_s - clock_s
             return max(now_s - clock_s, _LEAST_S) if others else now_s - end_s
         held_s = line.idle_since_s + PATIENCE_S - time.monotonic() if line.has_client else 0.0
+        others |= any(each.is_asking for each in lines)  # pages are heard between timesteps
         if others and held_s <= 0.0:
             return end_s - clock_s
         return -held_s if others else -LOOK_S
@@ -251,6 +293,10 @@ class Switchboard:
 
         line = self._lines[robot]
         line.is_left = True
+        if line.is_asking and self.pointing is not None:
+            self.pointing.forget(robot)
+            with self._changed:
+                self._advance(line, lambda call: call.exchange.send(None), 0.0)
         self.ask(robot, _leave() if connected else _nothing(), free)
 
     def close(self) -> None:

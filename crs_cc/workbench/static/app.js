@@ -8,6 +8,7 @@ import { Layout } from "crs/layout.js";
 import { Look } from "crs/look.js";
 import { Model } from "crs/model.js";
 import { PageChannel } from "crs/page_channel.js";
+import { Pointing } from "crs/pointing.js";
 import { Scene } from "crs/scene.js";
 import { restoreTheme } from "crs/theme.js";
 import { Timeline } from "crs/timeline.js";
@@ -24,6 +25,7 @@ page.drawer = new Drawer(part("time"), model);
 page.instruments = new Instruments(model);
 page.layout = new Layout(model, look, page);
 listenToKeys(page);
+new Pointing(model, page.views);
 
 const start = button({ icon: "play", text: "Run", title: "Let the run begin", className: "start", onclick: () => model.ask("play") });
 start.hidden = true;

@@ -5,9 +5,12 @@ from __future__ import annotations
 import random
 import socket
 import struct
+import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 
+from crs_cc.net.vendor.switchboard import Configuration
 from crs_cc.sim.files.world_xml import load_world
 from tests.net.vendor.nclient import Nclient
 from tests.net.vendor.ndirect import over_tcp
@@ -64,6 +67,44 @@ def test_masked_elements_stay_as_they_were() -> None:
         assert client.state[36] != before[36]
         client.group(28, 17, 32, 2)
         assert client.state[17:33] != before[17:33]
+
+
+class User:
+    """Points at a place, sooner or later."""
+
+    def __init__(self) -> None:
+        self.asked = threading.Event()
+        self.forgotten: list[int] = []
+        self.answer: Callable[[Configuration], None] = lambda _found: None
+
+    def ask(self, _robot: int, answer: Callable[[Configuration], None]) -> None:
+        self.answer = answer
+        self.asked.set()
+
+    def forget(self, robot: int) -> None:
+        self.forgotten.append(robot)
+
+
+def test_the_user_is_asked_for_a_configuration() -> None:
+    with served(PAIR) as run:
+        user = run.board.pointing = User()
+        port = run.server.serve_nserver(0)
+        client, other = connected(port), connected(port, 2)
+        client.send(200)
+        assert user.asked.wait(30)
+        assert other.state_call(15)  # who is not held up
+        user.answer((10, -20, 900, 900))
+        assert client._receive(20) == client.packet(88, 10, -20, 900, 900)
+        user.asked.clear()
+        client.send(200)
+        assert user.asked.wait(30)
+        client.vanish()
+        again = connected(port)
+        assert again.state_call(15)
+        assert user.forgotten == [0]
+        again.send(200)
+        again.vanish()  # perhaps before he is asked
+        assert connected(port).state_call(15)
 
 
 def test_a_client_that_vanishes_leaves_its_robot_to_the_next() -> None:
