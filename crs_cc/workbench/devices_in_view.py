@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from crs_cc.core.units import tenths_inch_to_m
 from crs_cc.sim.devices.arm.state import arm_of
+from crs_cc.sim.devices.camera import camera_state, picture
 from crs_cc.sim.devices.gripper.state import gripper_of
 from crs_cc.sim.devices.laser.model import NUM_LASER, laser_state
 from crs_cc.workbench.feed import rounded
@@ -21,13 +24,16 @@ MAX_DEGRADED: Final = 500
 
 
 def devices_in_view(environment: Environment, rows: Sequence[int], selected: int) -> dict[str, Any]:
-    """Return what is drawn of some robots' devices, and the laser of the selected one."""
+    """Return what is drawn of some robots' devices, and what the selected one's have measured."""
     return {
         "fingers": dict(_fingers(environment, rows)),
         "joints": dict(_joints(environment, rows)),
         "holds": dict(_holds(environment, rows)),
         "degraded": list(_degraded(environment)),
         "laser": _laser(environment, selected),
+        "camera": _camera(environment, selected),
+        "infrared": _readings(environment, "infrared", selected),
+        "heat": next(iter(_readings(environment, "heat", selected)), None),
     }
 
 
@@ -75,6 +81,26 @@ def _degraded(environment: Environment) -> Iterator[tuple[int, str, int, str]]:
         if phase in {"acts", "fades"}:
             element = -1 if each.element is None else each.element
             yield robots[each.robot], each.device, element, phase
+
+
+def _camera(environment: Environment, robot: int) -> list[tuple[str, float | None]]:
+    """Return colour and range [m] of each column of the last picture; null without an object."""
+    number = environment.device_number("camera", robot)
+    state, camera = environment.state, environment.world.robots[robot].model.device("camera")
+    if camera is None or camera_state(state).readings.at_s[number] < 0.0:
+        return []
+    columns = picture(state, camera, number)
+    return [
+        (f"#{colour:06x}", None if range_ < 0 else round(tenths_inch_to_m(range_), 3))
+        for colour, range_ in columns.tolist()
+    ]
+
+
+def _readings(environment: Environment, device: str, robot: int) -> list[float | None]:
+    """Return what a device has measured last, null for no value; nothing without the device."""
+    found = environment.reading(device, robot)
+    numbers = [] if found is None else rounded(found.astype(np.float64))
+    return [None if math.isnan(each) else each for each in numbers]
 
 
 def phase_now(environment: Environment, degradation: Degradation) -> str:

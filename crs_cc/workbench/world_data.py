@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.recording.shapes import area_data, robot_data, shape_data
 from crs_cc.sim.devices.bumper.element import switches_of
+from crs_cc.sim.devices.infrared import FARTHEST
 from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.model.world import is_pushable
 
@@ -90,9 +91,21 @@ def _kind(model: RobotModel) -> dict[str, Any]:
 
 
 def _limbs(model: RobotModel) -> dict[str, Any]:
-    """Return gripper, arm and laser of a kind of robot, null for those that it lacks."""
+    """Return gripper, arm and sensors of a kind of robot, null for those that it lacks."""
     gripper, arm, laser = (model.device(name) for name in ("gripper", "arm", "laser"))
+    camera, infrared, heat = (model.device(name) for name in ("camera", "infrared", "heat"))
     return {
+        "camera": camera
+        and {
+            "x": camera.x_m,
+            "y": camera.y_m,
+            "z": camera.z_m,
+            "direction": camera.direction_rad,
+            "fov": camera.field_of_view_rad,
+            "range": camera.range_m,
+        },
+        "infrared": infrared and {"step": infrared.step_m, "z": infrared.z_m, "farthest": FARTHEST},
+        "heat": heat and heat.range_m,
         "gripper": gripper
         and {"place": gripper.place_m, "reach": gripper.reach_m, "opening": gripper.opening_m},
         "arm": arm and {"x": arm.x_m, "y": arm.y_m, "upper": arm.upper_m, "fore": arm.fore_m},

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -13,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from crs_cc.recording.recording import Recording
+from tests.npm_packages import installed
 
 PAGE = Path(__file__).parents[2] / "docs" / "recordings.md"
 NODE = Path(__file__).parent / "node"
-CACHE = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "crs_cc_tests"
 
 
 def reader(language: str) -> str:
@@ -51,20 +49,7 @@ def test_the_reader_in_python_reads_it(recorded: Path, tmp_path: Path) -> None:
 
 
 def test_the_reader_in_javascript_reads_it(recorded: Path, tmp_path: Path) -> None:
-    missing = [name for name in ("node", "npm") if shutil.which(name) is None]
-    if missing:
-        pytest.skip(f"{' and '.join(missing)} not found: the reader cannot be run")
-    lock = (NODE / "package-lock.json").read_bytes()
-    folder = CACHE / f"mcap-{hashlib.sha256(lock).hexdigest()[:16]}"
-    if not (folder / "installed").exists():
-        folder.mkdir(parents=True, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copy(NODE / name, folder)
-        options = ["--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"]
-        done = subprocess.run(["npm", "ci", *options], cwd=folder, timeout=120, check=False)
-        if done.returncode:
-            pytest.skip("npm cannot install @mcap/core")
-        (folder / "installed").touch()
+    modules = installed(NODE)
     program = tmp_path / "reader.cjs"
     program.write_text(reader("javascript"))
-    check(["node", str(program)], recorded, NODE_PATH=str(folder / "node_modules"))
+    check(["node", str(program)], recorded, NODE_PATH=str(modules))

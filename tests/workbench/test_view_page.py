@@ -61,6 +61,30 @@ def what_is_degraded_is_told_and_slopes_are_measured(page: Any) -> None:
     assert flat is None
 
 
+def what_sensors_have_measured_is_drawn(page: Any) -> None:
+    """Of the camera's picture, the left half is red and the right one green."""
+    page.evaluate("crs.look.toggle('heat')")
+    page.evaluate(
+        """() => {
+            const { kind } = crs.model.scene.body(0);
+            kind.camera = { x: 0, y: 0, z: 0.3, direction: 0, fov: 1, range: 5 };
+            kind.infrared = { step: 0.0254, z: 0.2, farthest: 15 };
+            const { devices } = crs.model.status;
+            devices.camera = [["#ff0000", 1], ["#00ff00", null]];
+            devices.infrared = [5, 15, null, 0];
+            crs.look.version++;
+        }"""
+    )
+    pixel = """(away) => {
+        const { over } = crs.views.active;
+        const [x, y] = [(over.clientWidth / 2 + away) * devicePixelRatio, 75 * devicePixelRatio];
+        return [...over.getContext("2d").getImageData(x, y, 1, 1).data.slice(0, 3)].join();
+    }"""
+    page.wait_for_function(f"() => ({pixel})(-60) === '255,0,0'", polling=100)
+    assert page.evaluate(pixel, 60) == "0,255,0"
+    page.evaluate("crs.look.toggle('heat')")
+
+
 def lamps_light_the_night(page: Any) -> None:
     day = page.evaluate(BRIGHTNESS)
     page.keyboard.press("m")
@@ -130,6 +154,7 @@ def test_the_view_shows_devices_and_saves_what_it_shows(
         page.wait_for_selector(".robot b")
         an_arm_and_what_it_carries_are_where_they_are(page)
         what_is_degraded_is_told_and_slopes_are_measured(page)
+        what_sensors_have_measured_is_drawn(page)
         lamps_light_the_night(page)
         views_are_kept_and_shown_again(page)
         a_video_and_a_page_are_saved(browser, page, tmp_path)

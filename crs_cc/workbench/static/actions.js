@@ -54,7 +54,7 @@ export function actions(model, page) {
 
 function poseOf(model) {
   const body = model.scene?.body(model.state.robot);
-  return body ? [body.x.toFixed(2), body.y.toFixed(2), ((((body.heading * 180) / Math.PI) % 360) + 360).toFixed(0) % 360] : ["0", "0", "0"];
+  return body ? [body.x.toFixed(2), body.y.toFixed(2), Math.round(((body.heading * 180) / Math.PI % 360) + 360) % 360] : ["0", "0", "0"];
 }
 
 function simpleForm(model, form) {

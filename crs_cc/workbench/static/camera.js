@@ -26,7 +26,8 @@ export class Camera {
     this.y = isVast ? 0 : y + width / 2;
     this.z = 0;
     this.size = isVast ? 12 : Math.max(length, width);
-    [this.spanX, this.spanY] = isVast ? [12, 12] : [length, width];
+    this.spanX = isVast ? 12 : length;
+    this.spanY = isVast ? 12 : width;
     this.distance = 1.25 * this.size;
     this.azimuth = -Math.PI / 2 - 0.45;
     this.elevation = 0.82;

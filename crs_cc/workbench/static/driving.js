@@ -13,7 +13,8 @@ const EVERY = 100; // [ms] between two commands of a stick
 export class Driving {
   /** @param {any} model @param {any} page */
   constructor(model, page) {
-    Object.assign(this, { model, page });
+    this.model = model;
+    this.page = page;
     this.isOn = false;
     this.note = el("p.driving", { role: "status" });
     this.note.hidden = true;

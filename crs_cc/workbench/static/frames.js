@@ -17,7 +17,7 @@ export function fromBase64(text) {
 
 /** @param {Uint8Array} packed @returns {Promise<Uint8Array>} */
 export async function inflate(packed) {
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const stream = new Blob([/** @type {BlobPart} */ (packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 

@@ -29,12 +29,11 @@ export class Ground {
     return height;
   }
 
-  /** How steep it is at a place, along x and y; nothing where it is flat. */
+  /** How steep it is at a place, along x and y; nothing where it is flat. @returns {[number, number] | null} */
   slope(x, y) {
     if (this.isFlat) return null;
     const [a, b] = [this.height(x + REACH, y) - this.height(x - REACH, y), this.height(x, y + REACH) - this.height(x, y - REACH)];
-    const slope = [a / (2 * REACH), b / (2 * REACH)];
-    return slope[0] || slope[1] ? slope : null;
+    return a || b ? [a / (2 * REACH), b / (2 * REACH)] : null;
   }
 
   mapHeight(x, y) {

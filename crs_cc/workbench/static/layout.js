@@ -8,7 +8,9 @@ const STATES = { playing: "running", busy: "working", end: "ended", error: "stop
 export class Layout {
   /** @param {any} model @param {any} look @param {any} page what panels may use of each other */
   constructor(model, look, page) {
-    Object.assign(this, { model, look, page });
+    this.model = model;
+    this.look = look;
+    this.page = page;
     this.chip = el("span.chip.state", { role: "status" });
     this.title = el("h1", { id: "title" });
     this.note = el("span.note-text", { id: "note" });
@@ -52,7 +54,7 @@ export class Layout {
   }
 
   open(id) {
-    for (const panel of document.querySelectorAll("aside.right > section")) panel.hidden = panel.id !== `panel-${id}`;
+    for (const panel of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("aside.right > section"))) panel.hidden = panel.id !== `panel-${id}`;
     for (const tab of document.querySelectorAll("[role=tab]")) tab.setAttribute("aria-selected", String(tab.id === `tab-${id}`));
     this.model.tell("look");
   }

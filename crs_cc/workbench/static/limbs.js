@@ -17,7 +17,7 @@ const bar = (length, width, height, colour) => made(new THREE.BoxGeometry(length
 const joint = (radius, height) => made(new THREE.CylinderGeometry(radius, radius, height, 16).rotateX(Math.PI / 2), JOINT);
 
 export class Limbs {
-  /** @param {THREE.Scene} world */
+  /** @param {any} world a scene of three.js */
   constructor(world) {
     this.world = world;
     /** @type {Map<string, any>} by the name of a robot */

@@ -56,6 +56,7 @@ export function drawGraph(links, { names, seconds, meaning, selected, choose }) 
   return drawing;
 }
 
+/** @param {any} link @param {number[]} from @param {number[]} to @param {any} options */
 function arrow(link, [x0, y0], [x1, y1], { most, seconds, meaning, names, selected, choose }) {
   const [dx, dy] = [x1 - x0, y1 - y0];
   const length = Math.hypot(dx, dy) || 1;

@@ -26,6 +26,8 @@ export class Model {
     /** @type {any} */
     this.panel = null;
     this.isConnected = false;
+    /** @type {import("./scene.js").Scene | null} */
+    this.scene = null;
     this.approaches = new Approaches(this);
     /** Errors and what commands have answered, for the line below the view. */
     this.said = "";

@@ -4,6 +4,7 @@
  */
 import { heatColour, mostHeat } from "crs/heat.js";
 import { degraded, laser, ranges } from "crs/overlay_devices.js";
+import { cameraStrip, heatRange, infraredBeams } from "crs/overlay_sensors.js";
 import { angleText, gridStep, lengthText } from "crs/units.js";
 
 const MANY = 60; // robots: of more, only the selected one is annotated
@@ -19,6 +20,9 @@ export const PARTS = [
   { name: "marks", title: "What programs draw", on: true, only: "marks", draw: marks },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
   { name: "laser", title: "Laser", on: true, draw: laser },
+  { name: "camera", title: "Camera", on: true, draw: cameraStrip },
+  { name: "infrared", title: "Infrared beams", on: true, draw: infraredBeams },
+  { name: "heat", title: "Range of the heat sensor", on: false, draw: heatRange },
   { name: "degraded", title: "Degraded parts", on: true, draw: degraded },
   { name: "bumpers", title: "Bumpers", on: true, draw: bumpers },
   { name: "believed", title: "Believed poses", on: false, draw: believed },
@@ -45,8 +49,13 @@ export class Overlay {
     this.pen = this.canvas.getContext("2d");
     this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.pen.clearRect(0, 0, width, height);
-    Object.assign(this, { view, camera, look, width, height, scene: view.scene });
+    this.view = view;
+    this.camera = camera;
+    this.look = look;
+    this.scene = view.scene;
     this.project = view.project;
+    this.width = width;
+    this.height = height;
     this.several = this.scene.bodies.length <= MANY;
     for (const part of PARTS) if (look.show[part.name]) part.draw(this);
     this.selection();

@@ -2,7 +2,7 @@
  * What there is to see: things and robots, and where they are at a time.
  *
  * @typedef {{id: string, x: number, y: number, angle: number, height: number, colour: string,
- *   corners?: number[][], radius?: number, heat?: number, movable?: boolean}} Shape
+ *   corners?: number[][], radius?: number, heat?: number, movable?: boolean, lift?: number}} Shape
  * @typedef {{id: string, x: number, y: number, z: number, heading: number, turret: number | null,
  *   base: number, mount: number, slope: [number, number] | null, radius: number, height: number, colour: string, kind: any, row: number}} Body
  */

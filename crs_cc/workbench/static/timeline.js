@@ -21,7 +21,8 @@ export const markOf = (kind) => MARKS.find((mark) => mark.is(kind)) ?? MARKS[MAR
 export class Timeline {
   /** @param {HTMLElement} root @param {any} model @param {any} look */
   constructor(root, model, look) {
-    Object.assign(this, { model, look });
+    this.model = model;
+    this.look = look;
     this.kind = "any";
     this.askedAt = 0;
     this.clock = el("output", { "aria-label": "simulated time" });

@@ -8,6 +8,7 @@ export class View2D {
     this.scene = scene;
     this.canvas = canvas;
     this.isFlat = true;
+    this.isSoft = false;
     this.project = (x, y) => [x, y, 1];
     this.pixels = () => 1;
   }
@@ -35,6 +36,9 @@ export class View2D {
     for (const shape of this.scene.shapes) this.shape(pen, shape, look);
     for (const body of this.scene.bodies) this.robot(pen, body, look);
   }
+
+  /** Nothing is held that must be given back. */
+  dispose() {}
 
   floor(pen, look, camera, width, height) {
     const { x, y, length, width: depth } = this.scene.area;

@@ -13,7 +13,7 @@ export class Viewport {
   /**
    * @param {import("./scene.js").Scene} scene
    * @param {any} model
-   * @param {{flat: boolean, failed: (reason: string) => void, active: (view: Viewport) => void}} options
+   * @param {{flat: boolean, failed: (reason: string) => void, active: (view: Viewport) => void, placed: (ground: () => any) => boolean}} options
    */
   constructor(scene, model, options) {
     this.model = model;

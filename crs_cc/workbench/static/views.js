@@ -18,7 +18,9 @@ const OTHERS = ["chase", "top", "board"];
 export class Views {
   /** @param {HTMLElement} root @param {any} model @param {any} look */
   constructor(root, model, look) {
-    Object.assign(this, { root, model, look });
+    this.root = root;
+    this.model = model;
+    this.look = look;
     this.isFlat = new URLSearchParams(location.hash.slice(1)).get("flat") === "1";
     /** @type {Viewport[]} */
     this.all = [];

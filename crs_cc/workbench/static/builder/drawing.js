@@ -59,7 +59,7 @@ function addDisc(model, id, place) {
   else model.add("reach", place);
 }
 
-/** Add what a click puts down. */
+/** Add what a click puts down. @param {any} model @param {string} id @param {number[]} at */
 export function addClicked(model, id, [x, y]) {
   if (id === "sensor") model.mount([x, y]);
   else model.add(id, { x, y });
@@ -139,4 +139,5 @@ export class Corners {
   }
 }
 
+/** @param {number[]} one @param {number[]} other */
 export const distance = ([x1, y1], [x2, y2]) => Math.hypot(x2 - x1, y2 - y1);

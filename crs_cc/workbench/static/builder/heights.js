@@ -32,6 +32,7 @@ export class Brush {
   }
 
   /** Raise the cells around a point, each at most once as far as the brush reaches. */
+  /** @param {number[]} at a place [m] */
   paint([x, y]) {
     if (!this.stroke) return;
     const { shape, before, reached, sign } = this.stroke;

@@ -8,6 +8,8 @@ const CLICK = 5; // pixels that a click may move
 export class Solid {
   /** @param {import("./model.js").Model} model @param {import("./view.js").View} view */
   constructor(model, view) {
+    /** @type {any} */
+    this.camera = null;
     this.model = model;
     this.view = view;
     this.element = el("div.solid", { hidden: true, tabIndex: 0, "aria-label": "The world in three dimensions" });
@@ -52,7 +54,7 @@ export class Solid {
     const names = world.robots.map((robot) => robot.id);
     const scene = new Scene({ world, rosters: [{ t: 0, robots: names, objects: [] }] });
     const starts = world.robots.map((robot) => robot.start);
-    scene.place({ time: 0, rows: names.length, columns: 3, values: [0, 1, 2].flatMap((axis) => starts.map((start) => start[axis])) });
+    scene.place({ time: 0, rows: names.length, columns: 3, values: Float32Array.from([0, 1, 2].flatMap((axis) => starts.map((start) => start[axis]))) });
     for (const each of [...scene.shapes, ...scene.bodies]) if (this.isChosen(each.id)) each.colour = colours.accent;
     this.drop();
     const canvas = el("canvas");

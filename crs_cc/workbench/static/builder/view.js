@@ -46,6 +46,7 @@ export class View {
     return [clientWidth / 2 + (x - this.centre[0]) * this.scale, clientHeight / 2 - (y - this.centre[1]) * this.scale];
   }
 
+  /** @param {number[]} at a place in the view [pixels] */
   toWorld([x, y]) {
     const { clientWidth, clientHeight } = this.size;
     return [this.centre[0] + (x - clientWidth / 2) / this.scale, this.centre[1] - (y - clientHeight / 2) / this.scale];

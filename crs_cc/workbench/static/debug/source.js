@@ -11,7 +11,8 @@ const expanded = (text) => text.replaceAll("\t", TAB);
 export class Source {
   /** @param {any} model @param {any} page */
   constructor(model, page) {
-    Object.assign(this, { model, page });
+    this.model = model;
+    this.page = page;
     this.element = el("div.listing", { role: "group", "aria-label": "source", tabIndex: 0, onkeydown: (event) => this.key(event) });
     this.known = new Map();
     this.file = "";

@@ -14,7 +14,9 @@ const ACCESS = { change: "changes", write: "is written", read: "is read", access
 export class Stops {
   /** @param {any} model @param {any} page @param {(file: string, line: number) => void} edit */
   constructor(model, page, edit) {
-    Object.assign(this, { model, page, edit });
+    this.model = model;
+    this.page = page;
+    this.edit = edit;
     this.list = el("div.stops", { role: "list" });
     this.kind = el("select", { "aria-label": "what to stop at", onchange: () => this.offer() }, ...KINDS.map(([name, title]) => el("option", { value: name }, title)));
     this.names = el("datalist", { id: "functions" });

@@ -4,7 +4,8 @@ import { button, el, fill } from "crs/dom.js";
 export class Values {
   /** @param {any} model @param {any} page */
   constructor(model, page) {
-    Object.assign(this, { model, page });
+    this.model = model;
+    this.page = page;
     this.tree = el("div.values", { role: "tree", "aria-label": "variables", tabIndex: -1 });
     this.watch = el("input", { type: "text", placeholder: "watch an expression: State[17], p->next, a[0..4]", "aria-label": "expression to watch", spellcheck: false, autocomplete: "off" });
     this.wrong = el("p.field-error", { role: "alert" });
@@ -52,7 +53,7 @@ export class Values {
       this.before = this.now;
       this.now = new Map();
     }
-    const focused = document.activeElement?.closest?.(".value")?.dataset.key;
+    const focused = /** @type {HTMLElement | null} */ (document.activeElement?.closest?.(".value"))?.dataset.key;
     fill(this.tree, ...rows.flatMap((row) => this.rows(row, 1)));
     if (focused) this.tree.querySelector(`[data-key="${CSS.escape(focused)}"] .fold`)?.focus();
   }

@@ -4,6 +4,7 @@ import { entry } from "crs/change.js";
 import { drawPlot, leastHeight, LINES } from "crs/plot.js";
 
 const MOST = 8; // expressions
+/** @type {[string, string, number][]} id, title, seconds */
 const SPANS = [["all", "all", 0], ["60", "60 s", 60], ["10", "10 s", 10], ["2", "2 s", 2]];
 const OWN = ["speed", "turn", "battery", "clearance", "pose.x", "pose.y", "pose.heading", "sonar.0", "sonar.1"];
 const PATIENCE = 6000; // for which what is not known is read without being told [ms]

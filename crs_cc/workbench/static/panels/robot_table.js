@@ -74,6 +74,7 @@ export const robotTable = {
       draw();
     };
 
+    /** The place of the first row in view, and the robots of the rows. @returns {[number, number[]]} */
     const visible = () => {
       const first = Math.max(0, Math.floor(scroll.scrollTop / ROW) - SPARE);
       return [first, numbers.slice(first, first + Math.ceil(scroll.clientHeight / ROW) + 2 * SPARE)];
@@ -106,6 +107,7 @@ export const robotTable = {
       }
     };
 
+    /** The texts of a row, and their classes. @returns {[string, string][]} */
     const cells = (data, number) => {
       if (!data) return COLUMNS.slice(1).map(() => ["", ""]);
       const body = data.pose ? null : model.scene?.body(number);
