@@ -37,6 +37,15 @@ Examples:
     f"{TOKEN_VARIABLE}, or that of a run of yours on this machine.",
 )
 @click.option(
+    "--tls", is_flag=True, help="Encrypt, and expect a certificate that this system trusts."
+)
+@click.option(
+    "--fingerprint",
+    default="",
+    metavar="HEX",
+    help="Encrypt, and expect the certificate with this fingerprint, which crs serve has printed.",
+)
+@click.option(
     "--robot",
     "model",
     metavar="NAME|FILE.xml",

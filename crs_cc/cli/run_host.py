@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import secrets
+import socket
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -24,6 +25,7 @@ from crs_cc.frontend.preprocess.regular_file import read_regular_file
 from crs_cc.net.channel import ConnectionLostError, Pulse
 from crs_cc.net.handshake import Hello, Program, RefusedError, as_text, devices_digest, digest_of
 from crs_cc.net.program_host import ProgramHost, Streams
+from crs_cc.net.tls import Client, Connection
 from crs_cc.net.visit import Visit, visit
 from crs_cc.session.build import build_driver
 
@@ -89,6 +91,13 @@ def _absolute(path: Path) -> str:
     return f"/{Path(os.path.abspath(path)).as_posix().lstrip('/')}"  # noqa: PTH100
 
 
+def _secure(options: JoinOptions) -> Callable[[socket.socket], Connection]:
+    """Return what encrypts a connection, if that is wanted."""
+    if not (options.tls or options.fingerprint):
+        return lambda connection: connection
+    return Client(options.address[0], options.fingerprint).secure
+
+
 class _Host:
     """Robots' programs, over as many connections as it takes."""
 
@@ -102,6 +111,7 @@ class _Host:
             options.definition,
             devices_digest(),
         )
+        self._secure = _secure(options)
         self._input = OwnInput()
         self._output: ProgramOutput | None = None
         self._shown = 0
@@ -128,10 +138,11 @@ class _Host:
         """Connect to the environment, as often as it takes for some time."""
         end_s, pause_s = time.monotonic() + self._options.retry_s, _FIRST_PAUSE_S
         while True:
-            token = token_for(self._options.token, self._options.address[1])
+            address = self._options.address
+            token = token_for(self._options.token, address[1])
             hello = replace(self._hello, token=token)
             try:
-                return visit(self._options.address, hello, self._program, pulse)
+                return visit(address, hello, self._program, pulse, self._secure)
             except ConnectionLostError:
                 if time.monotonic() + pause_s > end_s:
                     raise

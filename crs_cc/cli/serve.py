@@ -56,9 +56,26 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     "tokens, which are printed.",
 )
 @click.option(
+    "--tls",
+    is_flag=True,
+    help="Encrypt, with a certificate made at start whose fingerprint is printed.",
+)
+@click.option(
+    "--tls-cert",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Encrypt with this certificate (PEM).",
+)
+@click.option(
+    "--tls-key",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="The key of the certificate (PEM).",
+)
+@click.option(
     "--insecure",
     is_flag=True,
-    help="Listen to other machines: tokens and programs can be read on the way.",
+    help="Listen to other machines without TLS: tokens and programs can be read on the way.",
 )
 @click.option(
     "--on-loss",

@@ -17,6 +17,8 @@ class ServeOptions(RunOptions):
     Attributes:
         listen: the host and port to listen at.
         tokens: the file of tokens; None for new ones.
+        tls: whether to encrypt with a certificate made at start.
+        tls_cert, tls_key: the files of a certificate and its key to encrypt with instead.
         insecure: whether to listen to other machines without TLS.
         on_loss: what to do when a host is lost: `wait` for another one, or `stop` its programs.
         resume: the recording at whose end the run goes on; None for a new run.
@@ -24,6 +26,9 @@ class ServeOptions(RunOptions):
 
     listen: tuple[str, int] = ("127.0.0.1", 8000)
     tokens: Path | None = None
+    tls: bool = False
+    tls_cert: Path | None = None
+    tls_key: Path | None = None
     insecure: bool = False
     on_loss: Literal["wait", "stop"] = "wait"
     resume: Path | None = None
@@ -37,6 +42,8 @@ class JoinOptions(ProgramOptions):
         address: the host and port of the environment.
         robots: the robots; empty for all that have no program.
         token: shows that we may join; None for the user's own.
+        tls: whether to encrypt, and expect a certificate that the system trusts.
+        fingerprint: that of the certificate to expect instead; empty for none.
         definition: the robot definition that the robots must have; empty for any.
         threads: how many threads may run programs; None for as many as there are processors.
         retry_s: how long to try to reach the environment [s].
@@ -45,6 +52,8 @@ class JoinOptions(ProgramOptions):
     address: tuple[str, int] = ("127.0.0.1", 8000)
     robots: tuple[str, ...] = ()
     token: str | None = None
+    tls: bool = False
+    fingerprint: str = ""
     definition: str = ""
     threads: int | None = None
     retry_s: float = 10.0

@@ -20,6 +20,7 @@ from crs_cc.cli.resumption import Resumption
 from crs_cc.cli.simulate import run_loaded
 from crs_cc.core.input_files import logged
 from crs_cc.core.source import Diagnostics
+from crs_cc.net import tls
 from crs_cc.net.access import Access, parsed
 from crs_cc.net.gate import Gate, bound, led_to
 from crs_cc.net.roster import Roster
@@ -49,8 +50,9 @@ def start_serve(options: ServeOptions) -> int:
     resumption = None if options.resume is None else Resumption(options.resume)
     access = _access(options.tokens)
     roster = Roster(world.robots)
-    with _gate(options, access, roster) as gate:
-        _greet(options, access, gate.port)
+    secure = _tls(options)
+    with _gate(options, access, roster, secure) as gate:
+        _greet(options, access, gate.port, secure)
         try:
             seats = _seats(roster, options)
         except KeyboardInterrupt:
@@ -67,7 +69,7 @@ def start_serve(options: ServeOptions) -> int:
             names,
             loaded.executables,
             waits=waits,
-            front=_front(options, access, gate),
+            front=_front(options, access, gate, is_secure=secure is not None),
             resumption=resumption,
         )
         return run_loaded(loaded, run, Diagnostics(), elsewhere)
@@ -83,32 +85,48 @@ def _access(file: Path | None) -> Access:
 
 
 @contextlib.contextmanager
-def _gate(options: ServeOptions, access: Access, roster: Roster) -> Iterator[Gate]:
+def _gate(
+    options: ServeOptions, access: Access, roster: Roster, secure: tls.Server | None
+) -> Iterator[Gate]:
     host, port = options.listen
-    if host not in _OWN_NAMES and not options.insecure:
+    if host not in _OWN_NAMES and not (secure or options.insecure):
         text = f"--listen {host} is open to other machines, which could read tokens and programs"
-        raise click.UsageError(f"{text}: --insecure if the network is yours alone.")
+        raise click.UsageError(f"{text}: --tls, or --insecure if the network is yours alone.")
     listener = bound(host, port)
     with token_left(listener.getsockname()[1], access.token("robot")):
-        gate = Gate(listener, access, roster)
+        gate = Gate(listener, access, roster, secure.secure if secure else lambda plain: plain)
         try:
             yield gate
         finally:
             gate.close()
 
 
-def _greet(options: ServeOptions, access: Access, port: int) -> None:
+def _tls(options: ServeOptions) -> tls.Server | None:
+    """Return what encrypts connections, if that is wanted."""
+    if options.tls_cert is None and options.tls_key is None:
+        return tls.self_made() if options.tls else None
+    if options.tls_cert is None or options.tls_key is None:
+        raise click.UsageError("--tls-cert and --tls-key belong together.")
+    try:
+        return tls.Server(options.tls_cert, options.tls_key)
+    except ValueError:
+        raise click.UsageError(f"--tls-cert: {options.tls_cert} has no certificate.") from None
+
+
+def _greet(options: ServeOptions, access: Access, port: int, secure: tls.Server | None) -> None:
     host = options.listen[0]
     address = shown_address((host, port))
     say(f"crs: serving {options.inputs.world} at {address}")
-    if options.insecure and host not in _OWN_NAMES:
+    if secure is not None:
+        say(f"crs: fingerprint of the certificate: {secure.fingerprint}")
+    elif host not in _OWN_NAMES:
         say("crs: warning: INSECURE: whoever sees the network reads tokens and programs")
     if options.tokens is None:
         say(f"crs: robots join by: crs join ROBOT HOST:{port} PROGRAM.c")
         say(f"crs: from other machines with: --token {access.token('robot')}")
 
 
-def _front(options: ServeOptions, access: Access, gate: Gate) -> Front | None:
+def _front(options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool) -> Front | None:
     """Return where pages connect, if they may."""
     if options.view is None:
         return None
@@ -121,7 +139,8 @@ def _front(options: ServeOptions, access: Access, gate: Gate) -> Front | None:
         gate.visitor = led_to(port)
 
     address = shown_address((options.listen[0], gate.port))
-    return Front(f"http://{address}", gate.port, tokens, open_to_pages)
+    scheme = "https" if is_secure else "http"
+    return Front(f"{scheme}://{address}", gate.port, tokens, open_to_pages)
 
 
 def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:

@@ -30,10 +30,12 @@ def is_address(word: str) -> bool:
 
     >>> is_address("127.0.0.1:8700"), is_address("http://localhost:87/#token=x"), is_address("a.c")
     (True, True, False)
-    >>> is_address("procyon:8000")
-    True
+    >>> is_address("procyon:8000"), is_address("https://procyon:8000")
+    (True, True)
+    >>> address_of("https://procyon:8000", "secret")
+    'https://procyon:8000/#token=secret'
     """
-    return _HERE.fullmatch(word) is not None or is_net_address(word)
+    return _HERE.fullmatch(word) is not None or is_net_address(word.removeprefix("https://"))
 
 
 def address_of(word: str, token: str | None = None) -> str:
@@ -50,7 +52,8 @@ def address_of(word: str, token: str | None = None) -> str:
         return word
     token = token or os.environ.get(TOKEN_VARIABLE, "")
     if token:
-        return f"http://{word.removeprefix('http://').partition('/')[0]}/#token={token}"
+        scheme, _, rest = word.rpartition("://")
+        return f"{scheme or 'http'}://{rest.partition('/')[0]}/#token={token}"
     found = _HERE.fullmatch(word)
     if found is None:
         raise click.UsageError(f"{word}: give --token, which crs serve has printed there.")

@@ -18,6 +18,8 @@ import zlib
 from enum import IntEnum
 from typing import Final, NamedTuple, Self
 
+from crs_cc.net.tls import Connection
+
 SILENCE_S: Final = 1.5
 """How long a side may say nothing [s]; with `ALIVE_S`, a loss is noticed in two seconds."""
 
@@ -85,7 +87,7 @@ class Channel:
         is_closed: whether it has been closed on this side.
     """
 
-    def __init__(self, connection: socket.socket) -> None:
+    def __init__(self, connection: Connection) -> None:
         """Store a connection."""
         with contextlib.suppress(OSError):  # a socket of another family
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -180,7 +182,7 @@ class Channel:
                 selector.register(self._connection, selectors.EVENT_READ)
                 if not selector.select(0.0):
                     return False
-            return not socket.socket.recv(self._connection, 1, socket.MSG_PEEK)
+            return not self._connection.recv(1, socket.MSG_PEEK)
         except (OSError, ValueError):  # it has been closed here
             return True
 

@@ -20,6 +20,7 @@ from crs_cc.net.access import Access
 from crs_cc.net.channel import MAGIC, PROTOCOL, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.handshake import Hello, Program, RefusedError
 from crs_cc.net.roster import Roster, Seat
+from crs_cc.net.tls import Connection
 
 MAX_MEETING: Final = 512
 """Connections that are met at the same time at most; more are closed. Chosen by us."""
@@ -36,7 +37,7 @@ PROGRAM_S: Final = 60.0
 _LOOK_S: Final = 0.01
 _PART: Final = 2**16
 
-Visitor = Callable[[socket.socket], None]
+Visitor = Callable[[Connection], None]
 """Serves a connection that is none of a host; closes it."""
 
 
@@ -58,7 +59,7 @@ def bound(host: str, port: int) -> socket.socket:
     return listener
 
 
-def turn_away(connection: socket.socket) -> None:
+def turn_away(connection: Connection) -> None:
     """Close a connection of somebody who is not served."""
     with contextlib.suppress(OSError):
         connection.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\n\r\n")
@@ -68,7 +69,7 @@ def turn_away(connection: socket.socket) -> None:
 def led_to(port: int) -> Visitor:
     """Return a visitor's way to a server on this machine."""
 
-    def lead(connection: socket.socket) -> None:
+    def lead(connection: Connection) -> None:
         try:
             inner = socket.create_connection((LOOPBACK, port), MEETING_S)
         except OSError:
@@ -86,7 +87,7 @@ def led_to(port: int) -> Visitor:
     return lead
 
 
-def _carry(source: socket.socket, target: socket.socket) -> None:
+def _carry(source: Connection, target: Connection) -> None:
     """Carry bytes until one side has closed."""
     try:
         while part := source.recv(_PART):
@@ -111,7 +112,7 @@ class Gate:
         listener: socket.socket,
         access: Access,
         roster: Roster,
-        secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
+        secure: Callable[[socket.socket], Connection] = lambda connection: connection,
     ) -> None:
         """Listen.
 
@@ -119,7 +120,7 @@ class Gate:
             listener: a socket that has an address; here it begins to listen.
             access: who may do what.
             roster: has the robots.
-            secure: makes a connection secure, where the first bytes have been read.
+            secure: encrypts a connection, where the first bytes of a host have been read.
         """
         listener.listen()
         self.port = int(listener.getsockname()[1])
@@ -162,16 +163,17 @@ class Gate:
             if self._is_host(connection):
                 self._meet_host(Channel(self._secure(connection)))
                 return
+            visitor = self._secure(connection)
         except (OSError, ValueError):
             connection.close()
             return
         finally:
             self._meeting.release()
         if not self._visiting.acquire(blocking=False):
-            turn_away(connection)
+            turn_away(visitor)
             return
         try:
-            self.visitor(connection)
+            self.visitor(visitor)
         finally:
             self._visiting.release()
 

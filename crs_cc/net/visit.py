@@ -10,6 +10,7 @@ from typing import Final
 
 from crs_cc.net.channel import MAGIC, Channel, ConnectionLostError, Kind, Pulse
 from crs_cc.net.handshake import Hello, RefusedError
+from crs_cc.net.tls import Connection, UntrustedError
 
 CONNECT_S: Final = 5.0
 ANSWER_S: Final = 60.0
@@ -34,7 +35,7 @@ def visit(
     hello: Hello,
     program: bytes,
     pulse: Pulse,
-    secure: Callable[[socket.socket], socket.socket] = lambda connection: connection,
+    secure: Callable[[socket.socket], Connection] = lambda connection: connection,
 ) -> Visit:
     """Connect to an environment.
 
@@ -47,12 +48,14 @@ def visit(
 
     Raises:
         ConnectionLostError: there is none, or it is gone.
-        RefusedError: it does not take this host.
+        RefusedError: it does not take this host, or is not who it should be.
     """
     try:
         connection = socket.create_connection(address, CONNECT_S)
         connection.sendall(MAGIC)
         channel = Channel(secure(connection))
+    except UntrustedError as error:
+        raise RefusedError(str(error)) from None
     except OSError as error:
         raise ConnectionLostError(error.strerror or str(error)) from None
     pulse.add(channel)

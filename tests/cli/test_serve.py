@@ -185,11 +185,12 @@ def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path
 
 def test_standard_input_and_exit_status_are_those_of_the_host(folder: Path) -> None:
     folder.joinpath("input.txt").write_text("one\ntwo\n")
-    with served(folder, "--record", "echo.mcap") as environment:
+    with served(folder, "--record", "echo.mcap", "--tls") as environment:
         at = environment.address
+        encrypted = "--fingerprint", environment.wait_for(r"certificate: ([0-9a-f]{64})\n")[1]
         with folder.joinpath("input.txt").open() as lines:
-            first = join(folder, "left", at, "echo.c", "--", "L", stdin=lines)
-        second = join(folder, "right", at, "echo.c", "--", "R")
+            first = join(folder, "left", at, "echo.c", *encrypted, "--", "L", stdin=lines)
+        second = join(folder, "right", at, "echo.c", *encrypted, "--", "R")
         assert outputs([first, second])[0][0] == "L: one\nL: two\n"
         status, _ = environment.finish()
     assert (first.returncode, second.returncode, status) == (7, 7, 1)

@@ -1,0 +1,188 @@
+"""Encrypted connections: certificates, and sockets that two threads may use.
+
+A certificate made at start proves nothing by itself; its fingerprint does, if it has come by
+another way: `crs serve` prints it, `crs join --fingerprint` checks it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import selectors
+import socket
+import ssl
+import subprocess
+import tempfile
+import threading
+from pathlib import Path
+from typing import Final, TypeAlias
+
+_DAYS: Final = 365
+_MAKING_S: Final = 30.0
+_COMMAND: Final = (
+    *("openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1"),
+    *("-nodes", "-days", str(_DAYS), "-subj", "/CN=crs"),
+)
+
+
+class TlsSocket:
+    """A socket over which one thread sends while another receives.
+
+    OpenSSL's connections belong to one thread at a time; so none waits while it has it.
+    """
+
+    def __init__(self, inner: ssl.SSLSocket) -> None:
+        """Store a connection after its handshake."""
+        self._inner = inner
+        self._turn = threading.Lock()
+        self._timeout_s = inner.gettimeout()
+        inner.setblocking(False)
+
+    def fileno(self) -> int:
+        """Return the descriptor, to wait for it."""
+        return self._inner.fileno()
+
+    def settimeout(self, timeout_s: float | None) -> None:
+        """Set how long to wait [s]; None for ever."""
+        self._timeout_s = timeout_s
+
+    def setsockopt(self, level: int, option: int, value: int) -> None:
+        """Set an option of the socket below."""
+        self._inner.setsockopt(level, option, value)
+
+    def recv(self, size: int, flags: int = 0) -> bytes:
+        """Return what has come, after waiting for it; with flags, of the socket below."""
+        if flags:
+            return socket.socket.recv(self._inner, size, flags)
+        while True:
+            try:
+                with self._turn:
+                    return self._inner.recv(size)
+            except ssl.SSLWantReadError:
+                self._wait(selectors.EVENT_READ)
+            except ssl.SSLWantWriteError:
+                self._wait(selectors.EVENT_WRITE)
+
+    def send(self, data: bytes | memoryview) -> int:
+        """Send some of the data; return how much."""
+        while True:
+            try:
+                with self._turn:
+                    return self._inner.send(data)
+            except ssl.SSLWantReadError:
+                self._wait(selectors.EVENT_READ)
+            except ssl.SSLWantWriteError:
+                self._wait(selectors.EVENT_WRITE)
+
+    def sendall(self, data: bytes) -> None:
+        """Send data."""
+        rest = memoryview(data)
+        while rest:
+            rest = rest[self.send(rest) :]
+
+    def shutdown(self, how: int) -> None:
+        """Shut the socket below down."""
+        socket.socket.shutdown(self._inner, how)
+
+    def close(self) -> None:
+        """Close it."""
+        self._inner.close()
+
+    def _wait(self, event: int) -> None:
+        with selectors.DefaultSelector() as selector:
+            selector.register(self._inner, event)
+            if not selector.select(self._timeout_s):
+                raise TimeoutError("timed out")
+
+
+Connection: TypeAlias = socket.socket | TlsSocket
+"""A connection, encrypted or not."""
+
+
+class Server:
+    """The environment's side.
+
+    Attributes:
+        fingerprint: the SHA-256 of its certificate, as hexadecimal digits.
+    """
+
+    def __init__(self, certificate: Path, key: Path) -> None:
+        """Load a certificate and its key, as PEM.
+
+        Raises:
+            OSError: they cannot be read, or do not belong together.
+        """
+        self._context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+        self._context.minimum_version = ssl.TLSVersion.TLSv1_3
+        self._context.load_cert_chain(certificate, key)
+        text = certificate.read_text("ascii", "replace")
+        begin = text.index("-----BEGIN CERTIFICATE")
+        end = text.index("-----END CERTIFICATE-----") + len("-----END CERTIFICATE-----")
+        self.fingerprint = _fingerprint(ssl.PEM_cert_to_DER_cert(text[begin:end] + "\n"))
+
+    def secure(self, connection: socket.socket) -> Connection:
+        """Encrypt a connection that has come; raise OSError if the other side does not."""
+        return TlsSocket(self._context.wrap_socket(connection, server_side=True))
+
+
+def self_made() -> Server:
+    """Return a server with a new certificate, which the command `openssl` makes.
+
+    Raises:
+        OSError: there is no such command, or it fails.
+    """
+    with tempfile.TemporaryDirectory(prefix="crs-tls-") as folder:
+        key, certificate = Path(folder, "key.pem"), Path(folder, "certificate.pem")
+        command = [*_COMMAND, "-keyout", str(key), "-out", str(certificate)]
+        try:
+            subprocess.run(command, check=True, capture_output=True, timeout=_MAKING_S)  # noqa: S603
+        except (OSError, subprocess.SubprocessError) as error:
+            text = "openssl cannot make a certificate; give one by --tls-cert and --tls-key"
+            raise OSError(f"{text}: {error}") from None
+        return Server(certificate, key)
+
+
+class Client:
+    """A host's side."""
+
+    def __init__(self, name: str, fingerprint: str = "") -> None:
+        """Expect a certificate.
+
+        Args:
+            name: the host's name, for which a certificate must be valid that the system trusts.
+            fingerprint: the SHA-256 of the certificate instead.
+        """
+        self._name, self._expected = name, fingerprint.replace(":", "").lower()
+        self._context = ssl.create_default_context()
+        self._context.minimum_version = ssl.TLSVersion.TLSv1_3
+        if fingerprint:
+            self._context.check_hostname = False
+            self._context.verify_mode = ssl.CERT_NONE
+
+    def secure(self, connection: socket.socket) -> Connection:
+        """Encrypt a connection.
+
+        Raises:
+            UntrustedError: the certificate is another one, or not trusted.
+            OSError: the other side does not encrypt.
+        """
+        try:
+            inner = self._context.wrap_socket(connection, server_hostname=self._name)
+        except ssl.SSLCertVerificationError as error:
+            text = f"its certificate is not trusted ({error.verify_message})"
+            raise UntrustedError(
+                f"{text}: give --fingerprint, which crs serve has printed"
+            ) from None
+        found = _fingerprint(inner.getpeercert(binary_form=True) or b"")
+        if self._expected and not hmac.compare_digest(found.encode(), self._expected.encode()):
+            inner.close()
+            raise UntrustedError(f"its certificate has the fingerprint {found}, not the given one")
+        return TlsSocket(inner)
+
+
+class UntrustedError(Exception):
+    """The environment is not who it should be."""
+
+
+def _fingerprint(certificate: bytes) -> str:
+    return hashlib.sha256(certificate).hexdigest()

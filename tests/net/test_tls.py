@@ -1,0 +1,98 @@
+"""Encrypted connections, and certificates that are not those expected."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+import socket
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from crs_cc.net import tls
+from crs_cc.net.access import Access
+from crs_cc.net.channel import MAGIC, ConnectionLostError, Pulse
+from crs_cc.net.gate import Gate, bound, led_to
+from crs_cc.net.handshake import Hello, Program, RefusedError, devices_digest, digest_of
+from crs_cc.net.roster import Roster
+from crs_cc.net.visit import Visit, visit
+from tests.session.programs import HALL
+
+pytestmark = pytest.mark.skipif(shutil.which("openssl") is None, reason="there is no openssl")
+TOKEN = "0123456789abcdef"
+
+
+@pytest.fixture(scope="module")
+def server() -> tls.Server:
+    return tls.self_made()
+
+
+@pytest.fixture
+def gate(server: tls.Server) -> Iterator[Gate]:
+    tokens = (TOKEN,)
+    access = Access({"robot": tokens, "view": tokens, "control": tokens})
+    made = Gate(bound("127.0.0.1", 0), access, Roster(HALL.robots), server.secure)
+    yield made
+    made.close()
+
+
+def come(gate: Gate, client: tls.Client | None, pulse: Pulse) -> Visit:
+    content = Program("a.c", "a", sources=("/a.c",), files={"/a.c": ""}).content()
+    hello = Hello(TOKEN, "one", (), digest_of(content), devices=devices_digest())
+    address = "127.0.0.1", gate.port
+    if client is None:
+        return visit(address, hello, content, pulse)
+    return visit(address, hello, content, pulse, client.secure)
+
+
+def test_a_host_that_knows_the_fingerprint_is_taken(gate: Gate, server: tls.Server) -> None:
+    with Pulse() as pulse:
+        spelled = server.fingerprint.upper()
+        found = come(gate, tls.Client("127.0.0.1", f"{spelled[:2]}:{spelled[2:]}"), pulse)
+        assert found.robots == ("left", "right")
+        assert not found.channel.has_ended()
+        found.channel.close()
+
+
+def test_another_certificate_is_not_trusted(gate: Gate) -> None:
+    with Pulse() as pulse:
+        with pytest.raises(RefusedError, match="not the given one"):
+            come(gate, tls.Client("127.0.0.1", "00" * 32), pulse)
+        with pytest.raises(RefusedError, match="not trusted"):
+            come(gate, tls.Client("127.0.0.1"), pulse)
+
+
+def test_nothing_is_said_without_encryption(gate: Gate) -> None:
+    with Pulse() as pulse, pytest.raises(ConnectionLostError):
+        come(gate, None, pulse)
+    for text in (b"GET / HTTP/1.1\r\n\r\n", MAGIC + b"GET / HTTP/1.1\r\n\r\n"):
+        with socket.create_connection(("127.0.0.1", gate.port), 5.0) as connection:
+            connection.sendall(text)
+            with contextlib.suppress(ConnectionResetError):
+                assert b"HTTP" not in connection.recv(100)
+
+
+def test_pages_are_encrypted_in_both_directions(gate: Gate, server: tls.Server) -> None:
+    size = 300_000
+    with socket.create_server(("127.0.0.1", 0)) as inner:
+
+        def answer() -> None:
+            connection, _ = inner.accept()
+            connection.sendall(connection.recv(10) * (size // 10))
+            connection.close()
+
+        thread = threading.Thread(target=answer)
+        thread.start()
+        gate.visitor = led_to(inner.getsockname()[1])
+        client = tls.Client("127.0.0.1", server.fingerprint)
+        connection = client.secure(socket.create_connection(("127.0.0.1", gate.port), 5.0))
+        connection.sendall(b"0123456789")
+        found = b""
+        while part := connection.recv(10_000):
+            found += part
+            if len(found) >= size:
+                break
+        assert found == b"0123456789" * (size // 10)
+        connection.close()
+        thread.join()
