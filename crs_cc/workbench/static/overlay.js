@@ -10,8 +10,8 @@ import { angleText, gridStep, lengthText } from "crs/units.js";
 const MANY = 60; // robots: of more, only the selected one is annotated
 const ECHO_S = 0.8; // how long contacts are marked [s]
 
-/** @typedef {{name: string, title: string, on: boolean, only?: string, draw: (o: Overlay) => void}} Part
- *   `only`: what a run must hold for it */
+/** @typedef {{name: string, title: string, on: boolean, only?: string, device?: string, draw: (o: Overlay) => void}} Part
+ *   `only`: what a run must hold for it; `device`: what a robot must have */
 
 /** @type {Part[]} */
 export const PARTS = [
@@ -19,10 +19,10 @@ export const PARTS = [
   { name: "paths", title: "Whole paths, and believed ones", on: true, only: "paths", draw: paths },
   { name: "marks", title: "What programs draw", on: true, only: "marks", draw: marks },
   { name: "sonar", title: "Sonar echoes", on: true, draw: sonar },
-  { name: "laser", title: "Laser", on: true, draw: laser },
-  { name: "camera", title: "Camera", on: true, draw: cameraStrip },
-  { name: "infrared", title: "Infrared beams", on: true, draw: infraredBeams },
-  { name: "heat", title: "Range of the heat sensor", on: false, draw: heatRange },
+  { name: "laser", title: "Laser", on: true, device: "laser", draw: laser },
+  { name: "camera", title: "Camera", on: true, device: "camera", draw: cameraStrip },
+  { name: "infrared", title: "Infrared beams", on: true, device: "infrared", draw: infraredBeams },
+  { name: "heat", title: "Range of the heat sensor", on: false, device: "heat", draw: heatRange },
   { name: "degraded", title: "Degraded parts", on: true, draw: degraded },
   { name: "bumpers", title: "Bumpers", on: true, draw: bumpers },
   { name: "believed", title: "Believed poses", on: false, draw: believed },

@@ -8,8 +8,9 @@ export const overlays = {
   title: "Show",
   side: "left",
   make(root, model, look) {
+    const has = (device) => Object.values(model.run.world.kinds ?? {}).some((kind) => kind[device]);
     const draw = () =>
-      fill(root, el("div.switches", {}, ...PARTS.filter(({ only }) => !only || model.run[only]).map((part) =>
+      fill(root, el("div.switches", {}, ...PARTS.filter(({ only, device }) => (!only || model.run[only]) && (!device || has(device))).map((part) =>
         el("label", {}, el("input", { type: "checkbox", checked: look.show[part.name], onchange: () => look.toggle(part.name) }), part.title))));
     model.on("hello", draw);
     model.on("look", draw);
