@@ -4,7 +4,8 @@ import { el } from "crs/dom.js";
 export class Pointing {
   /** @param {any} model @param {any} views */
   constructor(model, views) {
-    Object.assign(this, { model, views });
+    this.model = model;
+    this.views = views;
     this.note = el("p.pointing", { role: "status" });
     this.note.hidden = true;
     views.root.append(this.note);
