@@ -37,9 +37,9 @@ RESTORE: Final = struct.Struct("<Q?")
 """Number of the last grant, whether memories follow the rows of the table."""
 
 MAX_LOG_GRANTS: Final = 500
-MAX_LOG_BYTES: Final = 512 * 2**10
-"""What is kept of grants before memories are fetched again; chosen by us, so that it fits into the
-buffers of a connection."""
+LEAST_LOG_BYTES: Final = 512 * 2**10
+"""What is kept of grants before memories are fetched again: so many grants at most, and as many
+bytes as the memories have, at least so many; chosen by us. So fetching costs less than granting."""
 
 MAX_ROUNDS: Final = 2**31
 
@@ -99,7 +99,8 @@ class HostLink:
 
     def grant(self, end_s: float, table: Table) -> None:
         """Let the programs run until a time, with what has been changed in the table."""
-        if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= MAX_LOG_BYTES:
+        most_bytes = max(LEAST_LOG_BYTES, len(self._start))
+        if len(self._log) >= MAX_LOG_GRANTS or self._log_bytes >= most_bytes:
             self.memories()
         changes = changed_words.pack(self._known, table[self.robots])
         self._saved = None

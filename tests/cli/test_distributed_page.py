@@ -16,7 +16,7 @@ def free_port() -> int:
         return int(taken.getsockname()[1])
 
 
-def test_the_commands_of_the_page_work(tmp_path: Path) -> None:
+def test_the_commands_of_the_page_work_and_the_run_is_that_of_one_process(tmp_path: Path) -> None:
     found = re.search(r"```sh\n(.*?)```", PAGE.read_text(), re.DOTALL)
     assert found
     script = found[1].replace("8000", str(free_port()))
@@ -27,3 +27,8 @@ def test_the_commands_of_the_page_work(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert "the same run" in done.stdout + done.stderr
     assert "20.00 s simulated" in done.stderr
+    words = ["run", "wander.c", "complex-3r.xml", "--max-time", "20", "--record", "local.mcap"]
+    subprocess.run([sys.executable, "-m", "crs_cc", *words], cwd=tmp_path, check=True)
+    assert (
+        tmp_path.joinpath("run.mcap").read_bytes() == tmp_path.joinpath("local.mcap").read_bytes()
+    )
