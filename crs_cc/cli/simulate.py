@@ -218,7 +218,7 @@ class Runner:
             self._view.begin(self.session, lambda: self._interrupt.requested)
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
-            self._clients.begin(self.session, pointing)
+            self._clients.begin(self.session, pointing, lambda: self._interrupt.requested)
 
     def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
         """Yield the heap blocks that each program has lost at its end, if they are reported."""
@@ -350,6 +350,9 @@ class Runner:
         """Show what was printed, and let Ctrl-C end the run."""
         self._progress.clear()
         self._output.flush()
+        if self._clients is not None:  # which let a timestep end after Ctrl-C
+            yield
+            return
         with self._interrupt.waiting():
             yield
 

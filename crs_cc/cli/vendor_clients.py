@@ -76,19 +76,22 @@ class VendorClients:
         self._board = Switchboard(relays, world.timestep_s, clock)
         self._server: Server | None = None
 
-    def begin(self, session: Session, pointing: Pointing | None = None) -> None:
+    def begin(
+        self, session: Session, pointing: Pointing | None, is_interrupted: Callable[[], bool]
+    ) -> None:
         """Open the ports, and say which.
 
         Args:
             session: the run.
             pointing: where programs ask the user for a pose; None if nobody looks.
+            is_interrupted: returns whether nobody is to be waited for.
 
         Raises:
             click.UsageError: a robot is not one that is driven from outside.
             OSError: a port is in use.
         """
         clock_s = session.state.clock_s
-        self._board.begin(lambda robot: float(clock_s[robot]))
+        self._board.begin(lambda robot: float(clock_s[robot]), is_interrupted)
         session.state.host.reply = self._board.reply
         if pointing is not None:
             self._board.pointing = _Window(pointing, self._names)

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
 from crs_cc.cli.main import crs
+from tests.net.vendor.nclient import Nclient
 
 PAIR = str(Path(__file__).parents[2] / "worlds" / "pair.xml")
 
@@ -35,3 +40,26 @@ def test_open_ports_are_announced(tmp_path: Path) -> None:
     assert "Nserver is on port" in done.output
     assert "of 0.0.0.0" in done.output
     assert "robot1 is on port" in done.output
+
+
+@pytest.mark.parametrize("speed", ["max", "1"])
+def test_an_interrupted_run_is_verified(tmp_path: Path, speed: str) -> None:
+    recording = tmp_path / "run.mcap"
+    command = [sys.executable, "-m", "crs_cc"]
+    options = ["--nserver", "0", "--no-view", "--speed", speed, "--record", str(recording)]
+    with subprocess.Popen(
+        [*command, "serve", PAIR, *options], stderr=subprocess.PIPE, text=True
+    ) as run:
+        assert run.stderr is not None
+        announced = re.search(r"on port (\d+)", run.stderr.readline())
+        assert announced
+        client = Nclient(int(announced[1]))
+        client.connect_robot()
+        client.state_call(12, 50, 50, 0)
+        client.state_call(15)
+        run.send_signal(signal.SIGINT)
+        assert run.wait(30) == 130
+        assert "Traceback" not in run.stderr.read()
+    done = CliRunner().invoke(crs, ["replay", str(recording), "--verify"])
+    assert done.exit_code == 0, done.output
+    assert "the same run" in done.output

@@ -15,7 +15,7 @@ from tests.net.vendor.served import Served, served
 from tests.net.vendor.test_every_call import ORDER, POISON, overwritten
 
 PRINTED = Path(__file__).parent / "printed"
-N200, SCOUT = 0, 2
+N200, N150, SCOUT = 0, 1, 2
 
 Call = tuple[str, Callable[[Ndirect], int]]
 
@@ -118,10 +118,16 @@ def on_port(run: Served, model: int) -> Ndirect:
     ("robot", "model", "printed", "place"),
     [
         ("scout", SCOUT, "ndirect-2.7-scout.txt", on_terminal),
+        ("nomad150", N150, "ndirect-2.7-scout.txt", on_terminal),
         ("nomad200", N200, "ndirect-2.7-n200.txt", on_terminal),
         ("nomad200", N200, "ndirect-2.7-n200.txt", on_port),
     ],
-    ids=["Scout on a terminal", "Nomad 200 on a terminal", "Nomad 200 over TCP"],
+    ids=[
+        "Scout on a terminal",
+        "Nomad 150 on a terminal",
+        "Nomad 200 on a terminal",
+        "Nomad 200 over TCP",
+    ],
 )
 def test_a_client_prints_what_the_vendors_prints(
     robot: str, model: int, printed: str, place: Callable[[Served, int], Ndirect]
