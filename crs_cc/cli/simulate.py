@@ -6,7 +6,7 @@ import math
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -350,10 +350,8 @@ class Runner:
         """Show what was printed, and let Ctrl-C end the run."""
         self._progress.clear()
         self._output.flush()
-        if self._clients is not None:  # which let a timestep end after Ctrl-C
-            yield
-            return
-        with self._interrupt.waiting():
+        # Clients outside let a timestep end after Ctrl-C.
+        with self._interrupt.waiting() if self._clients is None else nullcontext():
             yield
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:

@@ -18,6 +18,9 @@ from crs_cc.net.vendor.exchange import Exchange, Posted, posted
 NUM_MASK: Final = 44
 _END: Final = 255
 _SENSORS: Final = 16
+_HARMLESS: Final = bytes(
+    ord("?") if each < 32 or 127 <= each < 160 else each for each in range(256)
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +65,10 @@ def firing_order(name: str, value: int, order: Sequence[int]) -> Posted:
 
 
 def talk(text: bytes) -> Exchange[None]:
-    """Speak a text up to its zero: it is what the robot's program writes."""
-    text = text.partition(b"\0")[0][:247]
+    """Speak a text up to its zero: it is what the robot's program writes, on one line.
+
+    Control characters are replaced, as a client outside is not to rule the user's terminal.
+    """
+    text = text.partition(b"\0")[0][:247].translate(_HARMLESS)
     yield posted("TK", data=text)
     yield posted("WRITE", 1, data=text + b"\n")

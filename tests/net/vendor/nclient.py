@@ -186,7 +186,7 @@ class Nclient:
         return done
 
     def tk(self, text: str) -> int:
-        content = text.encode() + b"\0"
+        content = text.encode("latin-1") + b"\0"
         content += bytes(-len(content) % 4)
         return self.tell(19, *struct.unpack(f"<{len(content) // 4}i", content))
 

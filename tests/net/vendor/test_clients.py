@@ -51,7 +51,8 @@ def test_what_a_robot_says_is_its_output() -> None:
     with served(PAIR) as run:
         client = connected(run.server.serve_nserver(0))
         assert client.tk("it is warm")
-        assert run.output == [b"it is warm\n"]
+        assert client.tk("\x1b[2J\rGr\xfc\xdfe")
+    assert run.output == [b"it is warm\n", b"?[2J?Gr\xfc\xdfe\n"]
 
 
 def test_masked_elements_stay_as_they_were() -> None:
