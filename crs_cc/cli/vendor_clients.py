@@ -90,8 +90,8 @@ class VendorClients:
             click.UsageError: a robot is not one that is driven from outside.
             OSError: a port is in use.
         """
-        clock_s = session.state.clock_s
-        self._board.begin(lambda robot: float(clock_s[robot]), is_interrupted)
+        state = session.state  # its arrays are new when robots are added
+        self._board.begin(lambda robot: float(state.clock_s[robot]), is_interrupted)
         session.state.host.reply = self._board.reply
         if pointing is not None:
             self._board.pointing = _Window(pointing, self._names)
