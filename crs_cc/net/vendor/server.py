@@ -76,10 +76,9 @@ class Server:
         """
 
         def talk(wire: _TcpWire) -> Conversation:
-            return NserverConversation(self._board, wire, self.loop, opened)
+            return NserverConversation(self._board, wire, self.loop, wire.port)
 
-        opened = self._listen(port, talk)
-        return opened
+        return self._listen(port, talk)
 
     def serve_line(self, port: int, robot: int) -> int:
         """Serve one program at a time that is linked with Ndirect, over TCP; return the port.
@@ -177,6 +176,11 @@ class _TcpWire(asyncio.Protocol):
         self._conversation.delay_s = self._delay_s
         self._wires.add(self)
         self._loop.call_later(OPENING_S, self._end_if_stranger)
+
+    @property
+    def port(self) -> int:
+        """The port that the client has reached."""
+        return int(self._transport.get_extra_info("sockname")[1])
 
     def is_foreign(self) -> bool:
         """Return whether another user of this machine is at the other end."""

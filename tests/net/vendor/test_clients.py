@@ -9,7 +9,11 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import pytest
+
+from crs_cc.net.vendor.server import Server
 from crs_cc.net.vendor.switchboard import Configuration
 from crs_cc.sim.files.world_xml import load_world
 from tests.net.vendor.nclient import Nclient
@@ -45,6 +49,22 @@ def test_each_client_drives_its_robot_and_a_third_is_refused() -> None:
         assert fourth.get_rpx()
         assert fourth.received[0] == 2
         assert fourth.received[1] == 394 + 100
+
+
+def test_a_client_that_comes_while_the_port_is_opened_is_served(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    listen, clients = Server._listen, []
+
+    def slow(server: Server, *arguments: Any) -> int:
+        port = listen(server, *arguments)
+        clients.append(connected(port))
+        return port
+
+    monkeypatch.setattr(Server, "_listen", slow)
+    with served(PAIR) as run:
+        run.server.serve_nserver(0)
+        assert clients[0].state_call(15)
 
 
 def test_what_a_robot_says_is_its_output() -> None:
