@@ -460,6 +460,20 @@ def test_a_robot_is_changed_by_dragging_its_parts(browser: Any, tmp_path: Path) 
     assert path.read_text() == moved.replace("</sensor>\n", f"</sensor>\n{BEHIND}")
 
 
+def test_a_file_of_definitions_says_where_they_are_drawn(browser: Any, tmp_path: Path) -> None:
+    """The page was empty, and did not say why."""
+    path = tmp_path / "lib.xml"
+    path.write_text('<definitions version="1"><material name="wood" colour="red"/></definitions>')
+    with building(path, None, 0) as screen, page_in(browser, screen, 1200, 750) as page:
+        page.get_by_text("Definitions have no floor").wait_for()
+        page.locator(".thing", has_text="material[wood]").click()
+        page.fill(".property [aria-label=colour]", "blue")
+        page.keyboard.press("Enter")
+        page.keyboard.press("Control+s")
+        wait(page, "!crs.model.document.changed && crs.model.document.steps === 1")
+    assert 'name="wood" colour="blue"' in path.read_text()
+
+
 def test_a_drag_in_a_large_world_leaves_most_of_a_frame(browser: Any, tmp_path: Path) -> None:
     """Everything was drawn anew for each frame of a drag."""
     boxes = "".join(

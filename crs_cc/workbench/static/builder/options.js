@@ -30,7 +30,9 @@ export function makeOptions(model, tools) {
   const draw = () => {
     const { inside, path } = model;
     const crumbs = inside ? [el("span", {}, `definition of ${path.join(" › ")}: all copies follow`), el("button", { type: "button", onclick: () => model.leave() }, "Done (Esc)")] : [];
-    fill(root, ...crumbs, ...(tools.tool === "heights" ? brushes : []));
+    const isBare = model.document && !model.document.area && !model.document.problems.length;
+    const bare = isBare ? [el("span", {}, "Definitions have no floor: change their attributes at the right, or open them in a world that has them.")] : [];
+    fill(root, ...bare, ...crumbs, ...(tools.tool === "heights" ? brushes : []));
     root.hidden = !root.children.length;
   };
   for (const kind of ["change", "tool"]) model.addEventListener(kind, draw);
