@@ -2,7 +2,7 @@
 
 >>> from crs_cc.builder.document import Document
 >>> rover = Document(b'''<robot-definition><sensor><position><x-relative>8in</x-relative>
-... <y-relative>0</y-relative><dir-relative>0</dir-relative></position></sensor>
+... <y-relative>0in</y-relative><dir-relative>0</dir-relative></position></sensor>
 ... </robot-definition>''', "rover.xml")
 >>> sonar = rover.root.children[0]
 >>> rover.change("turn", mounted(rover, sonar, Motion.turn(math.pi / 2, 0.0, 0.0)))
@@ -96,7 +96,9 @@ def mounted(document: Document, node: Node, motion: Motion) -> list[Splice]:
     if names.y:
         values[names.y] = like(document, node, LENGTH, y_m, texts.get(names.y, ""))
     if names.direction and abs(turned_rad - place.heading_rad) > _LEAST_RAD:
-        values[names.direction] = _turned(document, node, turned_rad, texts[names.direction])
+        values[names.direction] = _turned(
+            document, node, turned_rad, texts.get(names.direction, "")
+        )
     if node.tag != "sensor":
         return markup.set_attributes(document, node, values)
     leaves = {each.tag: each for each in node.all() if not each.children}

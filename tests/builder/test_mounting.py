@@ -63,6 +63,13 @@ def test_cameras_lasers_and_arms_are_moved_by_their_attributes() -> None:
     assert not builder.problems()
 
 
+def test_a_camera_without_a_direction_gets_one_when_it_is_turned() -> None:
+    """It was a KeyError."""
+    builder = WorldBuilder(text=ROBOT.replace(' direction="30deg"', ""))
+    builder.turn("camera", "40deg")
+    assert builder.get("camera")["direction"] == "40deg"
+
+
 def test_a_robot_has_shapes_as_far_as_its_numbers_are_valid() -> None:
     builder = WorldBuilder(text=ROBOT)
     shapes = robot_shapes(builder.document)
