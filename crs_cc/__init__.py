@@ -60,6 +60,7 @@ if TYPE_CHECKING:
         Wall,
         WorldModel,
     )
+    from crs_cc.sweeps.table import SweepTable, sweep
 
 __version__ = "0.1.0"
 
@@ -87,6 +88,7 @@ _HOMES: Final = {
         ),
         "crs_cc.sim.model.registry": "add_device",
         "crs_cc.sim.model.robot": "RobotModel",
+        "crs_cc.sweeps.table": "SweepTable sweep",
         "crs_cc.sim.model.world": "Area Box Cylinder Material Polygon Pose Robot Wall WorldModel",
     }.items()
     for name in names.split()
@@ -129,6 +131,7 @@ __all__ = [
     "Session",
     "Snapshot",
     "Sound",
+    "SweepTable",
     "Visit",
     "Wall",
     "WorldBuilder",
@@ -140,6 +143,7 @@ __all__ = [
     "load_robot",
     "load_world",
     "robot_xml",
+    "sweep",
     "vector_env",
     "world_xml",
     "write_robot",

@@ -85,8 +85,8 @@ def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, st
     """Record the smallest, the median and the largest run; return the links to their pages."""
     from crs_cc.cli.recording_plot import world_of
     from crs_cc.recording.recording import Recording
+    from crs_cc.sweeps.plan import shown
     from crs_cc.sweeps.report.figures import visits
-    from crs_cc.sweeps.sweep import shown
     from crs_cc.workbench.page import html_page
 
     chosen = extremes(found)

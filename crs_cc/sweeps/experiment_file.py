@@ -127,6 +127,8 @@ def _check(experiment: Experiment) -> None:
         )
     if experiment.samples and experiment.search:
         raise InvalidError("'samples' and [search] exclude each other")
+    if experiment.search and (experiment.cases or experiment.parameters):
+        raise InvalidError("[search] needs ranges only: no lists of values, no 'cases'")
     names = set(experiment.cases[0]) if experiment.cases else set()
     for case in experiment.cases:
         if set(case) != names:

@@ -61,6 +61,17 @@ def combinations(experiment: Experiment) -> Iterator[Parameters]:
                 yield {**chosen, **_sample(experiment, number)}
 
 
+def to_check(experiment: Experiment) -> list[Parameters]:
+    """Return what is checked before the first run: all combinations, of a search both extremes."""
+    if experiment.search is None:
+        return list(combinations(experiment))
+    ranges = experiment.ranges.items()
+    return [
+        {name: each.written(each.low) for name, each in ranges},
+        {name: each.written(each.high) for name, each in ranges},
+    ]
+
+
 def _sample(experiment: Experiment, number: int) -> Parameters:
     """Return a random sample: each depends on its number only, so more of them change none."""
     if not experiment.samples:
@@ -78,3 +89,12 @@ def runs_of(experiment: Experiment) -> Iterator[PlannedRun]:
     for parameters in combinations(experiment):
         for seed in experiment.seeds:
             yield PlannedRun(next(number), parameters, seed)
+
+
+def shown(parameters: Parameters) -> str:
+    """Return a combination of parameters for messages.
+
+    >>> shown({"define.SPEED": 60, "setup": "noisy"})
+    'define.SPEED=60, setup=noisy'
+    """
+    return ", ".join(f"{name}={value}" for name, value in parameters.items())

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -23,7 +23,7 @@ from crs_cc.recording.description import versions
 from crs_cc.recording.recording import Recording
 from crs_cc.sweeps.experiment import Experiment, ExperimentError
 from crs_cc.sweeps.experiment_file import parse, read_text
-from crs_cc.sweeps.plan import Parameters, PlannedRun, combinations, names_of, runs_of
+from crs_cc.sweeps.plan import Parameters, PlannedRun, names_of, runs_of, shown, to_check
 from crs_cc.sweeps.rows import ROWS, TABLE, Row, RowFile, read_rows, replace_text, table_text
 
 _MODULE: Final = "crs_cc.sweeps.worker"
@@ -182,7 +182,7 @@ class Sweep:
         Raises:
             ExperimentError: some of them are invalid.
         """
-        wanted = list(combinations(self.experiment))
+        wanted = to_check(self.experiment)
         tasks = (self._task("check", PlannedRun(0, each, 0)) for each in wanted)
         results: dict[int, Row] = {}
         wrong: dict[str, int] = {}
@@ -262,26 +262,45 @@ class Sweep:
     def _run_planned(
         self, pool: RunTasks, rows: RowFile, report: Callable[[Progress], None]
     ) -> None:
-        planned: dict[int, PlannedRun] = {}
-        total = sum(1 for _ in runs_of(self.experiment))
         failed = sum(row["status"] != "ended" for row in rows.rows.values())
-        progress = Progress(total, len(rows.rows), failed, len(rows.rows))
-
-        def tasks() -> Iterator[Task]:
-            missing = (each for each in runs_of(self.experiment) if each.number not in done)
-            for number, each in enumerate(missing):
-                planned[number] = each
-                yield self._task("run", each)
-
-        done = set(rows.rows)
+        progress = Progress(self._total, len(rows.rows), failed, len(rows.rows))
         report(progress)
-        with closing(pool(tasks(), _RETRIES)) as outcomes:
-            for outcome in outcomes:
-                row = row_of(planned.pop(outcome.number), outcome)
+        for batch in self._batches():
+            for row in self._rows_of(pool, batch, set(rows.rows)):
                 rows.add(row)
                 progress.done += 1
                 progress.failed += row["status"] != "ended"
                 report(progress)
+
+    @property
+    def _total(self) -> int:
+        if self.experiment.search is not None:
+            return self.experiment.search.trials * len(self.experiment.seeds)
+        return sum(1 for _ in runs_of(self.experiment))
+
+    def _batches(self) -> Iterable[Iterable[PlannedRun]]:
+        """Return the runs in batches, each of which is chosen when those before have ended."""
+        if self.experiment.search is None:
+            return [runs_of(self.experiment)]
+        from crs_cc.sweeps.search import ParameterSearch
+
+        return ParameterSearch(self.experiment, self.folder).batches(self.rows)
+
+    def _rows_of(
+        self, pool: RunTasks, runs: Iterable[PlannedRun], done: Collection[int]
+    ) -> Iterator[Row]:
+        """Yield the rows of runs that are not done yet, as they end."""
+        planned: dict[int, PlannedRun] = {}
+
+        def tasks() -> Iterator[Task]:
+            missing = (each for each in runs if each.number not in done)
+            for number, each in enumerate(missing):
+                planned[number] = each
+                yield self._task("run", each)
+
+        with closing(pool(tasks(), _RETRIES)) as outcomes:
+            for outcome in outcomes:
+                yield row_of(planned.pop(outcome.number), outcome)
 
     def _record_failed(self, pool: RunTasks) -> None:
         """Run the first runs that failed once more, and record them."""
@@ -331,12 +350,3 @@ def row_of(run: PlannedRun, outcome: Outcome) -> Row:
     """Return the row of a run that has ended, or whose process has."""
     found = outcome.result or {"status": outcome.kind, "error": outcome.text}
     return {"run": run.number, "parameters": dict(run.parameters), "seed": run.seed, **found}
-
-
-def shown(parameters: Parameters) -> str:
-    """Return a combination of parameters for messages.
-
-    >>> shown({"define.SPEED": 60, "setup": "noisy"})
-    'define.SPEED=60, setup=noisy'
-    """
-    return ", ".join(f"{name}={value}" for name, value in parameters.items())

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import crs_cc
 from crs_cc.cli.main import main
 from tests.sweeps.trials import inline
 
@@ -29,6 +30,7 @@ def test_the_example_of_the_page_runs(tmp_path: Path, monkeypatch: pytest.Monkey
     for command in blocks("sh"):
         for line in command.splitlines():
             assert main(shlex.split(line)[1:]) == 0
+    exec(blocks("python")[1], {"crs_cc": crs_cc})
     with Path("speeds/runs.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 20

@@ -8,8 +8,8 @@ from typing import Final
 
 from crs_cc.core.suggest import unknown
 from crs_cc.sweeps.experiment import Value
+from crs_cc.sweeps.plan import shown
 from crs_cc.sweeps.rows import Row
-from crs_cc.sweeps.sweep import shown
 
 _TIME: Final = ".at_s"
 
@@ -113,7 +113,7 @@ def results(rows: Sequence[Row], measure: str = "") -> Results:
 def _group(rows: Sequence[Row], varied: Sequence[str], measure: str) -> Group:
     chosen, values, reached = [], [], []
     for row in rows:
-        value, is_reached = _value(row, measure)
+        value, is_reached = value_of(row, measure)
         if value is not None:
             chosen.append(row)
             values.append(value)
@@ -122,7 +122,7 @@ def _group(rows: Sequence[Row], varied: Sequence[str], measure: str) -> Group:
     return Group(parameters, tuple(chosen), tuple(values), tuple(reached))
 
 
-def _value(row: Row, measure: str) -> tuple[float | None, bool]:
+def value_of(row: Row, measure: str) -> tuple[float | None, bool]:
     """Return a measure of a row, None for none, and whether it is not only a lower bound."""
     if not is_time(measure):
         value = row.get("measures", {}).get(measure)

@@ -1,0 +1,121 @@
+"""Searches for the best parameters by Optuna (extra `search`), instead of running all.
+
+Trials are chosen in batches, and told their values when all runs of a batch have ended; each batch
+has a random seed of its own. So what is tried is a function of the experiment: it depends neither
+on the number of processes nor on interruptions. The study is `study.db`, in Optuna's own format.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from statistics import median
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.core.source import Location
+from crs_cc.sweeps.experiment import Experiment, ExperimentError, Range, Search
+from crs_cc.sweeps.plan import PlannedRun
+from crs_cc.sweeps.report.results import value_of
+from crs_cc.sweeps.rows import Row
+
+if TYPE_CHECKING:
+    from optuna import Study, Trial
+    from optuna.samplers import BaseSampler
+
+DATABASE: Final = "study.db"
+_NAME: Final = "sweep"
+
+
+class ParameterSearch:
+    """The search of an experiment, which is chosen and told batch by batch."""
+
+    def __init__(self, experiment: Experiment, folder: Path) -> None:
+        """Create the study, or open it if it has begun.
+
+        Raises:
+            ExperimentError: Optuna is not installed.
+        """
+        assert experiment.search is not None
+        self._experiment, self._search = experiment, experiment.search
+        try:
+            import cmaes as _cmaes  # noqa: F401 - which Optuna needs for this method
+            import optuna
+        except ImportError:
+            place = Location(str(experiment.path))
+            hint = "pip install 'crs_cc[search]'"
+            raise ExperimentError.at(place, "[search] needs Optuna", hint) from None
+        optuna.logging.set_verbosity(optuna.logging.WARNING)
+        self.study: Study = optuna.create_study(
+            storage=f"sqlite:///{folder / DATABASE}",
+            study_name=_NAME,
+            direction="maximize" if self._search.maximize else "minimize",
+            load_if_exists=True,
+        )
+
+    def batches(self, rows: Mapping[int, Row]) -> Iterator[list[PlannedRun]]:
+        """Yield the runs of one batch after another; each needs the rows of those before.
+
+        Args:
+            rows: the rows that there are, which grow.
+        """
+        search = self._search
+        for first in range(0, search.trials, search.batch):
+            self.study.sampler = _sampler(search, first)
+            numbers = range(first, min(first + search.batch, search.trials))
+            runs = {number: self._runs(number) for number in numbers}
+            yield [run for each in runs.values() for run in each]
+            for number, planned in runs.items():
+                self._tell(number, [rows[run.number] for run in planned])
+
+    def _runs(self, number: int) -> list[PlannedRun]:
+        """Return the runs of a trial, which is chosen now unless it has been."""
+        trials = self.study.get_trials(deepcopy=False)
+        if number < len(trials):
+            values = trials[number].params
+        else:
+            trial = self.study.ask()
+            values = {name: _suggested(trial, name, each) for name, each in self._ranges.items()}
+        parameters = {name: each.written(values[name]) for name, each in self._ranges.items()}
+        seeds = self._experiment.seeds
+        return [
+            PlannedRun(number * len(seeds) + place, parameters, seed)
+            for place, seed in enumerate(seeds)
+        ]
+
+    @property
+    def _ranges(self) -> Mapping[str, Range]:
+        return self._experiment.ranges
+
+    def _tell(self, number: int, rows: list[Row]) -> None:
+        """Tell the study the median over the seeds; a trial without values has failed."""
+        from optuna.trial import TrialState
+
+        found = [value for value, _ in (value_of(row, self._search.measure) for row in rows)
+                 if value is not None]  # fmt: skip
+        if self.study.get_trials(deepcopy=False)[number].state != TrialState.RUNNING:
+            return  # it was told before an interruption
+        if found:
+            self.study.tell(number, median(found))
+        else:
+            self.study.tell(number, state=TrialState.FAIL)
+
+
+def _suggested(trial: Trial, name: str, wanted: Range) -> float:
+    if wanted.integer:
+        return trial.suggest_int(name, int(wanted.low), int(wanted.high), log=wanted.log)
+    return trial.suggest_float(name, wanted.low, wanted.high, log=wanted.log)
+
+
+def _sampler(search: Search, batch: int) -> BaseSampler:
+    """Return what chooses the trials of a batch, as a function of those before."""
+    import warnings
+
+    from optuna.exceptions import ExperimentalWarning
+    from optuna.samplers import CmaEsSampler, TPESampler
+
+    seed = search.seed + batch
+    if search.method == "cma-es":
+        return CmaEsSampler(seed=seed)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ExperimentalWarning)
+        return TPESampler(seed=seed, constant_liar=True)  # of a batch, no two alike
