@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
 import click
+from click.core import ParameterSource
 
 from crs_cc.cli.inputs import check_plot_path, check_recording_path, is_animation, make_folder
+from crs_cc.cli.network_options import network_options
 from crs_cc.cli.path_options import written_file, written_folder
 from crs_cc.cli.program_options import WithProgramArguments, program_options
 from crs_cc.cli.record_options import record_options
@@ -23,6 +26,7 @@ Examples:
   crs run logger.c room.xml --file maps/room.txt --files out
   crs run wander.c room.xml --record run.mcap
   crs run wander.c room.xml --live --speed 1
+  crs run server.c room.xml --forward 7000
   crs run wander.c room.xml --max-time 5 --json | jq .robots[0].pose
 """
 
@@ -87,6 +91,7 @@ Examples:
     "--csv", "Write poses.csv, sensors.csv, events.csv and messages.csv to DIR.", to="tables"
 )
 @SPEED
+@network_options
 @click.option(
     "--live",
     is_flag=True,
@@ -118,6 +123,10 @@ def run(**options: Any) -> int:
     --max-time counts as 0.
     """
     run_options = RunOptions(**options)
+    if run_options.ways or run_options.forwards:
+        source = click.get_current_context().get_parameter_source("speed")
+        if source is ParameterSource.DEFAULT:
+            run_options = replace(run_options, speed=1.0)
     for path in run_options.inputs.sources:
         if path.suffix.lower() == ".mcap":
             raise click.UsageError(f"{path} is a recording: crs view, replay and debug show it.")

@@ -14,11 +14,13 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.exit_status import SYSTEM
+from crs_cc.cli.export_run import export_run, is_exported
 from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
+from crs_cc.cli.network_options import open_ways
 from crs_cc.cli.pace import Pace, progress_text
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine
 from crs_cc.cli.report import show_reports
@@ -35,6 +37,7 @@ from crs_cc.sim.model.world import WorldModel
 if TYPE_CHECKING:
     from crs_cc.cli.elsewhere import Elsewhere
     from crs_cc.cli.live_map import LiveMap
+    from crs_cc.cli.real_network import RealNetwork
     from crs_cc.cli.run_changes import RunChanges
     from crs_cc.cli.run_options import RunOptions
     from crs_cc.cli.run_plot import RunPlot
@@ -73,7 +76,7 @@ def simulate(options: RunOptions) -> int:
 
 
 def _simulate(options: RunOptions) -> int:
-    is_needed = options.tables is not None or _animates(options)
+    is_needed = is_exported(options)
     if not is_needed or options.record is not None:
         return _run(options)
     import tempfile
@@ -112,8 +115,8 @@ def run_loaded(
     is_kept = _save_files(runner.session, run, options)
     runner.report_recording()
     runner.draw(run)
-    if options.tables is not None or _animates(options):
-        _export(options)
+    if is_exported(options):
+        export_run(options)
     if elsewhere is not None:
         elsewhere.close()
     return exit_status(run) if is_kept else SYSTEM
@@ -142,6 +145,7 @@ class Runner:
         )
         self._interrupt = Interrupt()
         self._changes = _changes(options, world)
+        self._real_network: RealNetwork | None = None
         self._pace = Pace(options.speed if options.view is None else math.inf)  # a view has its own
         self._kept = KeptOutput(len(world.robots)) if options.as_json else None
         self._started_s = time.monotonic()
@@ -185,10 +189,9 @@ class Runner:
             finally:
                 self._progress.clear()
                 self._output.close()
-                if self._clients is not None:
-                    self._clients.close()
-                if self._view is not None:
-                    self._view.close()
+                for each in (self._clients, self._real_network, self._view):
+                    if each is not None:
+                        each.close()
                 if self._live is not None:
                     self._live.draw(self.session, self._progress_text())
                     self._live.close()
@@ -219,6 +222,7 @@ class Runner:
         if self._clients is not None:
             pointing = None if self._view is None else self._view.pointing
             self._clients.begin(self.session, pointing, lambda: self._interrupt.requested)
+        self._real_network = open_ways(self.session, self._options, self._note)
 
     def _lost_blocks(self) -> Iterator[tuple[LostBlocks, ...]]:
         """Yield the heap blocks that each program has lost at its end, if they are reported."""
@@ -252,7 +256,9 @@ class Runner:
                 return
 
     def _change(self) -> None:
-        """Make the changes that are due, and record them."""
+        """Make the changes that are due or come over the network, and record them."""
+        if self._real_network is not None:
+            self._real_network.exchange()
         if self._changes is None:
             return
         before = len(self.session.fleet)
@@ -278,9 +284,9 @@ class Runner:
         most = self._changes.timesteps_left(self.session) if self._changes else _MOST
         if self._elsewhere is not None:
             most = min(most, self._elsewhere.timesteps_left() or most)
-        if self._view is not None:
+        if self._view is not None and self._real_network is None:
             return min(most, self._view.timesteps())
-        if self._plot is not None or self._live is not None or self._pace.is_limited:
+        if self._plot or self._live or self._pace.is_limited or self._real_network:
             return 1  # it samples each, or waits after each
         left_s = _AT_ONCE_S / max(self.session.state.running, 1)
         if self._recorder is not None:
@@ -379,7 +385,7 @@ def shows_summary(options: RunOptions) -> bool:
 
 
 def _plot(options: RunOptions) -> RunPlot | None:
-    if options.plot is None or _animates(options):
+    if options.plot is None or is_animation(options.plot):
         return None
     from crs_cc.cli.run_plot import RunPlot
 
@@ -439,29 +445,6 @@ def _trace(what: str, world: WorldModel) -> Listener:
     if what == "requests":
         return Trace(say, names)
     return MessageTrace(say, names, [channel.name for channel in world.communication.channels])
-
-
-def _animates(options: RunOptions) -> bool:
-    return options.plot is not None and is_animation(options.plot)
-
-
-def _export(options: RunOptions) -> None:
-    """Write the tables and the animation of the run, from its recording."""
-    from crs_cc.recording.recording import Recording
-
-    assert options.record is not None
-    recording = Recording(options.record)
-    try:
-        if options.tables is not None:
-            from crs_cc.cli.tables import write_tables
-
-            write_tables(recording, options.tables)
-        if options.plot is not None and _animates(options):
-            from crs_cc.cli.animation import write_animation
-
-            write_animation(recording, options.plot)
-    finally:
-        recording.close()
 
 
 def _write(path: Path, picture: bytes) -> None:

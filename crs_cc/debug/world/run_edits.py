@@ -14,6 +14,7 @@ from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edit import Edit, Words, find_robot, pose_of
 from crs_cc.debug.world.edits import EDITS, edit, words_of
+from crs_cc.debug.world.network_edits import NETWORK_HELP, change_network
 from crs_cc.debug.world.rows import instant, pose_text
 from crs_cc.sim.model.world import Robot
 
@@ -143,6 +144,7 @@ RUN_EDITS: Final = {
         "Its motors go on as they were told, and its processor stands still.",
         _sleep,
     ),
+    "network": RunEdit(*NETWORK_HELP, change_network),
     "wake": RunEdit("ROBOT", "Wake a robot's program, whatever it sleeps for.", "", _wake),
     "join": RunEdit(
         _JOIN,

@@ -123,7 +123,7 @@ def _connection(network: Network, number: int) -> tuple[Key, Socket]:
 def escaped(content: bytes) -> str:
     """Return bytes as a word."""
     named = {ord("\n"): r"\n", ord("\r"): r"\r", ord("\t"): r"\t", ord("\\"): r"\\"}
-    plain = range(ord("!"), ord("~") + 1)
+    plain = set(range(ord("!"), ord("~") + 1)) - {ord("=")}  # which parts words, too
     return "".join(
         named.get(byte) or (chr(byte) if byte in plain else f"\\x{byte:02x}") for byte in content
     )

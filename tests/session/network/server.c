@@ -80,7 +80,8 @@ int main(int argc, char **argv)
     fflush(stdout);
     while (left > 0) {
         FD_ZERO(&readable);
-        FD_SET(top = listener, &readable);
+        top = listener;
+        FD_SET(listener, &readable);
         for (i = 0; i < CLIENTS; i++)
             if (clients[i].descriptor > 0) {
                 FD_SET(clients[i].descriptor, &readable);

@@ -1,0 +1,114 @@
+"""The options that open named ways between a run and the real network."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+
+if TYPE_CHECKING:
+    from crs_cc.cli.real_network import RealNetwork
+    from crs_cc.cli.run_options import RunOptions
+    from crs_cc.debug.timeline.change import Change
+    from crs_cc.session.session import Session
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A computer of the real network that programs can reach.
+
+    Attributes:
+        name: its name in the run.
+        port: its port in the run.
+        host: its name or address in the real network.
+        real_port: its port there.
+    """
+
+    name: str
+    port: int
+    host: str
+    real_port: int
+
+
+@dataclass(frozen=True, slots=True)
+class Forward:
+    """A port of this machine that leads to a robot.
+
+    Attributes:
+        port: the port, here and there.
+        robot: the robot's name; empty for the first one of the world.
+    """
+
+    port: int
+    robot: str = ""
+
+
+_WAY: Final = re.compile(
+    r"([\w.-]{1,60})(?::(\d{1,5}))?=(\[[^\]]+\]|[^:\[\]]+):(\d{1,5})", re.ASCII
+)
+_FORWARD: Final = re.compile(r"(\d{1,5})(?::([\w.-]+))?", re.ASCII)
+
+
+def _port(text: str) -> int:
+    port = int(text)
+    if not 0 < port <= 0xFFFF:
+        raise click.BadParameter(f"{port} is not a port (1 to 65535).")
+    return port
+
+
+def _ways(_ctx: click.Context, _option: click.Parameter, texts: Sequence[str]) -> tuple[Way, ...]:
+    found = []
+    for text in texts:
+        match = _WAY.fullmatch(text)
+        if match is None:
+            raise click.BadParameter(f"'{text}' is not NAME=HOST:PORT or NAME:PORT=HOST:PORT.")
+        name, port, host, real_port = match.groups()
+        found.append(Way(name, _port(port or real_port), host.strip("[]"), _port(real_port)))
+    return tuple(found)
+
+
+def _forwards(
+    _ctx: click.Context, _option: click.Parameter, texts: Sequence[str]
+) -> tuple[Forward, ...]:
+    found = []
+    for text in texts:
+        match = _FORWARD.fullmatch(text)
+        if match is None:
+            raise click.BadParameter(f"'{text}' is not PORT or PORT:ROBOT.")
+        found.append(Forward(_port(match[1]), match[2] or ""))
+    return tuple(found)
+
+
+_OPTIONS: Final = (
+    click.option(
+        "--connect", "ways", multiple=True, metavar="NAME[:PORT]=HOST:PORT", callback=_ways,
+        help="Let programs connect to NAME, which leads to PORT of HOST in the real network; may "
+        "be repeated. See docs/sockets.md.",
+    ),
+    click.option(
+        "--forward", "forwards", multiple=True, metavar="PORT[:ROBOT]", callback=_forwards,
+        help="Forward connections to PORT of this machine to the same port of ROBOT, by default "
+        "the first; may be repeated. With this or --connect, --speed is 1 unless it is given.",
+    ),
+)  # fmt: skip
+
+
+def network_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add these options to a command, which receives `ways` and `forwards`."""
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+def open_ways(
+    session: Session, options: RunOptions, noted: Callable[[Change], None]
+) -> RealNetwork | None:
+    """Open the ways to the real network that a run is to have, if any, see `RealNetwork`."""
+    if not (options.ways or options.forwards):
+        return None
+    from crs_cc.cli.real_network import RealNetwork
+
+    return RealNetwork(session, options.ways, options.forwards, noted)
