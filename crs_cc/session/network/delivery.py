@@ -75,6 +75,8 @@ def _open(network: Network, segment: Segment, time_s: float) -> None:
         return
     robot = network.robot_at(address, segment.source[0])
     if robot is None:
+        if network.addresses.machine_name(address):
+            network.post((OUTSIDE, -1), "refused", segment.source, time_s)
         return  # nobody answers
     for key in network.state.owned(robot):
         listener = network.state.sockets[key]

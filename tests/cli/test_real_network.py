@@ -1,0 +1,166 @@
+"""`--forward` and `--connect`: named ways to the real network, recorded as inputs."""
+
+from __future__ import annotations
+
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+from crs_cc.debug.errors import DebugError
+from tests.debug.debuggers import debugger_of
+
+PROGRAMS = Path(__file__).parents[1] / "session" / "network"
+SERVER, CLIENT = str(PROGRAMS / "server.c"), str(PROGRAMS / "client.c")
+REPLIES = b"hello\n46\nunknown: dance\na longer line, which goes in pieces\n"
+
+WAIT_S = 20.0
+
+
+def free_port() -> int:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return int(free.getsockname()[1])
+
+
+@contextmanager
+def beside(work: Callable[[], None]) -> Iterator[None]:
+    """Do something in a thread, and wait for its end."""
+    thread = threading.Thread(target=work)
+    thread.start()
+    yield
+    thread.join(WAIT_S)
+    assert not thread.is_alive()
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def run(*arguments: str) -> int:
+    program, *rest = arguments
+    return main(["run", "-q", "--speed", "50", "--max-time", "900", program, *rest])
+
+
+def test_a_client_of_this_machine_reaches_a_robot_and_the_run_needs_it_once_only(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    port, heard = free_port(), bytearray()
+
+    def call() -> None:
+        with socket.create_connection(("127.0.0.1", port), WAIT_S) as line:
+            line.sendall(b"echo from out = side\nsum 4 5\n")
+            while heard.count(b"\n") < 2:
+                heard.extend(line.recv(100))
+
+    def wait_and_call() -> None:
+        while True:
+            try:
+                call()
+            except ConnectionRefusedError:
+                time.sleep(0.01)
+                continue
+            return
+
+    with beside(wait_and_call):
+        forwarded = ["--forward", f"{port}:robot0", "--record", "run.mcap"]
+        assert run(SERVER, *forwarded, "--", str(port), "1") == 0
+    assert heard == b"from out = side\n9\n"
+    assert capfd.readouterr().out == "ready\nserved\n"
+    assert main(["replay", "run.mcap", "--verify"]) == 0
+    assert "the same run" in capfd.readouterr().out
+    back = ["-ex", "continue", "-ex", "goto 0.05s", "-ex", "continue"]
+    assert main(["debug", "run.mcap", "--batch", *back]) == 0
+    shown = capfd.readouterr()
+    assert shown.out.count("served\n") == 2
+    assert "differs" not in shown.err
+
+
+def test_a_program_reaches_a_server_of_this_machine(capfd: pytest.CaptureFixture[str]) -> None:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        listener.listen()
+        port = listener.getsockname()[1]
+
+        def serve() -> None:
+            listener.settimeout(WAIT_S)
+            line, _ = listener.accept()
+            with line, line.makefile("rw") as text:
+                for command in text:
+                    text.write(command[::-1].strip() + "\n")
+                    text.flush()
+
+        with beside(serve):
+            way = f"logger:7000=127.0.0.1:{port}"
+            assert run(CLIENT, "--connect", way, "--", "logger", "7000") == 0
+    assert capfd.readouterr().out.splitlines()[:2] == ["olleh ohce", "04 3 2 1 mus"]
+
+
+def test_where_nobody_listens_a_connection_is_refused(capfd: pytest.CaptureFixture[str]) -> None:
+    way = f"logger:7000=127.0.0.1:{free_port()}"
+    assert run(CLIENT, "--connect", way, "--", "logger", "7000") == 2
+    assert run(CLIENT, "--", "host", "7000") == 2  # no way is open
+    assert capfd.readouterr().err == "connect: Connection refused\n" * 2
+
+
+def test_a_script_does_what_the_real_network_would(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("script").write_text(
+        "0s: network call robot0 7000\n"
+        "0.5s: network 0 send echo\\x20by\n"
+        "0.6s: network 0 send  hand\\n\n"
+        "0.9s: network 0 end\n"
+    )
+    assert run(SERVER, "--inputs", "script", "--", "7000", "1") == 0
+    assert capfd.readouterr().out == "ready\nserved\n"
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "said"),
+    [
+        ("--connect", "logger", "is not NAME=HOST:PORT"),
+        ("--connect", "logger=somewhere:70000", "70000 is not a port"),
+        ("--connect", "robot0=127.0.0.1:9", "'robot0' is the name of a computer already"),
+        ("--forward", "x", "is not PORT or PORT:ROBOT"),
+        ("--forward", "7000:nobody", "unknown robot 'nobody' (known: robot0)"),
+    ],
+)
+def test_a_wrong_way_is_named(
+    option: str, value: str, said: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert run(str(PROGRAMS / "idle.c"), option, value) == 2
+    assert said in capfd.readouterr().err
+
+
+def test_a_port_that_is_taken_is_an_error(capfd: pytest.CaptureFixture[str]) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        assert run(str(PROGRAMS / "idle.c"), "--forward", str(port)) != 0
+    assert f"port {port}:" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("network", "expected: network reach NAME PORT"),
+        ("network 0 dance", "unknown action 'dance'"),
+        ("network 0 end", "there is no connection 0"),
+        ("network 0 send", "expected: network"),
+        ("network call nobody 7", "unknown robot 'nobody'"),
+        ("network call robot0 x", "'x' is not a number"),
+        ("network reach robot0 7", "is the name of a computer already"),
+        ("network reach a/b 7", "is not a name for a computer"),
+        ("network reach a 0", "0 is not a port"),
+    ],
+)
+def test_a_wrong_change_of_the_network_is_named(text: str, said: str, tmp_path: Path) -> None:
+    debugger = debugger_of("int main(void) { return 0; }\n", folder=tmp_path)
+    with pytest.raises(DebugError, match=said.replace("(", "\\(")):
+        debugger.edit_world(text)
