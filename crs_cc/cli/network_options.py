@@ -5,15 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import click
-
-if TYPE_CHECKING:
-    from crs_cc.cli.real_network import RealNetwork
-    from crs_cc.cli.run_options import RunOptions
-    from crs_cc.debug.timeline.change import Change
-    from crs_cc.session.session import Session
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,14 +95,3 @@ def network_options(command: Callable[..., Any]) -> Callable[..., Any]:
     for option in reversed(_OPTIONS):
         command = option(command)
     return command
-
-
-def open_ways(
-    session: Session, options: RunOptions, noted: Callable[[Change], None]
-) -> RealNetwork | None:
-    """Open the ways to the real network that a run is to have, if any, see `RealNetwork`."""
-    if not (options.ways or options.forwards):
-        return None
-    from crs_cc.cli.real_network import RealNetwork
-
-    return RealNetwork(session, options.ways, options.forwards, noted)

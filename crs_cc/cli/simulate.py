@@ -20,7 +20,7 @@ from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.kept_output import KeptOutput
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
-from crs_cc.cli.network_options import open_ways
+from crs_cc.cli.open_ways import open_ways
 from crs_cc.cli.pace import Pace, progress_text
 from crs_cc.cli.program_output import ProgramOutput, ProgressLine
 from crs_cc.cli.report import show_reports

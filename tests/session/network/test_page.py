@@ -27,7 +27,10 @@ def test_the_example_prints_what_the_page_says(
         Path(name).write_text(text)
     Path("pair.xml").write_text(blocks("xml")[0])
     assert main(blocks("sh")[0].split()[1:]) == 0
-    assert capfd.readouterr().out == blocks("")[0]
+    printed, script = blocks("")
+    assert capfd.readouterr().out == printed
+    Path("script.txt").write_text(script)
+    assert main(blocks("sh")[1].split()[1:]) == 0
 
 
 def test_the_latency_on_the_page_is_read_and_the_default_is_as_it_says() -> None:

@@ -1,0 +1,23 @@
+"""From the options of a run to its ways to the real network."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from crs_cc.cli.real_network import RealNetwork
+    from crs_cc.cli.run_options import RunOptions
+    from crs_cc.debug.timeline.change import Change
+    from crs_cc.session.session import Session
+
+
+def open_ways(
+    session: Session, options: RunOptions, noted: Callable[[Change], None]
+) -> RealNetwork | None:
+    """Open the ways to the real network that a run is to have, if any, see `RealNetwork`."""
+    if not (options.ways or options.forwards):
+        return None
+    from crs_cc.cli.real_network import RealNetwork
+
+    return RealNetwork(session, options.ways, options.forwards, noted)
