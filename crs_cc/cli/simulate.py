@@ -76,8 +76,7 @@ def simulate(options: RunOptions) -> int:
 
 
 def _simulate(options: RunOptions) -> int:
-    is_needed = is_exported(options)
-    if not is_needed or options.record is not None:
+    if not is_exported(options) or options.record is not None:
         return _run(options)
     import tempfile
 
