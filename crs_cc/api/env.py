@@ -108,6 +108,12 @@ class Env:
         }
         self._begin()
 
+    def _begin(self) -> None:
+        self._views = {name: self.session.robots[name] for name in self.steered}
+        self._rows = np.array([view.number for view in self._views.values()], dtype=np.intp)
+        self._points = 0.0  # of the goals met before the last step
+        self.rewards = dict.fromkeys(self.steered, 0.0)
+
     # -- an episode ----------------------------------------------------------------------------
 
     def reset(self, seed: int | None = None) -> Observations:
@@ -171,7 +177,8 @@ class Env:
         if self._reward is not None:
             return {name: float(self._reward(self.session, name)) for name in self.steered}
         points = sum(goal.points for goal in self.session.goals if goal.status == "met")
-        gained, self._points = points - self._points, points
+        gained = points - self._points
+        self._points = points
         return dict.fromkeys(self.steered, gained)
 
     def done(self) -> dict[str, bool]:
@@ -204,12 +211,6 @@ class Env:
         limits = self.session.inner.environment.drives.speed_limit[view.number]
         limit: FloatArray = limits / self._unit[view.number]
         return limit[: len(view.axis_names)]
-
-    def _begin(self) -> None:
-        self._views = {name: self.session.robots[name] for name in self.steered}
-        self._rows = np.array([view.number for view in self._views.values()], dtype=np.intp)
-        self._points = 0.0  # of the goals met before the last step
-        self.rewards = dict.fromkeys(self.steered, 0.0)
 
     def _is_over(self, robot: str) -> bool:
         if self._is_done is not None:

@@ -110,7 +110,8 @@ class RobotView:
     def __getattr__(self, name: str) -> Reading:
         """Return the last reading of a sensor [SI unit]; nothing is measured for it."""
         if name.startswith("_") or hasattr(type(self), name):  # an error inside of a property
-            return object.__getattribute__(self, name)
+            value: Reading = object.__getattribute__(self, name)
+            return value
         reading = self._environment.reading(name, self.number)
         if reading is None:
             raise AttributeError(f"{self.name}: {unknown('sensor', name, self.sensors)}")

@@ -186,17 +186,17 @@ class ExpressionCompiler:
                 found.append((name, value.content, value.type))
         pairs = [(name, ctype) for name, _, ctype in found]
         try:
-            found_out = Diagnostics()
-            compiled = names.compile(rest, plain_name(standing.function), pairs, found_out)
+            warnings = Diagnostics()
+            compiled = names.compile(rest, plain_name(standing.function), pairs, warnings)
         except CompileError as error:
             first = error.diagnostics[0]
             hint = f" ({first.hint})" if first.hint else ""
             raise DebugError(restored(f"{first.text}{hint}", special)) from None
         except RecursionError:
             raise DebugError("the expression is nested too deeply") from None
-        for each in found_out.messages:
-            if each.text.startswith(_LOSES_POINTER):
-                raise DebugError(restored(f"{each.text} (cast it if that is meant)", special))
+        for warning in warnings.messages:
+            if warning.text.startswith(_LOSES_POINTER):
+                raise DebugError(restored(f"{warning.text} (cast it if that is meant)", special))
         return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
