@@ -111,7 +111,8 @@ def index_of_sources(headers: tuple[tuple[str, str], ...]) -> str:
 
 def _unit(unit: str, headers: tuple[tuple[str, str], ...], added: AddedUnit | None) -> Program:
     """Load a unit from the cache, or compile and cache it."""
-    entry = cache.key("library", unit, added.state if added else "")
+    texts = (text for header in headers for text in header)
+    entry = cache.key("library", unit, texts, added.state if added else "")
     program = cache.load(entry, Program)
     if program is None:
         program = _compile(unit, headers, added)

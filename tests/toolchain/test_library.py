@@ -37,6 +37,16 @@ def test_only_the_units_that_are_needed_are_compiled(
     assert len(list(tmp_path.iterdir())) == 1
 
 
+def test_units_are_compiled_again_when_a_header_of_devices_changes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cache.version()  # which the cache holds, too
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path))
+    for text in ("#define NUMBER 1\n", "#define NUMBER 2\n"):
+        assert CachedLibrary((("numbers.h", text),)).find("abs") is not None
+    assert len(list(tmp_path.iterdir())) == 2
+
+
 def test_a_name_defined_twice_in_the_library_is_an_internal_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
