@@ -61,8 +61,10 @@ class RunView:
         self._player.play()
         run = AttachedRun(session)
         self._screen = Screen(run, self._feed, self._player, self._port, self._front)
-        self._announced.enter_context(announced(self._screen.server))
-        say(f"crs: open {self._screen.server.address()}")
+        address = self._screen.server.address()
+        if self._front is None:  # whoever has opened the front has announced it
+            self._announced.enter_context(announced(self._screen.server.port, address))
+        say(f"crs: open {address}")
         say(f"crs: to look only: {self._screen.server.address('view')}")
 
     @property

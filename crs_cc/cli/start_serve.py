@@ -18,7 +18,9 @@ from crs_cc.cli.net_address import shown_address, token_left
 from crs_cc.cli.program_options import RobotProgram
 from crs_cc.cli.resumption import Resumption
 from crs_cc.cli.simulate import run_loaded
+from crs_cc.cli.view_address import announced
 from crs_cc.core.input_files import logged
+from crs_cc.core.loopback import LOOPBACK
 from crs_cc.core.source import Diagnostics
 from crs_cc.net import tls
 from crs_cc.net.access import Access, parsed
@@ -35,6 +37,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import Robot, WorldModel
 
 _OWN_NAMES = ("127.0.0.1", "::1", "localhost")
+_ANY_NAME = ("0.0.0.0", "::")  # noqa: S104 - to listen at, not to connect to
 
 
 def start_serve(options: ServeOptions) -> int:
@@ -51,7 +54,10 @@ def start_serve(options: ServeOptions) -> int:
     access = _access(options.tokens)
     roster = Roster(world.robots)
     secure = _tls(options)
-    with _gate(options, access, roster, secure) as gate:
+    with (
+        _gate(options, access, roster, secure) as gate,
+        _front(options, access, gate, is_secure=secure is not None) as front,
+    ):
         _greet(options, access, gate.port, secure)
         try:
             seats = _seats(roster, options)
@@ -69,7 +75,7 @@ def start_serve(options: ServeOptions) -> int:
             names,
             loaded.executables,
             waits=waits,
-            front=_front(options, access, gate, is_secure=secure is not None),
+            front=front,
             resumption=resumption,
         )
         return run_loaded(loaded, run, Diagnostics(), elsewhere)
@@ -126,10 +132,14 @@ def _greet(options: ServeOptions, access: Access, port: int, secure: tls.Server 
         say(f"crs: from other machines with: --token {access.token('robot')}")
 
 
-def _front(options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool) -> Front | None:
-    """Return where pages connect, if they may."""
+@contextlib.contextmanager
+def _front(
+    options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool
+) -> Iterator[Front | None]:
+    """Yield where pages connect, if they may; `crs view` finds it on this machine."""
     if options.view is None:
-        return None
+        yield None
+        return
     tokens: dict[PageRole, tuple[str, ...]] = {
         "control": access.tokens["control"],
         "view": access.tokens["view"],
@@ -138,9 +148,11 @@ def _front(options: ServeOptions, access: Access, gate: Gate, *, is_secure: bool
     def open_to_pages(port: int) -> None:
         gate.visitor = led_to(port)
 
-    address = shown_address((options.listen[0], gate.port))
-    scheme = "https" if is_secure else "http"
-    return Front(f"{scheme}://{address}", gate.port, tokens, open_to_pages)
+    host = options.listen[0]
+    address = shown_address((LOOPBACK if host in _ANY_NAME else host, gate.port))
+    place = f"{'https' if is_secure else 'http'}://{address}"
+    with announced(gate.port, f"{place}/#token={access.token('control')}"):
+        yield Front(place, gate.port, tokens, open_to_pages)
 
 
 def _seats(roster: Roster, options: ServeOptions) -> list[Seat]:

@@ -122,7 +122,7 @@ def serve(screen: Screen, *, opens: bool) -> int:
     if opens:
         open_browser(address)
     try:
-        with announced(screen.server):
+        with announced(screen.server.port, address):
             screen.play()
     except KeyboardInterrupt:
         say("crs: the run has ended")

@@ -10,16 +10,13 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import click
 
 from crs_cc.cli.net_address import TOKEN_VARIABLE, is_net_address
 from crs_cc.core.loopback import LOOPBACK
 from crs_cc.toolchain.cache import folder
-
-if TYPE_CHECKING:
-    from crs_cc.workbench.server import Server
 
 _HERE: Final = re.compile(rf"(?:http://)?(?:{re.escape(LOOPBACK)}|localhost):(\d{{1,5}})(?:/.*)?")
 _PRIVATE: Final = 0o600
@@ -65,20 +62,25 @@ def address_of(word: str, token: str | None = None) -> str:
 
 
 @contextmanager
-def announced(server: Server) -> Iterator[None]:
-    """Let other commands of this user find a server inside a `with` block."""
+def announced(port: int, address: str) -> Iterator[None]:
+    """Let other commands of this user find the run at a port inside a `with` block.
+
+    Args:
+        port: where pages connect.
+        address: the address of the page, with its token.
+    """
     with suppress(OSError):  # then only those who see the address can connect
-        path = _file(server.port)
+        path = _file(port)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)
         handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, _PRIVATE)
         with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(server.address())
+            file.write(address)
     try:
         yield
     finally:
         with suppress(OSError):
-            _file(server.port).unlink(missing_ok=True)
+            _file(port).unlink(missing_ok=True)
 
 
 def _file(port: int) -> Path:

@@ -37,6 +37,12 @@ PROGRAM_S: Final = 60.0
 _LOOK_S: Final = 0.01
 _PART: Final = 2**16
 
+_UNAVAILABLE: Final = b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\n"
+_WAITING: Final = b"""<!doctype html><title>crs</title>
+<p>The run has not begun: it waits for the programs of its robots.</p>
+<script>setTimeout(() => location.reload(), 1000)</script>
+"""
+
 Visitor = Callable[[Connection], None]
 """Serves a connection that is none of a host; closes it."""
 
@@ -62,7 +68,15 @@ def bound(host: str, port: int) -> socket.socket:
 def turn_away(connection: Connection) -> None:
     """Close a connection of somebody who is not served."""
     with contextlib.suppress(OSError):
-        connection.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\n\r\n")
+        connection.sendall(_UNAVAILABLE + b"\r\n")
+    connection.close()
+
+
+def tell_to_wait(connection: Connection) -> None:
+    """Answer a page that has come before the run begins: it tries again by itself."""
+    with contextlib.suppress(OSError):
+        connection.recv(_PART)  # or else closing might take the answer back
+        connection.sendall(_UNAVAILABLE + b"Content-Type: text/html\r\n\r\n" + _WAITING)
     connection.close()
 
 
@@ -124,7 +138,7 @@ class Gate:
         """
         listener.listen()
         self.port = int(listener.getsockname()[1])
-        self.visitor: Visitor = turn_away
+        self.visitor: Visitor = tell_to_wait
         self._listener, self._access, self._roster = listener, access, roster
         self._secure = secure
         self._meeting = threading.Semaphore(MAX_MEETING)

@@ -97,7 +97,7 @@ def test_other_commands_of_the_user_find_a_run_by_its_port(
     monkeypatch.setenv("CRS_CACHE", str(tmp_path))
     server = Server(Silent())
     place = f"127.0.0.1:{server.port}"
-    with announced(server):
+    with announced(server.port, server.address()):
         file = tmp_path / "shown" / str(server.port)
         assert file.stat().st_mode & 0o077 == 0
         assert address_of(place) == server.address()
