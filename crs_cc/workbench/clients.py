@@ -78,10 +78,10 @@ class Client:
     _allowance: float = MAX_COMMANDS_PER_S
     _asked_s: float = field(default_factory=time.monotonic)
 
-    def is_ready(self, frame: LiveFrame) -> bool:
-        """Return whether a frame can be sent at once, as the difference to the one before."""
-        is_idle = not (self.is_sending or self._messages or self._latest)
-        return is_idle and frame.change is not None and self.frame_number == frame.number - 1
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing waits for it or is on its way."""
+        return not (self.is_sending or self._messages or self._latest)
 
     def put(self, message: str | bytes) -> None:
         """Add a message that must arrive."""

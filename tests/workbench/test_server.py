@@ -7,6 +7,7 @@ import json
 import os
 import time
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -156,6 +157,18 @@ def test_a_slow_page_loses_frames_and_gets_a_whole_one_then(server: Server) -> N
             time_s = float(np.frombuffer(data, "<f8", 1, 1)[0])
             seen.append((time_s, decoder.decode(frame_in(data))[0, 0]))
     assert all(value == (time_s + 1) * 0.25 for time_s, value in seen)
+
+
+def test_messages_arrive_in_order_written_at_once_or_after_what_waits(server: Server) -> None:
+    sent = [f"{number} {'x' * (300_000 if number % 7 == 0 else 10)}" for number in range(40)]
+    with opened(server, max_size=None) as page:
+        page.recv(5)
+        while not server.count:
+            time.sleep(0.001)
+        for text in sent:
+            server.broadcast(text)
+        texts = (each for each in page if isinstance(each, str))  # besides the last frame
+        assert list(islice(texts, len(sent))) == sent
 
 
 def test_a_port_in_use_is_an_error(server: Server) -> None:
