@@ -151,6 +151,7 @@ def _check(unit: Unit, source: Preprocessed) -> None:
         if unit.dialect != "report" and unit.diagnostics.errors:
             suggest_dialect(tokens, unit.diagnostics)
     unit.macros = tuple(source.macros)
+    unit.weak = source.weak
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)
     _stop_on_errors(unit)

@@ -169,5 +169,5 @@ def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
     known = unit.externals.get(name)
     if not isinstance(known, FunctionSymbol):
         known = FunctionSymbol(name, ctype, location, name, is_implicit=True)
-        unit.externals[name] = known
+        unit.add_external(known)
     outermost.names[name] = known

@@ -7,7 +7,7 @@ that the rest of the file is checked, too.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -23,6 +23,7 @@ from crs_cc.frontend.error_limit import report
 from crs_cc.frontend.parse.lexer import Span
 from crs_cc.frontend.parse.nodes import Node, OwnNode
 from crs_cc.frontend.preprocess.options import Dialect
+from crs_cc.frontend.preprocess.output import WeakName
 from crs_cc.ir.types import CType
 
 Result = TypeVar("Result")
@@ -161,6 +162,7 @@ class Unit:
         standard: the C standard, a key of `preprocess.options.STANDARDS`.
         headers: the directories of the headers that come with crs.
         macros: the names of the macros, for suggestions.
+        weak: the names of `#pragma weak`.
     """
 
     name: str
@@ -182,6 +184,14 @@ class Unit:
     standard: str = "gnu17"
     headers: tuple[Path, ...] = ()
     macros: tuple[str, ...] = ()
+    weak: Mapping[str, WeakName] = field(default_factory=dict)
+
+    def add_external(self, symbol: ObjectSymbol | FunctionSymbol) -> None:
+        """Enter a name with external linkage, and apply `#pragma weak`."""
+        self.externals[symbol.name] = symbol
+        weak = self.weak.get(symbol.name)
+        if weak is not None:
+            symbol.is_weak, symbol.alias = True, weak.alias
 
     def at(self, node: Node) -> Location:
         """Return a node's location, the last known one if it has none."""

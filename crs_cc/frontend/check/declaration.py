@@ -75,9 +75,9 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     _do(effects, out)
     if ctype is None:
         return
-    storage = node.storage or []
+    storage = set(node.storage or []) - ({"auto"} if _is_auto(node.type) else set())
     location = unit.at_name(node)
-    if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
+    if len(_STORAGE_CLASSES & storage) > 1:  # C17 6.7.1p2
         raise CheckError(location, f"multiple storage classes in the declaration of '{node.name}'")
     if "constexpr" in storage:
         ctype = qualify(ctype, const=True, volatile=False)
@@ -208,7 +208,7 @@ def declare_function(
         link_name = unit.static_name(name) if is_static else name
         known = FunctionSymbol(name, ctype, location, link_name, is_external=not is_static)
         if not is_static:
-            unit.externals[name] = known
+            unit.add_external(known)
     else:
         _merge_function(unit, known, ctype, location, is_static)
     unit.scope.names[name] = known
@@ -339,7 +339,7 @@ def _global_symbol(
         link_name = unit.static_name(name) if is_static else name
         known = ObjectSymbol(name, ctype, location, link_name, is_external=not is_static)
         if not is_static:
-            unit.externals[name] = known
+            unit.add_external(known)
     else:
         if is_static and known.is_external:
             text = f"static declaration of '{name}' follows non-static declaration"

@@ -45,8 +45,11 @@ LARGEST_OBJECT: Final = (1 << 31) - 1
 """The maximum size of an object [bytes]: differences of pointers into it must fit an `int`."""
 
 _BINARY: Final = "use 'double', or integers of the smallest unit"
+_TWO_WORDS: Final = "use 'long long', or a struct of two of them"
+_LONGEST_FLOAT: Final = "use 'double', the longest floating type here"
 _UNSUPPORTED: Final = {
-    "__int128": "use 'long long', or a struct of two of them",
+    "__int128": _TWO_WORDS, "__int128_t": _TWO_WORDS, "__uint128_t": _TWO_WORDS,
+    "__float128": _LONGEST_FLOAT, "_Float128": _LONGEST_FLOAT,
     "_Decimal32": _BINARY, "_Decimal64": _BINARY, "_Decimal128": _BINARY,
 }  # fmt: skip
 """Types that are refused, with what to do instead."""

@@ -215,7 +215,7 @@ class _Check:
 
     def _scanned(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
         """Return the argument for a conversion of `scanf`; None if it is unknown."""
-        if conversion in "diouxXn" and conversion:
+        if conversion in "dibouxXn" and conversion:
             size = _INTEGER_BYTES.get(length, 4)
             return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
         if conversion in "fFeEgGaA" and conversion:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.constant import ConstantAddress
@@ -47,19 +48,24 @@ def lower_unit(unit: Unit) -> Program:
 
 def _enter_aliases(unit: Unit, program: Program) -> None:
     """Enter the other names of functions and objects; report one of which none is defined here."""
-    names = unit.scope.names
-    for symbol in names.values():
-        if not isinstance(symbol, ObjectSymbol | FunctionSymbol) or not symbol.alias:
-            continue
-        meant = names.get(symbol.alias)
-        target = getattr(meant, "link_name", None) or symbol.alias
-        if target not in program.functions and target not in program.data:
-            text = f"'{symbol.name}' is an alias of '{symbol.alias}', which is not defined here"
-            unit.error(symbol.location, text)
-        elif symbol.link_name is not None:
-            program.aliases[symbol.link_name] = target
+    for symbol in unit.scope.names.values():
+        if isinstance(symbol, ObjectSymbol | FunctionSymbol) and symbol.alias and symbol.link_name:
+            _enter_alias(unit, program, symbol.link_name, symbol.alias, symbol.location)
             if symbol.is_weak:
                 program.weak.add(symbol.link_name)
+    for name, weak in unit.weak.items():
+        if weak.alias and name not in unit.scope.names:
+            _enter_alias(unit, program, name, weak.alias, weak.location)
+            program.weak.add(name)
+
+
+def _enter_alias(unit: Unit, program: Program, name: str, alias: str, location: Location) -> None:
+    target = getattr(unit.scope.names.get(alias), "link_name", None) or alias
+    if target in program.functions or target in program.data:
+        program.aliases[name] = target
+    else:
+        text = f"'{name}' is an alias of '{alias}', which is not defined here"
+        unit.error(location, text)
 
 
 def _note(program: Program, symbol: FunctionSymbol) -> None:

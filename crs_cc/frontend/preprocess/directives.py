@@ -18,13 +18,14 @@ from crs_cc.frontend.preprocess.embed import embed
 from crs_cc.frontend.preprocess.feature_tests import HEADER, resolve_features
 from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
 from crs_cc.frontend.preprocess.macros import FEATURE_TESTS, RESERVED, read_definition
+from crs_cc.frontend.preprocess.output import WeakName
 from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.source_text import Place
 from crs_cc.frontend.preprocess.state import State
 from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, STRING, Token, shown, spell, tokenise
 
 _DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
-_PRAGMAS_WITH_MEANING: Final = frozenset({"weak", "redefine_extname"})
+_PRAGMAS_WITH_MEANING: Final = frozenset({"redefine_extname"})
 _ASSERTIONS: Final = frozenset({"assert", "unassert"})
 MAX_LINE: Final = (1 << 31) - 1
 """The largest line number that `#line` can set (C17 6.10.4)."""
@@ -298,6 +299,8 @@ def execute_pragma(state: State, tokens: list[Token]) -> list[Token]:
         return tokenise(" ".join(words), tokens[0].place)
     elif name in ("push_macro", "pop_macro"):
         _keep_macro(state, tokens)
+    elif name == "weak":
+        _weak(state, tokens)
     elif name in _PRAGMAS_WITH_MEANING:
         state.report.warning(
             tokens[0].place, f"'#pragma {name}' is ignored", flag="unknown-pragmas"
@@ -323,6 +326,17 @@ def _keep_macro(state: State, tokens: list[Token]) -> None:
         state.undefine(name)
         if macro is not None:
             state.define(macro)
+
+
+def _weak(state: State, tokens: list[Token]) -> None:
+    """Execute `#pragma weak NAME` or `#pragma weak NAME = OTHER`."""
+    shape = [NAME if each.kind == NAME else each.text for each in tokens[1:]]
+    if shape not in ([NAME], [NAME, "=", NAME]):
+        text = "malformed '#pragma weak' is ignored: expected 'name' or 'name = other'"
+        state.report.warning(tokens[0].place, text, flag="pragmas")
+        return
+    location = state.report.places.location(tokens[1].place)
+    state.weak[tokens[1].text] = WeakName(location, "" if len(shape) == 1 else tokens[3].text)
 
 
 def _ignore(_state: State, _line: _Line) -> None:

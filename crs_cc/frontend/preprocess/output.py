@@ -32,6 +32,14 @@ class _TokenLine:
 
 
 @dataclass(frozen=True, slots=True)
+class WeakName:
+    """A name of `#pragma weak`; `alias` is the name that it stands for, "" if there is none."""
+
+    location: Location
+    alias: str
+
+
+@dataclass(frozen=True, slots=True)
 class Preprocessed:
     """C without directives, comments and macros.
 
@@ -39,6 +47,7 @@ class Preprocessed:
         text: the program, for the parser.
         macros: the macros at its end, by name.
         uses: the macros that were replaced, by place.
+        weak: the names of `#pragma weak`, wherever in the program it is.
         more: preprocesses another text, given its name and content, after the last line.
         is_complete: whether all files were read to their ends. If not, what follows in the program
             can depend on what is missing.
@@ -50,6 +59,7 @@ class Preprocessed:
     _places: Places
     macros: Mapping[str, Macro] = field(default_factory=dict)
     uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
+    weak: Mapping[str, WeakName] = field(default_factory=dict)
     more: Callable[[str, str], Preprocessed] | None = None
     is_complete: bool = True
 

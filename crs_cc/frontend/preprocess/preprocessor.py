@@ -87,7 +87,10 @@ def _preprocess(
 ) -> Preprocessed:
     run = _Run(path.parent, options, diagnostics)
     result = run.finish(lambda: run.read(content, path))
-    return replace(result, macros=dict(run.state.macros), uses=run.state.uses, more=run.read_more)
+    state = run.state
+    return replace(
+        result, macros=dict(state.macros), uses=state.uses, weak=state.weak, more=run.read_more
+    )
 
 
 class _Run:

@@ -24,6 +24,7 @@ from crs_cc.frontend.preprocess.budget import Budget
 from crs_cc.frontend.preprocess.expand import MacroUses, MoreTokens, expand
 from crs_cc.frontend.preprocess.includes import Header, Headers
 from crs_cc.frontend.preprocess.macros import DEFINED, Macro
+from crs_cc.frontend.preprocess.output import WeakName
 from crs_cc.frontend.preprocess.reader import Reader
 from crs_cc.frontend.preprocess.regular_file import Refusal
 from crs_cc.frontend.preprocess.report import Report
@@ -61,6 +62,7 @@ class State:
         strict: whether the program is in ISO C, with trigraphs.
         is_c23: whether `true` is 1 in conditions.
         kept_macros: the stack of `#pragma push_macro` for each name.
+        weak: the names of `#pragma weak`.
         pending: tokens from a directive, to be added to the program.
         uses: the macros that the program uses, by place.
     """
@@ -76,6 +78,7 @@ class State:
     strict: bool = False
     is_c23: bool = False
     kept_macros: dict[str, list[Macro | None]] = field(default_factory=dict)
+    weak: dict[str, WeakName] = field(default_factory=dict)
     pending: list[Token] = field(default_factory=list)
     uses: MacroUses = field(default_factory=dict)
     _texts: dict[Path, SourceText] = field(default_factory=dict)

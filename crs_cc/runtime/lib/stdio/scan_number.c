@@ -88,11 +88,12 @@ static int read_integer(struct item *item, int *found)
 
     accept(item, "+-");
     any = accept(item, "0");
-    if (any && (base == 0 || base == 16) && accept(item, "xX")) {
+    if (any && (base == 0 || base == 16) && accept(item, "xX"))
         base = 16;
-    } else if (any && base == 0) {
+    else if (any && base == 0)
         base = 8;
-    }
+    if (base == 2)
+        digits = "01";
     if (base == 16)
         digits = hexadecimal_digits;
     if (base == 8)
@@ -169,7 +170,9 @@ int __crs_scan_integer(struct __crs_source *source, const struct __crs_input *co
                        int letter, void *to)
 {
     struct item item;
-    int base = letter == 'd' || letter == 'u' ? 10 : letter == 'i' ? 0 : letter == 'o' ? 8 : 16;
+    int base = letter == 'd' || letter == 'u' ? 10 : letter == 'i' ? 0 : letter == 'o' ? 8
+               : letter == 'b'                ? 2
+                                              : 16;
 
     open_item(&item, source, conversion->width);
     if (!read_integer(&item, &base))

@@ -194,7 +194,7 @@ static int scan_one(struct __crs_source *source, const struct __crs_input *conve
     if (c == EOF)
         return EOF;
     switch (letter) {
-    case 'd': case 'i': case 'o': case 'u': case 'x': case 'X': case 'p':
+    case 'd': case 'i': case 'b': case 'o': case 'u': case 'x': case 'X': case 'p':
         return __crs_scan_integer(source, conversion, letter, to);
     case 'a': case 'A': case 'e': case 'E': case 'f': case 'F': case 'g': case 'G':
         return __crs_scan_float(source, conversion, to);

@@ -4,6 +4,8 @@ union number { int i; double d; };
 
 _Complex _Bool z; // error: '_Complex _Bool' is not a type
 __int128 large; // error: type '__int128' is not supported
+__uint128_t larger; // error: type '__uint128_t' is not supported
+__float128 exact; // error: type '__float128' is not supported
 
 int main(void)
 {

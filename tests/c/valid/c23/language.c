@@ -46,6 +46,11 @@ int main(void) {
     int e = {};
     printf("%d\n", e);
     auto s = "text";
+    static auto kept = 2.5f;
+    printf("%g %d\n", kept, (int) sizeof kept);
+    int bits = 0;
+    sscanf("1012", "%b", &bits);
+    printf("%d\n", bits);
     printf("%s %g %d\n", s, D, f(1, 0));
     switch (N) {
         case 5:
