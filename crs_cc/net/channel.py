@@ -65,8 +65,17 @@ _MOST: Final = {
 }
 """The largest content of a kind [bytes]; others are small. Chosen by us."""
 
-_HEAD: Final = struct.Struct("<IIII")  # kind, size, number, CRC-32 of the content
+_HEAD: Final = struct.Struct("<IIII")
+"""Kind, size, number, and CRC-32 of the content; the CRC-32 of these follows, so that nobody waits
+for the rest of a message whose size is damaged."""
+
+_CHECKSUM: Final = struct.Struct("<I")
+_DAMAGED: Final = "a message is missing, doubled or damaged"
 _LEAST, _CHUNK = 2**14, 2**20
+
+_LEAST_PROGRESS: Final = 2**10
+"""What comes in `SILENCE_S` of a message that has begun [bytes], at least: more than a side sends
+that only says that it is alive, as where a part of the message was lost. Chosen by us."""
 
 
 class ConnectionLostError(ConnectionError):
@@ -107,6 +116,7 @@ class Channel:
         """
         with self._sending:
             head = _HEAD.pack(kind, len(content), self._sent, zlib.crc32(content))
+            head += _CHECKSUM.pack(zlib.crc32(head))
             self._sent = (self._sent + 1) & 0xFFFFFFFF
             rest = memoryview(head + content)
             try:
@@ -144,14 +154,18 @@ class Channel:
         """
         end_s = None if within_s is None else time.monotonic() + within_s
         while True:
-            kind, size, number, checksum = _HEAD.unpack(self._read(_HEAD.size, end_s))
+            head = self._read(_HEAD.size + _CHECKSUM.size, end_s)
+            kind, size, number, checksum = _HEAD.unpack_from(head)
+            is_whole = _CHECKSUM.unpack_from(head, _HEAD.size) == (zlib.crc32(head[: _HEAD.size]),)
+            if not is_whole or number != self._received:
+                raise ConnectionLostError(_DAMAGED)
             if kind != Kind.ALIVE and kind not in allowed:
                 raise ConnectionLostError(f"unexpected message of kind {kind}")
             if size > _MOST.get(kind, _SMALL):
                 raise ConnectionLostError(f"message of {size} bytes is too long")
             content = self._read(size, end_s)
-            if number != self._received or zlib.crc32(content) != checksum:
-                raise ConnectionLostError("a message is missing, doubled or damaged")
+            if zlib.crc32(content) != checksum:
+                raise ConnectionLostError(_DAMAGED)
             self._received = (self._received + 1) & 0xFFFFFFFF
             if kind != Kind.ALIVE:
                 return Message(Kind(kind), content)
@@ -159,21 +173,30 @@ class Channel:
     def _read(self, size: int, end_s: float | None) -> bytes:
         """Return so many bytes; memory is taken as they come."""
         rest = self._rest
+        look_s, least = 0.0, 0  # when to look whether so many bytes have come
         while len(rest) < size:
             if end_s is not None and time.monotonic() > end_s:
                 raise ConnectionLostError("too slow")
-            try:
-                part = self._connection.recv(min(max(size - len(rest), _LEAST), _CHUNK))
-            except TimeoutError:
-                raise ConnectionLostError(f"nothing heard for {SILENCE_S:g} s") from None
-            except OSError as error:
-                raise ConnectionLostError(_reason(error)) from None
-            if not part:
-                raise ConnectionLostError("the other side has closed the connection")
-            rest += part
+            rest += self._part(size - len(rest))
+            if (now_s := time.monotonic()) > look_s:
+                if len(rest) < min(size, least):
+                    raise ConnectionLostError("too slow")
+                look_s, least = now_s + SILENCE_S, len(rest) + _LEAST_PROGRESS
         content = bytes(rest[:size])
         del rest[:size]
         return content
+
+    def _part(self, size: int) -> bytes:
+        """Return some bytes, of so many that are wanted."""
+        try:
+            part = self._connection.recv(min(max(size, _LEAST), _CHUNK))
+        except TimeoutError:
+            raise ConnectionLostError(f"nothing heard for {SILENCE_S:g} s") from None
+        except OSError as error:
+            raise ConnectionLostError(_reason(error)) from None
+        if not part:
+            raise ConnectionLostError("the other side has closed the connection")
+        return part
 
     def has_ended(self) -> bool:
         """Return whether the other side is known to be gone; what it has said is not read."""

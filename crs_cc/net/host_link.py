@@ -108,7 +108,10 @@ class HostLink:
         self._log.append(GRANT.pack(self._number, end_s, True) + changes)
         self._log_bytes += len(self._log[-1])
         self._waits = True
-        self._recover(lambda: self._channel.send(Kind.GRANT, self._log[-1]))
+        try:
+            self._channel.send(Kind.GRANT, self._log[-1])
+        except ConnectionLostError as error:
+            self._renew(str(error))  # which sends this grant, too
 
     def collect(self) -> None:
         """Wait until the programs have run."""

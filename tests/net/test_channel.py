@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import socket
+import struct
+import threading
 import time
+import zlib
 from collections.abc import Iterator
 
 import pytest
@@ -65,9 +68,45 @@ def test_a_damaged_message_ends_the_connection(ends: tuple[Channel, socket.socke
 
 def test_a_long_message_is_refused_before_it_comes(ends: tuple[Channel, socket.socket]) -> None:
     receiver, there = ends
-    there.sendall(b"\x01\0\0\0" + (2**31).to_bytes(4, "little") + bytes(8))
+    head = struct.pack("<IIII", Kind.HELLO, 2**31, 0, 0)
+    there.sendall(head + struct.pack("<I", zlib.crc32(head)))
     with pytest.raises(ConnectionLostError, match="too long"):
         receiver.receive(Kind.HELLO)
+
+
+def test_nobody_waits_for_a_message_whose_size_is_damaged(
+    ends: tuple[Channel, socket.socket],
+) -> None:
+    receiver, there = ends
+    part = bytearray(frames(b"content")[0])
+    part[5] ^= 1
+    there.sendall(part)
+    with pytest.raises(ConnectionLostError, match="damaged"):
+        receiver.receive(Kind.RAN)
+
+
+def test_signs_of_life_do_not_stand_for_the_lost_part_of_a_message(
+    ends: tuple[Channel, socket.socket], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    receiver, there = ends
+    monkeypatch.setattr(channel_module, "SILENCE_S", 0.1)
+    here, other = socket.socketpair()
+    Channel(here).send(Kind.RAN, bytes(5_000))
+    there.sendall(other.recv(10_000)[:2_000])
+    done = threading.Event()
+
+    def trickle() -> None:
+        while not done.wait(0.02):
+            there.sendall(bytes(20))
+
+    thread = threading.Thread(target=trickle)
+    thread.start()
+    with pytest.raises(ConnectionLostError, match="too slow"):
+        receiver.receive(Kind.RAN)
+    done.set()
+    thread.join()
+    here.close()
+    other.close()
 
 
 def test_an_unexpected_kind_ends_the_connection(ends: tuple[Channel, socket.socket]) -> None:

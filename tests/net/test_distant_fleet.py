@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 
 from crs_cc.net.changed_words import WORDS, pack
-from crs_cc.net.channel import Channel, Kind
+from crs_cc.net.channel import Channel, ConnectionLostError, Kind
 from crs_cc.net.host_link import RAN, HostGoneError, HostLink
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.turns import RECORD
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.model.world import WorldModel
+from tests.net.faulty_wire import FaultyWire
 from tests.net.local_hosts import LocalHosts
 from tests.session.programs import build
 
@@ -109,54 +110,13 @@ def test_a_run_on_hosts_is_the_same(
     assert not hosts.lost
 
 
-class Unreliable:
-    """Cuts, doubles or damages what an environment and a host say, at random."""
-
-    def __init__(self, random_: random.Random, often: float) -> None:
-        self._random, self._often = random_, often
-
-    def __call__(self, connection: socket.socket) -> socket.socket:
-        return _Meddled(connection, self._random, self._often)
-
-
-class _Meddled(socket.socket):
-    def __init__(self, inner: socket.socket, random_: random.Random, often: float) -> None:
-        super().__init__(inner.family, inner.type, inner.proto, inner.detach())
-        self._random, self._often = random_, often
-
-    def _is_hit(self) -> bool:
-        return self._random.random() < self._often
-
-    def send(self, data: Any, flags: int = 0) -> int:
-        if not self._is_hit():
-            return super().send(data, flags)
-        what = self._random.randrange(4)
-        if what == 0:  # cut in the middle of a message
-            super().send(bytes(data[: len(data) // 2]))
-            self.shutdown(socket.SHUT_RDWR)
-        elif what == 1:
-            super().send(bytes(data) * 2)
-        elif what == 2:
-            super().send(bytes(data[:-1]) + bytes([data[-1] ^ 16]))
-        else:
-            self.shutdown(socket.SHUT_RDWR)
-        return len(data)
-
-    def recv(self, size: int, flags: int = 0) -> bytes:
-        found = super().recv(size, flags)
-        if found and self._is_hit():
-            self.shutdown(socket.SHUT_RDWR)
-            return b""
-        return found
-
-
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(5))
 def test_lost_hosts_are_replaced_to_the_same_bits(
     programs: list[Executable], local: tuple[str, Written], seed: int
 ) -> None:
     shown: Written = []
-    meddler = Unreliable(random.Random(seed), often=0.02)
-    hosts = LocalHosts(programs, 2, meddler, lambda *each: shown.append(each))
+    wire = FaultyWire(random.Random(seed), often=0.02)
+    hosts = LocalHosts(programs, 2, wire, lambda *each: shown.append(each))
     session, written = finished(programs, fleet=hosts.fleet)
     assert (session.state_hash(), written) == local
     hosts.close()
@@ -169,7 +129,7 @@ def test_programs_go_on_from_memories_that_were_fetched(
     programs: list[Executable], local: tuple[str, Written], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("crs_cc.net.host_link.MAX_LOG_GRANTS", 7)
-    hosts = LocalHosts(programs, 2, Unreliable(random.Random(9), often=0.02))
+    hosts = LocalHosts(programs, 2, FaultyWire(random.Random(9), often=0.02))
     session, written = finished(programs, fleet=hosts.fleet)
     assert (session.state_hash(), written) == local
     hosts.close()
@@ -177,7 +137,7 @@ def test_programs_go_on_from_memories_that_were_fetched(
 
 
 def test_programs_of_a_host_that_is_lost_for_good_stop_alone(programs: list[Executable]) -> None:
-    hosts = LocalHosts(programs, COUNT, Unreliable(random.Random(1), often=0.004), losses=0)
+    hosts = LocalHosts(programs, COUNT, FaultyWire(random.Random(1), often=0.004), losses=0)
     session, _ = finished(programs, fleet=hosts.fleet)
     hosts.close()
     kinds = [each.error.kind if each.error else "" for each in session.result().robots]
@@ -207,6 +167,21 @@ def test_what_a_host_says_is_believed_of_its_own_programs_only(field: str, value
         Channel(there).send(Kind.RAN, RAN.pack(1, 1) + pack(known, said))
         with pytest.raises(HostGoneError, match="not its own, or a clock goes back"):
             link.collect()
+
+
+def test_a_grant_is_not_sent_twice_to_the_host_that_replaces_a_lost_one() -> None:
+    lost, here = socket.socketpair(), socket.socketpair()
+    link = HostLink(("robot0",), np.arange(1), Channel(lost[0]), lambda *_: Channel(here[0]))
+    for each in lost:
+        each.close()
+    link.grant(2.0, np.zeros((1, WORDS), np.uint64))
+    link.close()
+    other = Channel(here[1])
+    received = [other.receive(Kind.RESTORE, Kind.GRANT).kind for _ in range(2)]
+    assert received == [Kind.RESTORE, Kind.GRANT]
+    with pytest.raises(ConnectionLostError, match="closed"):
+        other.receive(Kind.GRANT)
+    other.close()
 
 
 def refuse(_link: HostLink, reason: str) -> Channel:
