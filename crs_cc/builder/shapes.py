@@ -1,7 +1,8 @@
 """The shapes of a world's elements from above, as JSON: what the page of the builder draws.
 
 A shape is a polygon (`points`), a disc (`x`, `y`, `radius`) or a wall (`points` and `thickness`);
-lengths are in metres. Those of an object made of parts have the name of their `part`.
+lengths are in metres. Those of an object made of parts have the name of their `part`. Warm ones
+have their `heat` and how far it `spread`s.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from crs_cc.builder.addresses import address, ids
 from crs_cc.builder.document import Document
 from crs_cc.builder.extents import element_of, patches
 from crs_cc.plot.goal_layer import places
+from crs_cc.sim.engine.robot_colours import colour as robot_colour
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model.colours import hexadecimal
 from crs_cc.sim.model.goals import Goal, Visit
@@ -50,8 +52,8 @@ def shapes(document: Document, world: WorldModel) -> dict[str, list[Shape]]:
         found.setdefault(name, []).append(shape)
     for goal in world.goals:
         found[goal.id] = list(_places(goal))
-    for robot in world.robots:
-        found[robot.id] = [_robot(robot)]
+    for number, robot in enumerate(world.robots):
+        found[robot.id] = [_robot(robot) | {"colour": robot_colour(number)}]
     for light in world.lights:
         found[light.id] = [{"kind": "light", "x": light.x_m, "y": light.y_m, "radius": 0.1}]
     for sound in world.sounds:
@@ -93,7 +95,7 @@ def _ranges(document: Document, world: WorldModel) -> Iterator[tuple[str, list[S
 
 
 def _solid(solid: Solid) -> Shape:
-    style: Shape = {"kind": "movable" if is_pushable(solid) else "solid"}
+    style: Shape = {"kind": "movable" if is_pushable(solid) else "solid", **_warmth(solid)}
     if solid.material.colour != PLAIN.colour:
         style["colour"] = hexadecimal(solid.material.colour)
     if isinstance(solid, Wall):
@@ -123,7 +125,15 @@ def _corners(pose: Pose, length_m: float, width_m: float) -> list[list[float]]:
 
 def _robot(robot: Robot) -> Shape:
     place = {"x": robot.start.x_m, "y": robot.start.y_m, "heading": robot.start.heading_rad}
-    return {"kind": "robot", **place, "radius": robot.model.radius_m}
+    return {"kind": "robot", **place, "radius": robot.model.radius_m, **_warmth(robot)}
+
+
+def _warmth(thing: Solid | Robot) -> Shape:
+    """Return the heat of a thing and how far it is felt, if it has any."""
+    if thing.heat <= 0:
+        return {}
+    spread_m = thing.spread_m if math.isfinite(thing.spread_m) else None
+    return {"heat": thing.heat, "spread": spread_m}
 
 
 def _places(goal: Goal) -> Iterator[Shape]:

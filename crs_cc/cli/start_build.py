@@ -39,8 +39,11 @@ class Trial:
             ValueError: it does not start; the message says why.
         """
         self.end()
-        if self._program is None and any(not robot.program for robot in builder.world().robots):
-            raise ValueError("a robot has no program: set it, or start crs build WORLD PROGRAM.c")
+        idle = [robot.id for robot in builder.world().robots if not robot.program]
+        if self._program is None and idle:
+            raise ValueError(
+                f"robot {idle[0]!r} has no program: select it, and name a C file at its 'program'"
+            )
         path = builder.path or Path("new.xml")
         self._file = path.with_name(f".{path.stem}.trial.xml")
         self._file.write_bytes(builder.document.text)

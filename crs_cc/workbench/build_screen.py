@@ -28,12 +28,14 @@ from crs_cc.core.file_names import displayed
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.known_robots import known_robots
+from crs_cc.sim.model.colours import NAMED
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.element_forms import element_form, new_form
 from crs_cc.workbench.messages import VERSION, answer, message, refusal
 from crs_cc.workbench.problem_list import problems
 from crs_cc.workbench.program_checks import ProgramChecks
+from crs_cc.workbench.programs_beside import programs_beside
 from crs_cc.workbench.server import Server
 from crs_cc.workbench.world_data import world_data
 
@@ -104,7 +106,8 @@ class BuildScreen:
 
     def greet(self, client: Client) -> None:
         """Send a page that has connected all that it must know."""
-        client.put(message("hello", version=VERSION, role=client.role, operations=_operations()))
+        told = {"operations": _operations(), "colours": list(NAMED)}
+        client.put(message("hello", version=VERSION, role=client.role, **told))
         client.put(self._document())
 
     def _document(self) -> str:
@@ -136,6 +139,7 @@ class BuildScreen:
             materials=_names(root, "material", builder.library()),
             definitions=_names(root, "define", builder.library()),
             robots=list(known_robots()),
+            programs=programs_beside(builder.path or self._target),
             channels=[] if world is None else [each.name for each in world.communication.channels],
             problems=problems(builder, {} if world is None else self._programs.messages(world)),
             clip=bool(self._clip),

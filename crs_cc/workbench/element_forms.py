@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import chain
 from typing import Any, Final
 
@@ -16,6 +17,8 @@ MAX_SHOWN: Final = 100
 
 _HOMES: Final = ("surface", "communication", "goal")
 """Elements of a world that come with what is in them."""
+
+_DEFAULT: Final = re.compile(r"Default: ([^.,:;]+)")
 
 _LISTED: Final = ("world", "robot-definition", "definitions", "surface", "communication")
 """Elements whose contents are elements of the list."""
@@ -64,9 +67,19 @@ def _filled(schema: str, node: Node) -> dict[str, Any]:
     return {"name": address(node), "tag": node.tag, "rows": listed, "text": text}
 
 
+def _said_default(text: str) -> str | None:
+    """Return the default that a help text names, if the schema has none.
+
+    >>> _said_default("Colour seen by cameras. Default: grey.")
+    'grey'
+    """
+    said = _DEFAULT.search(text)
+    return said and said[1]
+
+
 def _row(row: Property, value: str | None) -> dict[str, Any]:
     return {
-        "name": row.name, "value": value, "default": row.default,
+        "name": row.name, "value": value, "default": row.default or _said_default(row.help),
         "choices": row.choices, "required": row.required, "help": row.help,
         "type": row.type, "units": [unit for unit, _ in row.kind.units] if row.kind else [],
     }  # fmt: skip

@@ -255,11 +255,16 @@ def properties_are_typed_and_everything_is_undone_and_done_again(
 
 def the_world_is_tried_and_editing_goes_on_where_it_was(hand: Hand, folder: Path) -> None:
     hand.page.set_default_timeout(60_000)  # a process starts, and compiles
+    hand.page.locator(".thing", has_text="wall0").click()
+    hand.page.locator("canvas").first.focus()
+    hand.press("k")
+    hand.page.evaluate("crs.view.zoom(5, [400, 300])")
     hand.page.get_by_role("button", name="Try").click()
     wait(hand.page, "window.crs && crs.model && crs.model.state && crs.model.state.t > 0.2")
     assert (folder / ".hall.trial.xml").exists()
-    hand.page.go_back()
+    hand.page.locator("button:has(span:text-is('Edit'))").click()
     wait(hand.page, "window.crs && crs.model.document && crs.model.document.things.length === 15")
+    wait(hand.page, "crs.model.locked.has('wall0') && crs.view.scale > 300")
 
 
 def goals_sounds_steps_and_ranges_are_drawn(hand: Hand) -> None:
@@ -378,9 +383,17 @@ def it_is_looked_at_in_three_dimensions(hand: Hand) -> None:
     box = hand.page.locator(".solid").bounding_box()
     hand.page.mouse.click(box["x"] + x, box["y"] + y)
     wait(hand.page, "crs.model.selection.has('robot0') && crs.model.selection.size === 1")
-    hand.press("b")
+    wait(hand.page, "crs.solid.picture.scene.bodies[0].colour === '#ffd400'")
+    hand.page.mouse.move(box["x"] + x, box["y"] + y)
+    hand.page.mouse.down()
+    x, y = hand.page.evaluate("crs.solid.picture.project(2, 1, 0).slice(0, 2)")
+    hand.page.mouse.move(box["x"] + x, box["y"] + y)
+    hand.page.mouse.up()
+    wait(hand.page, "crs.model.thing('robot0').attributes.x === '2m'")
+    hand.press("Control+z", "b")
     wait(hand.page, "!crs.solid.isOn && !document.querySelector('.solid canvas')")
     hand.press("Escape")
+    wait(hand.page, "crs.model.thing('robot0').attributes.x === '1m'")
 
 
 def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
@@ -397,6 +410,27 @@ def a_unit_is_chosen_for_what_is_drawn(hand: Hand) -> None:
     hand.press("Control+z", "Control+z", "Escape")
     wait(hand.page, "!crs.model.thing('cylinder0')")
     hand.page.select_option("[aria-label=unit]", "")
+
+
+def the_line_below_and_the_list_of_keys_say_what_to_do(hand: Hand) -> None:
+    said = hand.page.locator(".status .said")
+    hand.press("r")
+    said.get_by_text("Robot: click where it starts").wait_for()
+    hand.click(1.0, 1.0)  # it selects the one that is there
+    wait(hand.page, "crs.model.selection.has('robot0') && !crs.model.thing('robot1')")
+    hand.to(2.0, 1.0)
+    hand.page.get_by_text("2m, 1m").wait_for()
+    wait(hand.page, "document.querySelector('[aria-label=program]')?.list.options.length > 0")
+    offered = "[...document.querySelector('[aria-label=program]').list.options][0].value"
+    assert hand.page.evaluate(offered) == "go.c"
+    hand.page.hover("[aria-label=mass], [aria-label=heat]")
+    said.get_by_text("The initial heat of an object").wait_for()
+    hand.page.locator("canvas").first.focus()
+    hand.press("Escape", "Escape", "?")
+    hand.page.locator("dialog[open]").get_by_text("make an object of the selection").wait_for()
+    hand.press("Delete", "?")  # it does nothing while the list is open
+    hand.page.locator("dialog[open]").wait_for(state="detached")
+    wait(hand.page, "crs.model.thing('robot0')")
 
 
 def elements_are_locked_and_hidden(hand: Hand) -> None:
@@ -428,6 +462,7 @@ def test_a_world_is_drawn_saved_and_tried(page: Any, screen: BuildScreen, folder
     the_ground_is_raised_by_a_brush_and_read_from_a_picture(hand, folder)
     a_definition_is_edited_and_all_copies_follow(hand, screen)
     a_unit_is_chosen_for_what_is_drawn(hand)
+    the_line_below_and_the_list_of_keys_say_what_to_do(hand)
     elements_are_locked_and_hidden(hand)
     it_is_looked_at_in_three_dimensions(hand)
     an_object_is_dragged_from_the_library(hand)

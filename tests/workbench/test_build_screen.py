@@ -123,6 +123,27 @@ def test_what_cannot_be_done_is_refused_and_changes_nothing(
     assert screen.builder.document.text == before
 
 
+def test_programs_beside_the_world_are_offered_and_warm_things_are_known(
+    screen: BuildScreen,
+) -> None:
+    assert screen.builder.path is not None
+    folder = screen.builder.path.parent
+    for name in ("b.c", "a.c", "c.txt", "d\n.c"):
+        (folder / name).touch()
+    assert document(screen)["programs"] == ["a.c", "b.c"]
+    ask(screen, "apply", **step_of_heat("sledge", heat="5", spread="1m"))
+    (shape,) = document(screen)["shapes"]["sledge"]
+    assert (shape["heat"], shape["spread"]) == (5.0, 1.0)
+    rows = ask(screen, "properties", "view", name="sledge")["rows"]
+    usual = {row["name"]: row["default"] for row in rows}
+    assert (usual["mass"], usual["colour"], usual["heading"]) == ("fixed", "grey", "0")
+    ask(screen, "undo")
+
+
+def step_of_heat(name: str, **attributes: Any) -> dict[str, Any]:
+    return {"steps": [{"operation": "set", "names": [name], "attributes": attributes}]}
+
+
 def test_a_page_that_may_look_only_changes_nothing(screen: BuildScreen) -> None:
     for do in ("apply", "undo", "save", "copy", "try", "read"):
         assert ask(screen, do, "view") == "!this page may look only"
@@ -149,7 +170,7 @@ def test_a_new_world_is_saved_below_a_plain_name_only(
 def test_a_run_that_cannot_start_says_why_and_leaves_nothing(tmp_path: Path) -> None:
     path = tmp_path / "room.xml"
     path.write_bytes((WORLDS / "room.xml").read_bytes())
-    with pytest.raises(ValueError, match="a robot has no program"):
+    with pytest.raises(ValueError, match="robot 'robot0' has no program"):
         Trial(None).start(WorldBuilder(path))
     (tmp_path / "bad.c").write_text("int main(void) { return x; }\n")
     with pytest.raises(ValueError, match=r"bad\.c:1:25: error: .*'x'"):

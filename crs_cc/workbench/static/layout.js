@@ -14,7 +14,9 @@ export class Layout {
     this.chip = el("span.chip.state", { role: "status" });
     this.title = el("h1", { id: "title" });
     this.note = el("span.note-text", { id: "note" });
-    fill(part("head"), this.title, this.chip, this.note, el("span.spacer"),
+    const isTrial = new URLSearchParams(location.hash.slice(1)).has("trial");
+    const edit = isTrial ? [button({ text: "Edit", title: "Edit: back to the world builder", onclick: () => history.back() })] : [];
+    fill(part("head"), ...edit, this.title, this.chip, this.note, el("span.spacer"),
       button({ icon: "share", title: "Copy a link to this view and time", key: "K", onclick: () => this.share() }),
       button({ icon: "theme", title: "Light, dark, or as the system is", key: "T", onclick: () => this.nextTheme() }),
       button({ icon: "help", title: "Keys", key: "?", onclick: () => this.page.keys() }));

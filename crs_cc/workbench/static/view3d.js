@@ -249,12 +249,26 @@ export class View3D {
     position.needsUpdate = color.needsUpdate = true;
   }
 
-  /** The place on the floor under a point of the view. */
-  ground(px, py, _camera, width, height) {
+  /** The place on the floor, or at a height, under a point of the view. */
+  ground(px, py, _camera, width, height, level = 0) {
     const ray = new THREE.Raycaster();
     ray.setFromCamera(new THREE.Vector2((px / width) * 2 - 1, 1 - (py / height) * 2), this.lens);
-    const at = ray.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), 0), new THREE.Vector3());
+    const at = ray.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), -level), new THREE.Vector3());
     return at ? [at.x, at.y] : null;
+  }
+
+  /** What is under a point of the view: the id of a shape or a robot, and where it is hit; null for the ground. */
+  thing(px, py, width, height) {
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2((px / width) * 2 - 1, 1 - (py / height) * 2), this.lens);
+    const shapes = new Map([...this.meshes].map(([shape, mesh]) => [mesh, shape]));
+    const robots = [...this.groups].flatMap(([kind, { meshes }]) => meshes.map((mesh) => [mesh, this.scene.bodies.filter((body) => body.kind === kind)]));
+    const bodies = new Map(/** @type {[any, any][]} */ (robots));
+    for (const mesh of bodies.keys()) mesh.computeBoundingSphere(); // robots have moved since
+    const [hit] = ray.intersectObjects([...shapes.keys(), ...bodies.keys()], false);
+    if (!hit) return null;
+    const { id } = shapes.get(hit.object) ?? bodies.get(hit.object)[hit.instanceId];
+    return { id, place: [hit.point.x, hit.point.y], height: hit.point.z };
   }
 
   dispose() {

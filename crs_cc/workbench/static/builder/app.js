@@ -4,10 +4,13 @@ import { button, el, fill, part } from "../dom.js";
 import { restoreTheme } from "../theme.js";
 import { Clipboard } from "./clipboard.js";
 import { toolsFor } from "./drawing.js";
+import { recall, remember } from "./memory.js";
 import { Model } from "./model.js";
-import { makeOptions, makeUnits } from "./options.js";
+import { keysButton, listenToKeys } from "./keys.js";
+import { makeOptions } from "./options.js";
 import { makePanels } from "./panels.js";
 import { Solid } from "./solid.js";
+import { makeStatus } from "./status.js";
 import { Tools } from "./tools.js";
 import { View } from "./view.js";
 
@@ -19,7 +22,7 @@ const view = new View(canvas, model);
 const tools = new Tools(model, view);
 const clipboard = new Clipboard(model, view);
 const solid = new Solid(model, view);
-fill(part("world"), canvas, solid.element, makeOptions(model, tools), makeUnits(model));
+fill(part("world"), canvas, solid.element, makeOptions(model, tools), makeStatus(model, view, tools, solid));
 makePanels(model, view);
 
 const bar = el("div.tools", { role: "toolbar", "aria-label": "Tools" });
@@ -29,8 +32,7 @@ const save = button({ text: "Save", title: "Save", key: "Ctrl-S", className: "pr
 const attempt = button({ text: "Try", title: "Try: run the world, Back returns here", key: "F5", onclick: () => run() });
 const deep = button({ text: "3-D", title: "Look at it in three dimensions, and back", key: "3", onclick: () => solid.toggle() });
 const title = el("h1");
-const note = el("span.note-text.said", { role: "status" });
-fill(part("head"), title, bar, el("span.spacer"), note, deep, undo, redo, attempt, save);
+fill(part("head"), title, bar, el("span.spacer"), deep, undo, redo, keysButton(), attempt, save);
 
 async function store() {
   const file = model.document.file || prompt("Save as", "room.xml");
@@ -40,8 +42,9 @@ async function store() {
 }
 
 async function run() {
+  model.say("starting the run...");
   const address = await model.ask("try");
-  if (address) location.href = address;
+  if (address) location.href = `${address}&trial=1`;
 }
 
 async function duplicate() {
@@ -55,56 +58,9 @@ async function group() {
   if (made) model.choose(made);
 }
 
-const SHORTCUTS = {
-  z: (event) => model.ask(event.shiftKey ? "redo" : "undo"),
-  y: () => model.ask("redo"),
-  s: () => store(),
-  c: () => clipboard.copy(),
-  x: () => clipboard.cut(),
-  d: () => duplicate(),
-  g: () => group(),
-  a: () => model.select(model.things.map((thing) => thing.name).filter((name) => model.isFree(name) && model.shapes(name).length)),
-};
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-const ACTIONS = {
-  f: () => view.fit(),
-  F5: () => run(),
-  3: () => !model.document?.isRobot && solid.toggle(),
-  u: () => model.toggle(model.hidden, [...model.hidden]),
-};
-const ON_SELECTION = {
-  Delete: () => model.apply("remove"),
-  Backspace: () => model.apply("remove"),
-  "[": () => model.apply("turn", { values: { angle: "15deg" } }),
-  "]": () => model.apply("turn", { values: { angle: "-15deg" } }),
-  i: () => model.toggle(model.hidden),
-  k: () => model.toggle(model.locked),
-  Enter: () => model.enter([...model.selection][0]),
-};
+listenToKeys(model, view, tools, { store, run, duplicate, group, clipboard, solid });
 
-/** @param {KeyboardEvent} event */
-function key(event) {
-  const target = /** @type {HTMLElement} */ (event.target);
-  if (["INPUT", "SELECT", "TEXTAREA"].includes(target.tagName)) return false;
-  if (event.ctrlKey || event.metaKey) {
-    const act = SHORTCUTS[event.key.toLowerCase()];
-    act?.(event);
-    return Boolean(act);
-  }
-  if (tools.key(event)) return true;
-  const tool = toolsFor(model.document?.isRobot).find((each) => each.key === event.key.toLowerCase());
-  const arrow = ARROWS[event.key];
-  const act = ACTIONS[event.key] ?? (model.selection.size && target.tagName !== "BUTTON" ? ON_SELECTION[event.key] : null);
-  if (tool) tools.choose(tool.id);
-  else if (act) act();
-  else if (arrow && model.selection.size) model.apply("move", { values: { x: arrow[0] * view.step(), y: arrow[1] * view.step() } });
-  else return false;
-  return true;
-}
-
-document.addEventListener("keydown", (event) => {
-  if (key(event)) event.preventDefault();
-});
+remember(model, view);
 
 let shown = "";
 model.addEventListener("change", () => {
@@ -121,13 +77,15 @@ model.addEventListener("change", () => {
   save.disabled = wrong || !model.mayChange;
   save.title = wrong ? "Save: the problems at the left are in the way" : "Save (Ctrl-S)";
   const where = model.path.join("/");
-  if (known.area && (shown === "" || where !== shown.slice(1))) {
-    view.fit();
-    shown = `.${where}`;
+  if (known.area && shown === "" && recall(model, view)) {
+    shown = `.${model.path.join("/")}`;
+    model.tell("change");
+    return;
   }
+  if (known.area && (!view.isPlaced || where !== shown.slice(1))) view.fit();
+  if (known.area) shown = `.${where}`;
   showTools();
 });
-model.addEventListener("note", () => (note.textContent = model.note));
 model.addEventListener("tool", () => {
   if (solid.isOn && tools.tool !== "select") solid.toggle();
   showTools();

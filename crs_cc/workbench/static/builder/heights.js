@@ -56,7 +56,7 @@ export class Brush {
   async store(shape) {
     const { map } = this;
     if (shape.rows.flat().join(" ").length > LONGEST) {
-      this.model.say("the map of heights is too fine to be painted: at most 64 by 64 pixels");
+      this.model.say("the map of heights is too fine to be painted: at most 64 by 64 pixels", true);
       await this.model.ask("again");
       return;
     }
@@ -78,7 +78,7 @@ export class Brush {
   async read(file, most) {
     const picture = await createImageBitmap(file).catch(() => null);
     if (!picture) {
-      this.model.say("this is no picture that the browser can read");
+      this.model.say("this is no picture that the browser can read", true);
       return;
     }
     const shape = flat(this.model.document.area);

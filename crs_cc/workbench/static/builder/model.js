@@ -7,7 +7,7 @@ import { byPart, compose } from "./frames.js";
 /**
  * @typedef {{kind: string, points?: number[][], x?: number, y?: number, radius?: number,
  *   thickness?: number, heading?: number, colour?: string, from?: number, to?: number,
- *   part?: string, element?: string, rows?: number[][], pixel?: number}} Shape
+ *   part?: string, element?: string, heat?: number, spread?: number | null, rows?: number[][], pixel?: number}} Shape
  * @typedef {{name: string, tag: string, attributes: Record<string, string>, pose?: [number, number, number]}} Thing
  * @typedef {{root: string, pose: [number, number, number], things: Thing[], shapes: Record<string, Shape[]>}} Inside
  */
@@ -20,6 +20,8 @@ export class Model extends EventTarget {
     /** @type {any} */
     this.document = null;
     this.operations = [];
+    /** Names of colours. @type {string[]} */
+    this.colours = [];
     this.selection = new Set();
     /** Elements that are not drawn, and that the mouse leaves alone. */
     this.hidden = new Set();
@@ -33,7 +35,9 @@ export class Model extends EventTarget {
     this.chosenUnit = "";
     this.isConnected = false;
     this.mayChange = false;
+    /** What is said below the world: of what was done, or, if that is wrong, why it was not. */
     this.note = "";
+    this.isWrong = false;
     this.channel = new SocketChannel((message) => this.hear(message));
   }
 
@@ -42,9 +46,10 @@ export class Model extends EventTarget {
       this.isConnected = true;
       this.mayChange = message.role === "control";
       this.operations = message.operations;
+      this.colours = message.colours;
     } else if (message.type === "lost") {
       this.isConnected = false;
-      this.say(message.isOver ? "crs build has ended" : "not connected");
+      this.say(message.isOver ? "crs build has ended" : "not connected", true);
     } else if (message.type === "document") {
       this.document = message;
       this.settle();
@@ -58,8 +63,10 @@ export class Model extends EventTarget {
     this.dispatchEvent(new Event(kind));
   }
 
-  say(text) {
+  /** @param {string} text @param {boolean} isWrong */
+  say(text, isWrong = false) {
     this.note = text;
+    this.isWrong = isWrong;
     this.tell("note");
   }
 
@@ -118,7 +125,7 @@ export class Model extends EventTarget {
     if (thing?.tag !== "object") return;
     this.path = [...this.path, name];
     this.settle();
-    if (this.path.at(-1) !== name) this.say(`${thing.attributes.ref} is defined in a file that is included: edit that file`);
+    if (this.path.at(-1) !== name) this.say(`${thing.attributes.ref} is defined in a file that is included: edit that file`, true);
     this.select([]);
     this.tell("change");
   }
@@ -170,7 +177,7 @@ export class Model extends EventTarget {
       if (!["properties", "form", "library", "scene"].includes(name)) this.say("");
       return value;
     } catch (error) {
-      this.say(/** @type {Error} */ (error).message);
+      this.say(/** @type {Error} */ (error).message, true);
       return undefined;
     }
   }
@@ -197,7 +204,7 @@ export class Model extends EventTarget {
     let id = 0;
     while (taken.has(id)) id += 1;
     if (id >= MOST_SONARS) {
-      this.say(`a robot has at most ${MOST_SONARS} sonars`);
+      this.say(`a robot has at most ${MOST_SONARS} sonars`, true);
       return;
     }
     const name = sonars.length ? `sensor[${sonars.length}]` : "sensor";

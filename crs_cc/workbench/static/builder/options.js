@@ -9,10 +9,13 @@ export function makeUnits(model) {
     model.chosenUnit = event.target.value;
     event.target.blur();
   };
+  const chooser = el("select.unit", { "aria-label": "unit", title: "The unit of what is drawn and typed", onchange: choose });
   const auto = el("option", { value: "" });
+  model.addEventListener("change", () => (chooser.value = model.chosenUnit));
   model.addEventListener("change", () => (auto.textContent = `as in the file: ${model.document?.unit ?? "m"}`));
   const others = Object.keys(UNITS).map((unit) => el("option", { value: unit }, unit));
-  return el("select.unit", { "aria-label": "unit", title: "The unit of what is drawn and typed", onchange: choose }, auto, ...others);
+  chooser.append(auto, ...others);
+  return chooser;
 }
 
 /** @param {import("./model.js").Model} model @param {import("./tools.js").Tools} tools */

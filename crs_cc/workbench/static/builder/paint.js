@@ -1,17 +1,22 @@
 /** How shapes look from above: how they are drawn, what they span, and whether they are at a point. */
 
+import { distance } from "./drawing.js";
+
 const KINDS = {
   wall: "#5b6472", solid: "#8d95a3", movable: "#d9b88a", ground: "#b9a98c", goal: "#1a7f37",
   robot: "#0b66b8", light: "#e0a800", sound: "#8e44ad", range: "#0b66b8",
   body: "#c9d3df", wheel: "#333a44", sensor: "#0b66b8", beam: "#0b66b8",
 };
+const WARMTH = "#d1242f";
+const WARM = 5; // [px]
+const LEGIBLE = 8; // smaller robots have no room for their names [px]
 const ALPHA = { ground: 0.45, goal: 0.45, beam: 0.13, heights: 0.85 };
 
 /**
  * Draw a shape.
  * @param {CanvasRenderingContext2D} pen @param {import("./view.js").View} view @param {import("./model.js").Shape} shape
  */
-export function paintShape(pen, view, shape, { outline = "", alpha = 1 } = {}) {
+export function paintShape(pen, view, shape, { outline = "", alpha = 1, isChosen = false } = {}) {
   const colour = shape.colour ?? KINDS[shape.kind] ?? KINDS.solid;
   pen.globalAlpha = alpha * (ALPHA[shape.kind] ?? 1);
   pen.fillStyle = colour;
@@ -22,7 +27,33 @@ export function paintShape(pen, view, shape, { outline = "", alpha = 1 } = {}) {
   else if (shape.kind === "wall") paintWall(pen, view, shape, colour, outline);
   else if (shape.points) paintPolygon(pen, view, shape);
   else paintDisc(pen, view, shape);
+  if (shape.heat) paintWarmth(pen, view, shape, isChosen);
   pen.globalAlpha = 1;
+}
+
+/** That something is warm, and, of what is selected, how far that is felt. */
+function paintWarmth(pen, view, shape, isChosen) {
+  const [first, third] = shape.points ? [shape.points[0], shape.points.at(shape.kind === "wall" ? 1 : 2)] : [[shape.x, shape.y], [shape.x, shape.y]];
+  const place = middle(first, third);
+  const [x, y] = view.toScreen(place);
+  pen.beginPath();
+  pen.arc(x, y, WARM, 0, 2 * Math.PI);
+  pen.fillStyle = WARMTH;
+  pen.fill();
+  if (!isChosen || !shape.spread) return;
+  const reach = shape.spread + (shape.points ? distance(first, third) / 2 : shape.radius);
+  paintRange(pen, view, { x: place[0], y: place[1], radius: reach }, WARMTH);
+}
+
+/** The name of a robot, below it. */
+export function paintName(pen, view, shape, name) {
+  const [x, y] = view.toScreen([shape.x, shape.y - shape.radius]);
+  if (shape.radius * view.scale < LEGIBLE) return;
+  pen.font = "12px system-ui";
+  pen.fillStyle = view.colours.muted;
+  pen.textAlign = "center";
+  pen.fillText(name, x, y + 15);
+  pen.textAlign = "start";
 }
 
 function paintWall(pen, view, shape, colour, outline) {

@@ -23,7 +23,10 @@ export function makePanels(model, view) {
     shown = drawOperations(model, operations, shown);
     drawProperties(model, table);
   });
+  const operation = operations.closest("details");
+  operation.hidden = true;
   model.addEventListener("select", () => {
+    operation.hidden = !model.selection.size;
     list.mark();
     drawProperties(model, table);
   });
@@ -104,12 +107,14 @@ function drawProblems(model, view, root) {
     el(
       `button.problem.${problem.severity}`,
       { type: "button", role: "listitem", title: problem.hint, onclick: () => go(problem) },
-      el("b", {}, problem.file ? `${problem.file}, line ${problem.line}` : `line ${problem.line}`),
+      el("b", {}, problem.file ? `${problem.file}, line ${problem.line}` : problem.name || "the world"),
       el("span", {}, problem.text),
     ),
   );
   fill(root, ...(rows.length ? rows : [el("p.note-text", {}, "none: the world can be saved")]));
 }
+
+const USUAL = "move";
 
 /** The form of the operation that is chosen, made from the builder's table. */
 function drawOperations(model, root, shown) {
@@ -118,7 +123,7 @@ function drawOperations(model, root, shown) {
   if (shown === names) return shown;
   const form = el("form", { onsubmit: (event) => event.preventDefault() });
   const chooser = el("select", { "aria-label": "operation", onchange: () => draw() },
-    ...model.operations.map((row) => el("option", { value: row.name }, row.name)));
+    ...model.operations.map((row) => el("option", { value: row.name, selected: row.name === USUAL }, row.name)));
   const draw = () => {
     const row = model.operations.find((each) => each.name === chooser.value);
     const inputs = row.fields.map((each) =>

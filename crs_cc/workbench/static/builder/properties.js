@@ -6,7 +6,7 @@ import { el, fill } from "../dom.js";
 export async function drawProperties(model, root) {
   const names = [...model.selection];
   if (!names.length) {
-    fill(root, el("p.note-text", {}, "nothing is selected"));
+    fill(root, el("p.note-text", {}, "nothing is selected: click something, or choose a tool above and draw"));
     return;
   }
   const found = await model.ask("properties", { name: names[0] });
@@ -54,18 +54,25 @@ function property(model, names, row) {
   return el("label.property", {}, el("span", { className: row.required ? "required" : "" }, row.name), input);
 }
 
+let numbered = 0;
+
 /** The input for an attribute: a choice among what is known, or a text. */
 function field(model, row, more) {
   const properties = { "aria-label": row.name, title: row.help, ...more };
   const value = row.value ?? "";
-  const { materials, definitions, robots, channels } = model.document;
+  const { materials, definitions, robots, channels, programs } = model.document;
   const known = { material: materials, ref: definitions, definition: robots, channel: channels }[row.name];
   if (row.choices.length || known) {
     const options = ["", ...new Set([...(row.choices.length ? row.choices : known), value])].filter((each, at) => each || !at);
     return el("select", properties, ...options.map((each) => el("option", { value: each, selected: each === value }, each || `(${row.default ?? "none"})`)));
   }
   const hint = row.default ?? (row.units.length ? row.units.join(", ") : "");
-  return el("input", { ...properties, type: "text", value, placeholder: hint, spellcheck: false });
+  const input = el("input", { ...properties, type: "text", value, placeholder: hint, spellcheck: false });
+  const offered = { program: programs, colour: model.colours }[row.name];
+  if (!offered?.length) return input;
+  const list = el("datalist", { id: `offered-${(numbered += 1)}` }, ...offered.map((each) => el("option", { value: each })));
+  input.setAttribute("list", list.id);
+  return el("span.offered", {}, input, list);
 }
 
 /** A form to add an element of any kind by its attributes. @param {import("./model.js").Model} model */

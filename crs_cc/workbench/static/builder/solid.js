@@ -1,9 +1,11 @@
-/** The world in three dimensions, by the renderer of the viewer, to be looked at while it is edited. */
+/** The world in three dimensions, by the renderer of the viewer: looked at, selected and moved while it is edited. */
 
 import { el } from "../dom.js";
 import { palette } from "../theme.js";
 
 const CLICK = 5; // pixels that a click may move
+const CHOSEN = "#ffd400"; // no robot has it
+const FREE = 1e-4; // the step without snapping [m]
 
 export class Solid {
   /** @param {import("./model.js").Model} model @param {import("./view.js").View} view */
@@ -14,6 +16,9 @@ export class Solid {
     this.view = view;
     this.element = el("div.solid", { hidden: true, tabIndex: 0, "aria-label": "The world in three dimensions" });
     this.isOn = false;
+    this.hint = "Drag to turn the view, with Shift to move it; click something to select it, then drag it";
+    /** @type {any} */
+    this.drag = null;
     this.isAsking = false;
     for (const kind of ["change", "select"]) model.addEventListener(kind, () => this.renew());
     new ResizeObserver(() => this.draw()).observe(this.element);
@@ -42,7 +47,7 @@ export class Solid {
     while (this.isOn && this.isStale) {
       this.isStale = false;
       const world = await this.model.ask("scene");
-      if (world && this.isOn) await this.make(world).catch((error) => this.model.say(`no 3-D view: ${error.message}`));
+      if (world && this.isOn) await this.make(world).catch((error) => this.model.say(`no 3-D view: ${error.message}`, true));
     }
     this.isAsking = false;
   }
@@ -55,7 +60,7 @@ export class Solid {
     const scene = new Scene({ world, rosters: [{ t: 0, robots: names, objects: [] }] });
     const starts = world.robots.map((robot) => robot.start);
     scene.place({ time: 0, rows: names.length, columns: 3, values: Float32Array.from([0, 1, 2].flatMap((axis) => starts.map((start) => start[axis]))) });
-    for (const each of [...scene.shapes, ...scene.bodies]) if (this.isChosen(each.id)) each.colour = colours.accent;
+    for (const each of [...scene.shapes, ...scene.bodies]) if (this.isChosen(each.id)) each.colour = CHOSEN;
     this.drop();
     const canvas = el("canvas");
     this.element.append(canvas);
@@ -79,24 +84,14 @@ export class Solid {
 
   listen() {
     const { element } = this;
-    /** @type {any} */
-    let drag = null;
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("pointerdown", (event) => {
+      element.focus();
       element.setPointerCapture(event.pointerId);
-      drag = { x: event.clientX, y: event.clientY, way: 0 };
+      this.drag = { x: event.clientX, y: event.clientY, way: 0, by: [0, 0], grasp: this.grasp(event) };
     });
-    element.addEventListener("pointermove", (event) => {
-      if (!drag || !this.camera) return;
-      const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
-      drag = { x: event.clientX, y: event.clientY, way: drag.way + Math.abs(dx) + Math.abs(dy) };
-      this.camera.drag(dx, dy, event.shiftKey || event.buttons > 1, element.clientWidth, element.clientHeight);
-      this.draw();
-    });
-    element.addEventListener("pointerup", (event) => {
-      if (drag && drag.way < CLICK) this.pick(event);
-      drag = null;
-    });
+    element.addEventListener("pointermove", (event) => this.follow(event));
+    element.addEventListener("pointerup", (event) => this.release(event));
     element.addEventListener("wheel", (event) => {
       event.preventDefault();
       this.camera?.wheel(event.deltaY);
@@ -104,12 +99,68 @@ export class Solid {
     }, { passive: false });
   }
 
-  /** Select what stands at a point of the floor. */
-  pick(event) {
+  /** What a press has taken hold of, if it is selected: where, and what else moves with it. */
+  grasp(event) {
+    const under = event.button === 0 && !event.shiftKey ? this.under(event) : null;
+    if (!under || !this.model.selection.has(under.name) || !this.model.mayChange) return null;
+    const { scene } = this.picture;
+    const moved = [...scene.shapes, ...scene.bodies].filter((each) => this.isChosen(each.id));
+    return { ...under, moved: moved.map((each) => ({ each, x: each.x, y: each.y })) };
+  }
+
+  follow(event) {
+    const { drag, element } = this;
+    if (!drag || !this.camera) return;
+    const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
+    Object.assign(drag, { x: event.clientX, y: event.clientY, way: drag.way + Math.abs(dx) + Math.abs(dy) });
+    if (drag.grasp) this.carry(event, drag);
+    else this.camera.drag(dx, dy, event.shiftKey || event.buttons > 1, element.clientWidth, element.clientHeight);
+    this.draw();
+  }
+
+  /** Move what is selected over the floor, at the height at which it was taken. */
+  carry(event, drag) {
     const { clientWidth, clientHeight } = this.element;
-    const point = this.picture?.ground(event.offsetX, event.offsetY, this.camera, clientWidth, clientHeight);
-    if (!point || this.model.inside) return;
-    const name = this.view.at(point);
-    this.model.select(name ? [name] : []);
+    const { place, height, moved } = drag.grasp;
+    const to = this.picture.ground(event.offsetX, event.offsetY, this.camera, clientWidth, clientHeight, height);
+    if (!to) return;
+    const step = event.altKey ? FREE : this.view.step();
+    drag.by = [0, 1].map((axis) => Math.round((to[axis] - place[axis]) / step) * step);
+    for (const { each, x, y } of moved) [each.x, each.y] = [x + drag.by[0], y + drag.by[1]];
+  }
+
+  async release(event) {
+    const { drag } = this;
+    this.drag = null;
+    if (!drag) return;
+    if (drag.way < CLICK) this.pick(event);
+    else if (drag.grasp && (drag.by[0] || drag.by[1])) {
+      await this.model.apply("move", { values: { x: drag.by[0], y: drag.by[1] } });
+    }
+  }
+
+  /** The element under the pointer, and where it is: what stands there, or lies on the ground. */
+  under(event) {
+    const { clientWidth, clientHeight } = this.element;
+    if (!this.picture?.lens || this.model.inside) return null;
+    const hit = this.picture.thing(event.offsetX, event.offsetY, clientWidth, clientHeight);
+    const name = hit && this.nameOf(hit.id);
+    if (hit && name) return { ...hit, name };
+    const place = this.picture.ground(event.offsetX, event.offsetY, this.camera, clientWidth, clientHeight);
+    return place && { name: this.view.at(place), place, height: 0 };
+  }
+
+  /** The element that a shape belongs to, if the mouse may take it. */
+  nameOf(id) {
+    const { model } = this;
+    const found = model.things.find(({ name }) => id === name || id.startsWith(`${name}.`));
+    return found && model.isFree(found.name) ? found.name : "";
+  }
+
+  pick(event) {
+    const name = this.under(event)?.name;
+    const { selection } = this.model;
+    if (!event.shiftKey) this.model.select(name ? [name] : []);
+    else if (name) this.model.select(selection.has(name) ? [...selection].filter((each) => each !== name) : [...selection, name]);
   }
 }

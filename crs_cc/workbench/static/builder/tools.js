@@ -146,7 +146,7 @@ export class Tools {
     this.drag = null;
     if (drag?.kind === "pan") this.view.moving(0);
     const { by } = toolOf(tool);
-    if (by === "click" && drag?.kind !== "pan") addClicked(model, tool, this.snapped(event));
+    if (by === "click" && drag?.kind !== "pan") this.put(tool, event);
     else if (by === "corners" && drag?.kind !== "pan") this.corners.put(tool, this.snapped(event));
     else if (drag?.kind === "move" && drag.by && (drag.by[0] || drag.by[1])) {
       await model.apply("move", { values: { x: drag.by[0], y: drag.by[1] } });
@@ -161,6 +161,13 @@ export class Tools {
     else if (drag?.kind === "brush") await this.brush.end();
     this.view.dragged = null;
     this.view.draw();
+  }
+
+  /** Put something down; one of its kind that is there is selected instead. */
+  put(tool, event) {
+    const name = this.view.at(this.view.toWorld([event.offsetX, event.offsetY]));
+    if (this.model.thing(name)?.tag === tool) this.model.select([name]);
+    else addClicked(this.model, tool, this.snapped(event));
   }
 
   /** A double click: close what is drawn, or open an object. */

@@ -1,10 +1,10 @@
 /** The world from above on a canvas: where a point is, what is at a point, and the picture. */
 
-import { gridStep, lengthText } from "../units.js";
+import { gridStep } from "../units.js";
 import { palette } from "../theme.js";
 import { into, moved } from "./frames.js";
 import { Layer, penOf, resized } from "./layer.js";
-import { corners, isOn, paintShape } from "./paint.js";
+import { corners, isOn, paintName, paintShape } from "./paint.js";
 
 const NEAR = 8; // [px]
 const FAST = 6; // a picture that takes less is always drawn anew [ms]
@@ -18,6 +18,8 @@ export class View {
     this.model = model;
     this.centre = [0, 0];
     this.scale = 80; // [px/m]
+    /** Whether it shows what it should, not what it happens to. */
+    this.isPlaced = false;
     /** @type {((pen: CanvasRenderingContext2D) => void) | null} */
     this.preview = null;
     /** How the selection is moved while it is dragged. @type {((point: number[]) => number[]) | null} */
@@ -64,6 +66,7 @@ export class View {
     const { clientWidth, clientHeight } = this.canvas;
     this.centre = inside ? [0, 0] : [area.x + area.length / 2, area.y + area.width / 2];
     this.scale = 0.9 * Math.min(clientWidth / area.length, clientHeight / area.width);
+    this.isPlaced = true;
     this.draw();
   }
 
@@ -174,7 +177,8 @@ export class View {
     if (model.hidden.has(name)) return;
     const outline = isChosen ? colours.accent : this.wrong?.has(name) ? colours.danger : "";
     for (const shape of model.shapes(name)) {
-      if (shape.kind !== "range" || isChosen) paintShape(pen, this, shape, { outline });
+      if (shape.kind !== "range" || isChosen) paintShape(pen, this, shape, { outline, isChosen });
+      if (shape.kind === "robot") paintName(pen, this, shape, name);
     }
   }
 
@@ -234,9 +238,6 @@ export class View {
       pen.stroke();
     }
     pen.globalAlpha = 1;
-    pen.fillStyle = colours.muted;
-    pen.font = "12px system-ui";
-    pen.fillText(`grid ${lengthText(step)}`, 10, height - 10);
   }
 
   line(pen, points) {

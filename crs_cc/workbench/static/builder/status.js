@@ -1,0 +1,41 @@
+/** Below the world: what the tool does, what a field means, what was done or is wrong, and where the pointer is. */
+
+import { el, fill } from "../dom.js";
+import { gridStep, lengthText } from "../units.js";
+import { lengthIn, toolOf } from "./drawing.js";
+import { makeUnits } from "./options.js";
+
+const SELECTED = "Drag to move it, the round handle to turn it, the square ones to resize it; Ctrl-D copies, Delete removes";
+
+/** @param {import("./model.js").Model} model @param {import("./view.js").View} view @param {import("./tools.js").Tools} tools @param {import("./solid.js").Solid} solid */
+export function makeStatus(model, view, tools, solid) {
+  const said = el("span.said", { role: "status" });
+  const place = el("span.place");
+  let help = "";
+  const draw = () => {
+    const hint = solid.isOn ? solid.hint : tools.tool === "select" && model.selection.size ? SELECTED : toolOf(tools.tool).title;
+    said.textContent = help || model.note || hint;
+    said.className = `said${help ? "" : model.isWrong ? " wrong" : model.note ? " news" : ""}`;
+  };
+  for (const kind of ["note", "tool", "select", "change"]) model.addEventListener(kind, draw);
+  // A note is about what was done last.
+  model.addEventListener("tool", () => model.note && !model.isWrong && model.say(""));
+  for (const kind of ["focusin", "pointerover"]) {
+    document.addEventListener(kind, ({ target }) => {
+      const field = /** @type {HTMLElement} */ (target).closest?.("aside.right label")?.querySelector("[title]");
+      help = /** @type {HTMLElement | null} */ (field)?.title ?? "";
+      draw();
+    });
+  }
+  const point = (at) => {
+    const where = at ? view.toWorld(at).map((value) => lengthIn(Number(value.toFixed(3)), model.unit)).join(", ") : "";
+    place.textContent = `${where}  grid ${lengthText(gridStep(12 / view.scale))}`;
+  };
+  view.canvas.addEventListener("pointermove", (event) => point([event.offsetX, event.offsetY]));
+  view.canvas.addEventListener("wheel", (event) => point([event.offsetX, event.offsetY]));
+  view.canvas.addEventListener("pointerleave", () => point(null));
+  model.addEventListener("change", () => place.textContent || point(null));
+  const line = el("div.status");
+  fill(line, said, place, makeUnits(model));
+  return line;
+}
