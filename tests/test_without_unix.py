@@ -13,7 +13,7 @@ from tests.without_unix.unix_names import MODULES, NAMES
 ROOT = Path(__file__).parents[1]
 KNOWS = ROOT / "crs_cc" / "core" / "host_system.py"
 ALLOWED = {
-    "crs_cc/cli/grading/processes.py": {"killpg"},  # each of these does without it:
+    "crs_cc/jobs/pool.py": {"killpg"},  # each of these does without it:
     "crs_cc/cli/grading/worker.py": {"fork", "resource"},
     "crs_cc/debug/repl/keyboard.py": {"readline"},
     "crs_cc/runtime/resident_pages.py": {"pread"},  # where host_system has opened a page map

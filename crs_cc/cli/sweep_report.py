@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import click
-import numpy as np
 
 from crs_cc.cli.messages import say
 
@@ -83,6 +82,8 @@ def _csv(rows: Sequence[Sequence[str]]) -> str:
 
 def _replayed(sweep: Sweep, found: Results, svg: dict[str, str]) -> dict[str, str]:
     """Record the smallest, the median and the largest run; return the links to their pages."""
+    import numpy as np
+
     from crs_cc.cli.recording_plot import world_of
     from crs_cc.recording.recording import Recording
     from crs_cc.sweeps.plan import shown

@@ -21,7 +21,9 @@ from crs_cc.sim.files.world_xml import empty_world, load_world
 from crs_cc.sim.model.world import Area, WorldModel
 from tests.sim.driver import INCH, Driver, open_world, told, world_of
 
-ROBOT_CODES = sorted(code for code, row in REQUESTS.items() if row.server != "host")
+ROBOT_CODES = sorted(
+    code for code, row in REQUESTS.items() if row.server not in ("host", "network")
+)
 DT = 0.05
 
 

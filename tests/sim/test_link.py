@@ -16,6 +16,9 @@ NOWHERE = {
 }
 """Requests without transmission time."""
 
+OWN = {"host", "network"}
+"""Who answers requests that never leave the program's computer."""
+
 TO_SIMULATOR = {
     *("PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX"),
     *("PREDICT", "MOTION_CHECK", "GET_CONF", "DRAW", "REFRESH"),
@@ -33,7 +36,7 @@ def environment(robot="scout"):
 def test_exactly_commands_to_robot_take_line_time(robot):
     line = environment(robot)
     takes = {row.name for row in REQUESTS.values() if line.link_s(row.code) > 0}
-    assert takes == {row.name for row in REQUESTS.values() if row.server != "host"} - NOWHERE
+    assert takes == {row.name for row in REQUESTS.values() if row.server not in OWN} - NOWHERE
     assert {float(line.link_s(CODES[name])) for name in TO_SIMULATOR} == {0.001}
 
 
@@ -50,7 +53,7 @@ def test_without_line_all_requests_take_network_time(tmp_path, link, expected_s)
     line = Environment(empty_world(robot=str(tmp_path / "cart.xml")), 0)
     takes = {row.name: float(line.link_s(row.code)) for row in REQUESTS.values()}
     assert takes == {
-        row.name: 0.0 if row.server == "host" or row.name in NOWHERE else expected_s
+        row.name: 0.0 if row.server in OWN or row.name in NOWHERE else expected_s
         for row in REQUESTS.values()
     }
 

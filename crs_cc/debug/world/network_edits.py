@@ -23,7 +23,7 @@ _HELP: Final = (
 
 NETWORK_HELP: Final = (
     _SYNTAX,
-    "Act for the real network: network call robot0 7000, network 0 send hello\\n.",
+    "Act for the real network: call a robot's port, send, accept, end.",
     _HELP,
 )
 """Syntax, summary and further help."""

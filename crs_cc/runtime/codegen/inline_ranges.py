@@ -42,7 +42,9 @@ def short(size: Operand, most: int) -> int:
 
 
 def words(size: int) -> tuple[int, list[int]]:
-    """Return the size of the words of a range, and their offsets."""
+    """Return the size of the words of a range, and their offsets; none of an empty one."""
+    if not size:
+        return 1, []
     step = next(each for each in (8, 4, 2, 1) if each <= size)
     offsets = list(range(0, size - step + 1, step))
     if size % step:
