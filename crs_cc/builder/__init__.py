@@ -4,9 +4,9 @@
   ranges of these bytes and takes that back.
 - `addresses` names elements, `naming` lets references follow new names, `markup` writes attributes
   and elements as the rest of the file is written.
-- `motion` moves coordinates in their own units, `mounting` and `robot_shapes` parts of robots; `changes`, `arrangement`, `composition` and `clips`
-  work out what operations change, `mirroring` and `scaling` too; `extents` says what elements
-  cover, `shapes` what they look like from above.
+- `motion` moves coordinates in their own units, `mounting` and `robot_shapes` parts of robots;
+  `changes`, `arrangement`, `composition` and `clips` work out what operations change, `mirroring`
+  and `scaling` too; `extents` says what elements cover, `shapes` what they look like from above.
 - `table` lists the operations, `operations` works them out, `world_builder` does them, checks the
   result, and saves it by `world_file`.
 - `library` finds objects for worlds, `reaching` goals that no robot can reach.
