@@ -71,6 +71,7 @@ CONFINED = {
     "pettingzoo": ("api/parallel_env.py",),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
+    "distributed": ("jobs/cluster.py",),
     "optuna": ("sweeps/search.py",),
     "cmaes": ("sweeps/search.py",),
     "pandas": ("sweeps/table.py",),

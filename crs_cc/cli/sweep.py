@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -66,35 +67,53 @@ def sweep() -> None:
     metavar="N",
     help="Run N at a time. Default: the number of processors.",
 )
+@click.option(
+    "--dask",
+    default="",
+    metavar="ADDRESS",
+    help="Run on the Dask cluster with this scheduler, such as tcp://hall:8786, instead of on this "
+    "machine (extra 'cluster').",
+)
 @click.option("--resume", is_flag=True, help="Go on with a sweep that was interrupted.")
 @click.option("--parquet", is_flag=True, help="Write runs.parquet as well (extra 'arrow').")
 @click.option("-q", "--quiet", is_flag=True, help="Report errors only.")
 def run_sweep(
-    *, experiment: Path, out: Path, jobs: int, resume: bool, parquet: bool, quiet: bool
+    *,
+    experiment: Path,
+    out: Path,
+    jobs: int,
+    dask: str,
+    resume: bool,
+    parquet: bool,
+    quiet: bool,
 ) -> int:
     """Run an experiment over all combinations of its parameters, with all its seeds.
 
     EXPERIMENT.toml names a world, programs and what is varied; docs/experiments.md describes it.
     Everything is checked and compiled before the first run. Each run is a row of DIR/runs.csv with
     its parameters, seed, status, goals and measures; one that fails is a row with its error, and
-    is recorded for crs debug in DIR/failed. The table does not depend on --jobs, nor on
+    is recorded for crs debug in DIR/failed. The table does not depend on --jobs or --dask, nor on
     interruptions.
 
     The exit status is 0 if all runs ended as they should, otherwise 1.
     """
     from crs_cc.cli.columnar import check_pyarrow, write_records
+    from crs_cc.jobs.cluster import ClusterError
     from crs_cc.sweeps.rows import heading, records
     from crs_cc.sweeps.sweep import Sweep
 
     if parquet:
         check_pyarrow("--parquet")
+    if dask and not find_spec("distributed"):
+        raise click.UsageError("--dask needs distributed: pip install 'crs_cc[cluster]'.")
     wanted = Sweep(experiment, out)
     line = _ProgressLine(shown=not quiet and is_terminal(sys.stderr))
     try:
-        wanted.run(jobs, resume=resume, report=line.draw)
-    except (KeyboardInterrupt, OSError):
+        wanted.run(jobs, dask=dask, resume=resume, report=line.draw)
+    except (KeyboardInterrupt, OSError, ClusterError):
         line.clear()
-        say(f"crs: {len(wanted.rows)} runs have a row in {out}: go on with --resume")
+        if wanted.rows:
+            say(f"crs: {len(wanted.rows)} runs have a row in {out}: go on with --resume")
         raise
     line.clear()
     if parquet:

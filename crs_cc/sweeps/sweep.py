@@ -13,7 +13,7 @@ from collections.abc import Callable, Collection, Generator, Iterable, Iterator,
 from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Self
 
 from crs_cc import __version__
 from crs_cc.core.errors import CrsError
@@ -25,6 +25,9 @@ from crs_cc.sweeps.experiment import Experiment, ExperimentError
 from crs_cc.sweeps.experiment_file import parse, read_text
 from crs_cc.sweeps.plan import Parameters, PlannedRun, names_of, runs_of, shown, to_check
 from crs_cc.sweeps.rows import ROWS, TABLE, Row, RowFile, read_rows, replace_text, table_text
+
+if TYPE_CHECKING:
+    from crs_cc.jobs.cluster import Cluster
 
 _MODULE: Final = "crs_cc.sweeps.worker"
 _PLAN: Final = "sweep.json"
@@ -123,6 +126,7 @@ class Sweep:
         self,
         jobs: int,
         *,
+        dask: str = "",
         resume: bool = False,
         report: Callable[[Progress], None] = lambda _: None,
         pool: RunTasks | None = None,
@@ -130,17 +134,19 @@ class Sweep:
         """Run everything that has no row yet.
 
         Args:
-            jobs: how many runs at a time.
+            jobs: how many runs at a time on this machine.
+            dask: the address of the scheduler of a Dask cluster to run on instead.
             resume: go on with the rows in the folder.
             report: is told of the progress, after each run.
-            pool: runs tasks; by default processes on this machine.
+            pool: runs tasks; by default chosen by `jobs` and `dask`.
 
         Raises:
-            CrsError: the experiment is invalid, or does not fit to the folder.
+            CrsError: the experiment is invalid, or does not fit to the folder, or the cluster is
+                lost; the rows so far are kept.
             OSError: a result cannot be written; the rows so far are kept.
         """
         if pool is None:
-            with Pool(_MODULE, jobs) as workers:
+            with _pool(jobs, dask) as workers:
                 self.run(jobs, resume=resume, report=report, pool=workers.run)
             return
         self._check_folder(resume=resume)
@@ -344,6 +350,15 @@ class Sweep:
         with closing(pool(tasks, 0)) as outcomes:
             for _ in outcomes:
                 pass
+
+
+def _pool(jobs: int, dask: str) -> Pool | Cluster:
+    """Return what runs tasks: processes of this machine, or a Dask cluster."""
+    if not dask:
+        return Pool(_MODULE, jobs)
+    from crs_cc.jobs.cluster import Cluster
+
+    return Cluster(_MODULE, dask)
 
 
 def row_of(run: PlannedRun, outcome: Outcome) -> Row:

@@ -54,6 +54,7 @@ def sweep(
     out: str | os.PathLike[str],
     *,
     jobs: int | None = None,
+    dask: str = "",
     resume: bool = False,
 ) -> SweepTable:
     """Run an experiment, as `crs sweep` does; return its table.
@@ -62,6 +63,7 @@ def sweep(
         experiment: its TOML file, see docs/experiments.md.
         out: the folder of the results.
         jobs: how many runs at a time; by default as many as there are processors.
+        dask: the address of the scheduler of a Dask cluster to run on instead.
         resume: go on with a sweep that was interrupted; the table of one that is complete is
             returned as it is.
 
@@ -73,6 +75,6 @@ def sweep(
     if jobs is not None and jobs < 1:
         raise ValueError(f"jobs must be 1 or more, not {jobs!r}")
     wanted = Sweep(Path(experiment), Path(out))
-    wanted.run(jobs or os.cpu_count() or 1, resume=resume)
+    wanted.run(jobs or os.cpu_count() or 1, dask=dask, resume=resume)
     rows = list(wanted.rows.values())
     return SweepTable(Path(out), tuple(heading(rows)), tuple(records(rows)))

@@ -23,7 +23,7 @@ from crs_cc.recording.recording import Recording
 from crs_cc.sweeps.experiment import ExperimentError
 from crs_cc.sweeps.rows import RowFile
 from crs_cc.sweeps.sweep import Sweep
-from tests.sweeps.trials import EXPERIMENT, PROGRAM, swept, write
+from tests.sweeps.trials import EXPERIMENT, MANY, PROGRAM, swept, write
 
 
 @pytest.fixture
@@ -216,13 +216,6 @@ def test_measures_are_functions_of_a_session_or_a_recording(folder: Path) -> Non
 
 
 # -- the same table however it comes to be -------------------------------------------------------
-
-
-MANY = """
-[parameters]
-define.SPEED = [50, 100]
-argument.1 = [1, 7]
-"""
 
 
 @pytest.fixture(scope="module")

@@ -46,6 +46,13 @@ programs = ["drive.c"]
 seeds = 3
 """
 
+MANY = """
+[parameters]
+define.SPEED = [50, 100]
+argument.1 = [1, 7]
+"""
+"""Twelve runs, half of which fail."""
+
 
 def write(folder: Path, more: str = "", experiment: str = EXPERIMENT) -> Path:
     """Write an experiment with its files; return its file."""

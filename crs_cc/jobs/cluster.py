@@ -1,0 +1,162 @@
+"""Runs jobs on a Dask cluster instead of processes of this machine (extra `cluster`).
+
+Each thread of a Dask worker has a process that runs jobs, one of those of `jobs.pool`, so a job is
+limited there as it is here. A worker that is lost costs nothing: others run its tasks again, which
+gives the same results.
+"""
+
+from __future__ import annotations
+
+import threading
+import uuid
+from collections.abc import Generator, Iterable
+from functools import cache
+from itertools import islice
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Final, Self
+
+from crs_cc.core.errors import CrsError
+from crs_cc.core.source import Location
+from crs_cc.jobs.pool import Outcome, Task, Worker
+from crs_cc.toolchain.cache import version
+from crs_cc.toolchain.fingerprint import WORLDS
+
+if TYPE_CHECKING:
+    from distributed import Future
+
+_CONNECT_S: Final = 10.0
+"""Real time to find the scheduler, and a first worker."""
+
+_AHEAD: Final = 2
+"""Tasks for each thread that are on their way, so that none waits for the next."""
+
+
+class ClusterError(CrsError):
+    """A cluster that cannot be used, or not any more."""
+
+    exit_status = 2
+
+
+class Cluster:
+    """A Dask cluster that runs tasks, as `jobs.pool.Pool` does."""
+
+    def __init__(self, module: str, address: str) -> None:
+        """Connect to a cluster.
+
+        Args:
+            module: the module that a process runs, see `crs_cc.jobs.worker.serve`.
+            address: the scheduler's, such as `tcp://hall:8786`.
+
+        Raises:
+            ClusterError: it cannot be reached, or has no workers.
+        """
+        from distributed import Client
+
+        self._module, self._address = module, address
+        try:
+            self._client: Any = Client(  # type: ignore[no-untyped-call]
+                address, timeout=_CONNECT_S, set_as_default=False
+            )
+        except (OSError, ValueError) as error:
+            hint = "start one with 'dask scheduler', which prints its address"
+            raise self._error(f"no Dask scheduler: {_first_line(error)}", hint) from None
+        try:
+            self._client.wait_for_workers(1, timeout=_CONNECT_S)
+        except TimeoutError:
+            self._client.close()
+            hint = f"start some with 'dask worker {address} --nthreads 1'"
+            raise self._error("the Dask scheduler has no workers", hint) from None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _where: TracebackType | None,
+    ) -> None:
+        self._client.close()
+
+    def run(self, tasks: Iterable[Task], retries: int = 0) -> Generator[Outcome, None, None]:
+        """Yield what becomes of tasks, in the order in which they end.
+
+        Tasks are taken from their iterator when the cluster has room for them; what is still to do
+        is cancelled when the generator is closed before its end, or raises.
+
+        Args:
+            tasks: the tasks.
+            retries: how often a task is tried again whose process crashed; how often one is whose
+                worker is lost is a setting of the cluster.
+
+        Raises:
+            ClusterError: the cluster is lost, or cannot run jobs of this version.
+        """
+        from distributed import as_completed
+
+        todo = enumerate(tasks)
+        name = f"crs-{uuid.uuid4().hex}"
+        numbers: dict[Future[Outcome], int] = {}
+        ended: Any = as_completed(loop=self._client.loop)  # type: ignore[no-untyped-call]
+
+        def submit() -> None:
+            for number, task in islice(todo, max(0, self._room() - len(numbers))):
+                arguments = (self._module, number, task, retries, _sources())
+                future = self._client.submit(_run, *arguments, key=f"{name}-{number}")
+                numbers[future] = number
+                ended.add(future)
+
+        try:
+            submit()
+            for future in ended:
+                yield self._outcome(future, numbers.pop(future))
+                submit()
+        finally:
+            if numbers:
+                self._client.cancel(list(numbers), force=True)
+
+    def _room(self) -> int:
+        """Return how many tasks the cluster has room for, with those that wait for a thread."""
+        return _AHEAD * max(1, sum(self._client.nthreads().values()))
+
+    def _outcome(self, future: Future[Outcome], number: int) -> Outcome:
+        from distributed import KilledWorker
+
+        try:
+            return future.result()
+        except KilledWorker as error:
+            text = f"{error.allowed_failures + 1} workers ended while they ran it"
+            return Outcome(number, None, "crashed", text)
+        except Exception as error:  # whatever Dask or its connections raise
+            raise self._error(f"cannot run jobs: {_first_line(error)}") from None
+
+    def _error(self, text: str, hint: str = "") -> ClusterError:
+        return ClusterError.at(Location(self._address), text, hint)
+
+
+_here = threading.local()
+"""The process that runs the jobs of a thread of a Dask worker."""
+
+
+def _run(module: str, number: int, task: Task, retries: int, sources: str) -> Outcome:
+    """Run a task in a process of this Dask worker."""
+    if sources != _sources():
+        raise RuntimeError("a worker has another version of crs, Python or wasmtime")
+    if not hasattr(_here, module):
+        setattr(_here, module, Worker(module))
+    worker: Worker = getattr(_here, module)
+    for _ in range(retries):
+        outcome = worker.run(number, task)
+        if outcome.kind != "crashed":
+            return outcome
+    return worker.run(number, task)
+
+
+@cache
+def _sources() -> str:
+    """Return a hash of what may change a result."""
+    return version(WORLDS)
+
+
+def _first_line(error: Exception) -> str:
+    return str(error).partition("\n")[0] or type(error).__name__

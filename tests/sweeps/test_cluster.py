@@ -1,0 +1,80 @@
+"""Sweeps on a Dask cluster: the table of a sweep on one machine, whatever happens to workers."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from crs_cc.cli.main import main
+from crs_cc.jobs import cluster
+from crs_cc.jobs.cluster import ClusterError
+from crs_cc.sweeps.sweep import Progress, Sweep
+from tests.sweeps.trials import MANY, swept, write
+
+if TYPE_CHECKING:
+    from distributed import LocalCluster
+
+distributed = pytest.importorskip("distributed", reason="needs the extra 'cluster'")
+
+
+@pytest.fixture(scope="module")
+def dask() -> Iterator[LocalCluster]:
+    """A cluster of two workers on this machine."""
+    with distributed.LocalCluster(  # type: ignore[no-untyped-call]
+        n_workers=2, threads_per_worker=1, dashboard_address=None
+    ) as found:
+        yield found
+
+
+def test_a_cluster_that_loses_a_worker_makes_the_same_table(
+    tmp_path: Path, dask: LocalCluster
+) -> None:
+    swept(write(tmp_path / "here", MANY), tmp_path / "here" / "out")
+    out = tmp_path / "there" / "out"
+    sweep = Sweep(write(tmp_path / "there", MANY), out)
+    killed = []
+
+    def kill(progress: Progress) -> None:
+        if progress.done == 4 and not killed:
+            killed.append(dask.workers[0].pid)
+            os.kill(killed[0], signal.SIGKILL)
+
+    sweep.run(1, dask=dask.scheduler_address, report=kill)
+    assert killed
+    assert len((out / "rows.jsonl").read_text().splitlines()) == 12
+    assert (out / "runs.csv").read_bytes() == (tmp_path / "here/out/runs.csv").read_bytes()
+    assert (out / "failed" / "0003.mcap").exists()
+
+
+def test_a_cluster_with_another_version_runs_nothing(
+    tmp_path: Path, dask: LocalCluster, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cluster, "_sources", lambda: "another")
+    with pytest.raises(ClusterError, match="a worker has another version of crs"):
+        Sweep(write(tmp_path), tmp_path / "out").run(1, dask=dask.scheduler_address)
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("address", "text"),
+    [
+        ("tcp://127.0.0.1:9", "tcp://127.0.0.1:9: error: no Dask scheduler: "),
+        ("nowhere://127.0.0.1", "nowhere://127.0.0.1: error: no Dask scheduler: unknown address"),
+    ],
+)
+def test_an_address_without_a_scheduler_is_one_clear_error(
+    address: str,
+    text: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(cluster, "_CONNECT_S", 0.2)
+    out = str(tmp_path / "out")
+    assert main(["sweep", str(write(tmp_path)), "--out", out, "--dask", address]) == 2
+    assert text in capfd.readouterr().err
