@@ -2,6 +2,7 @@
 // without gcc: the headers of Linux know nothing of sgtty.h
 #include <fcntl.h>
 #include <glob.h>
+#include <linux/types.h>
 #include <sgtty.h>
 #include <stdio.h>
 #include <sys/ioctl.h>
@@ -23,6 +24,7 @@ int main(void) {
     printf("%d %d\n", ioctl(0, TCSETAW, &system_v), ioctl(0, TCGETS, &posix));
     printf("%d %d\n", ioctl(0, TIOCMBIS, &bits), ioctl(0, TIOCEXCL, 0));
     printf("%d\n", tcgetattr(0, &posix));
+    printf("%d\n", FASYNC);
     printf("%d", glob("nothing*", 0, NULL, &found) == GLOB_NOMATCH);
     globfree(&found);
     puts(" freed");

@@ -13,7 +13,10 @@
 
 static int UNIQUE = 1, UNIQUE = 2;
 
-#if __has_include(<stdio.h>) && !__has_include("not_there.h")
+#import "imported.h"
+#import "imported.h"
+#define HEADER "imported.h"
+#if __has_include(HEADER) && !__has_include("not_there.h")
 static int headers = 1;
 #endif
 #ifdef __cplusplus
@@ -27,6 +30,7 @@ int main(void)
     LOG("%d %d", 1, 2);
     printf("%u\n", (unsigned) COUNT(1, 2, 3));
     printf("%d %d\n", name_0, name_1);
+    printf("%d\n", imported);
     QUIET(printf("%d %d\n", headers, gnu))
     printf("%d %s\n", __INCLUDE_LEVEL__, __BASE_FILE__[0] ? "named" : "?");
     return 0;

@@ -1,0 +1,1 @@
+static int imported = 6;
