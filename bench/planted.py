@@ -1,4 +1,4 @@
-"""Measures how many planted errors are found, beside gcc's sanitizers and valgrind.
+"""Measures how many planted errors are found, beside sanitizers of gcc and clang, and valgrind.
 
 The programs are in `tests/c/planted`. Each way of finding errors is asked three things: is the
 program with the error stopped or reported, on the line of the error, and is the same program
@@ -26,9 +26,13 @@ sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from tests.c.planted_errors import RIGHT, WRONG, Found, Planted, look, planted
 
-GCC = ["gcc", "-std=gnu17", "-g", "-w", "-fno-common"]
-SANITIZERS = ["-O1", "-fno-omit-frame-pointer", "-fsanitize=address,undefined",
-              "-fsanitize=pointer-compare,pointer-subtract"]  # fmt: skip
+OPTIONS = ["-std=gnu17", "-g", "-w", "-fno-common"]
+GCC = ["gcc", *OPTIONS]
+SANITIZERS = ["-O1", "-fno-omit-frame-pointer", "-fsanitize=address,undefined"]
+PAIRS = ["-fsanitize=pointer-compare,pointer-subtract"]
+CLANG = next(filter(shutil.which, ["clang", "clang-14"]), "")
+MEMORY = ["-O1", "-fno-omit-frame-pointer", "-fsanitize=memory"]
+REPORT = r"(?:ERROR|WARNING): \w+Sanitizer|runtime error: "
 ASAN = "detect_stack_use_after_return=1:detect_invalid_pointer_pairs=2:strict_string_checks=1"
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": ASAN, "UBSAN_OPTIONS": "print_stacktrace=1"}
 TIMEOUT_S = 20
@@ -56,8 +60,18 @@ def crs_trapping(case: Planted, definition: str) -> Found:
 
 
 def sanitized(case: Planted, definition: str) -> Found:
-    """Run with ASan and UBSan."""
-    return _native(case, definition, [*GCC, *SANITIZERS], [], r"ERROR: |runtime error: ")
+    """Run with gcc's ASan and UBSan."""
+    return _native(case, definition, [*GCC, *SANITIZERS, *PAIRS], [], REPORT)
+
+
+def sanitized_by_clang(case: Planted, definition: str) -> Found:
+    """Run with clang's ASan and UBSan."""
+    return _native(case, definition, [CLANG, *OPTIONS, *SANITIZERS], [], REPORT)
+
+
+def memory_sanitized(case: Planted, definition: str) -> Found:
+    """Run with clang's MSan."""
+    return _native(case, definition, [CLANG, *OPTIONS, *MEMORY], [], REPORT)
 
 
 def valgrind(case: Planted, definition: str) -> Found:
@@ -97,7 +111,7 @@ def matches(case: Planted, found: Found) -> bool:
 def main() -> None:
     """Print the comparison."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", default=["first/*", "second/*", "third/*"])
+    parser.add_argument("names", nargs="*", default=["first/*", "second/*", "third/*", "fourth/*"])
     parser.add_argument("--verbose", action="store_true", help="name what was not found")
     parser.add_argument("--only-crs", action="store_true", help="leave the other tools out")
     options = parser.parse_args()
@@ -105,6 +119,9 @@ def main() -> None:
     if not options.only_crs:
         ways["crs --trap-overflow"] = crs_trapping
         ways["gcc, ASan and UBSan"] = sanitized
+        if CLANG:
+            ways["clang, ASan and UBSan"] = sanitized_by_clang
+            ways["clang, MSan"] = memory_sanitized
         if shutil.which("valgrind"):
             ways["valgrind"] = valgrind
     for names in options.names:
@@ -133,7 +150,7 @@ def _print(name: str, cases: list[Planted], tally: Tally, *, verbose: bool) -> N
         f"{what} {len(row)}"
         for what, row in zip(("found", "on the line", "twins clean"), rows, strict=True)
     )
-    print(f"  {name:22} {counts}")
+    print(f"  {name:23} {counts}")
     if verbose:
         for what, row in zip(("not found", "other line", "twin blamed"), rows, strict=True):
             before = tally.found if what == "other line" else [case.name for case in cases]

@@ -5,7 +5,7 @@ In each file of `planted/`, `PLANT(wrong, right)` is the error or its remedy. A 
 compiler or the run must warn of, and `// leak: N` says how many blocks nothing points to at the
 end; `// origin` stands where the report must say that a value that was never set comes from, or
 where the object is declared that an access is outside of. The programs of `first/` and
-`third/` were written before the checks that they test, those of `second/` after.
+`third/` were written before the checks that they test, those of `second/` and `fourth/` after.
 """
 
 from __future__ import annotations
