@@ -7,6 +7,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from crs_cc.cli.messages import say
+from crs_cc.debug.timeline.change import Change
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.world.run_edits import edit_run
 from crs_cc.net.distant_fleet import DistantFleet
 from crs_cc.net.host_link import HostGoneError, HostLink
 from crs_cc.requests import FAILED
@@ -56,6 +59,7 @@ class Elsewhere:
         self._resumption = resumption
         self._is_interrupted: Callable[[], bool] = lambda: False
         self._seats = {seat.names: seat for seat in seats}
+        self._stopped: list[str] = []  # robots whose programs have just stopped with their host
         links = []
         for seat in seats:
             numbers = np.array([robots.index(name) for name in seat.names], np.intp)
@@ -95,6 +99,17 @@ class Elsewhere:
         if self._resumption is not None:
             self._resumption.compare(self._session)
 
+    def hold(self, made: Callable[[Change], None]) -> None:
+        """Hold the robots whose programs have stopped with their host: nobody steers them.
+
+        Args:
+            made: is told of each change of the run.
+        """
+        while self._stopped:
+            text = f"hold {self._stopped.pop(0)}"
+            edit_run(self._session, text)
+            made(Change(Position(self._session.timesteps, 0), text))
+
     def close(self) -> None:
         """Dismiss all hosts: the run has ended."""
         self._roster.end()
@@ -106,7 +121,8 @@ class Elsewhere:
         names, seat = ",".join(link.names), self._seats[link.names]
         self._roster.lose(seat)
         if not self._waits:
-            say(f"crs: {names}: the host is lost ({reason}); the programs stop")
+            say(f"crs: {names}: the host is lost ({reason}); its programs and robots stop")
+            self._stopped += link.names
             raise HostGoneError(f"the host is lost: {reason}")
         say(f"crs: {names}: the host is lost ({reason}); the run waits for another one")
         channel = self._roster.take(seat, self._is_interrupted)

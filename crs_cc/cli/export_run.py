@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeVar
 
 from crs_cc.cli.inputs import is_animation
+from crs_cc.cli.run_options import RunOptions
 
-if TYPE_CHECKING:
-    from crs_cc.cli.run_options import RunOptions
+Options = TypeVar("Options", bound=RunOptions)
 
 
 def is_exported(options: RunOptions) -> bool:
     """Return whether anything is wanted for which a run must be recorded."""
     return options.tables is not None or (options.plot is not None and is_animation(options.plot))
+
+
+@contextmanager
+def recorded(options: Options) -> Iterator[Options]:
+    """Yield the options with a recording, which is removed at the end if it is only for exports."""
+    if options.record is not None or not is_exported(options):
+        yield options
+        return
+    with tempfile.TemporaryDirectory(prefix="crs-run-") as folder:
+        yield replace(options, record=Path(folder, "run.mcap"))
 
 
 def export_run(options: RunOptions) -> None:

@@ -29,6 +29,30 @@ Examples:
 """
 
 
+_FOR_HOSTS: Final = ("listen", "tokens", "tls", "tls_cert", "tls_key", "on_loss", "resume")
+
+
+def _serve_vendor(options: ServeOptions) -> int:
+    """Serve programs that are linked with the vendor's libraries; return the exit status.
+
+    Raises:
+        click.UsageError: an option is about hosts, which there are none of.
+    """
+    from crs_cc.cli.start_vendor import start_vendor
+
+    context = click.get_current_context()
+    given = {
+        name
+        for name in (*_FOR_HOSTS, "speed")
+        if context.get_parameter_source(name) is not ParameterSource.DEFAULT
+    }
+    for name in _FOR_HOSTS:
+        if name in given:
+            option = f"--{name.replace('_', '-')}"
+            raise click.UsageError(f"{option} is for programs that join, not for the vendor's.")
+    return start_vendor(options if "speed" in given else replace(options, speed=1.0))
+
+
 def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[str, int]:
     return parse_address(text)
 
@@ -83,7 +107,7 @@ def _address(_ctx: click.Context, _option: click.Parameter, text: str) -> tuple[
     default="wait",
     show_default=True,
     help="When a host is lost: wait for another one, which goes on where it stood, or stop its "
-    "programs.",
+    "programs and hold its robots.",
 )
 @click.option(
     "--resume",
@@ -155,11 +179,9 @@ def serve(
         if wanted.resume is not None and wanted.record.resolve() == wanted.resume.resolve():
             raise click.UsageError("--record and --resume name the same file.")
     if wanted.vendor:
-        from crs_cc.cli.start_vendor import start_vendor
-
-        source = click.get_current_context().get_parameter_source("speed")
-        is_given = source is not ParameterSource.DEFAULT
-        return start_vendor(wanted if is_given else replace(wanted, speed=1.0))
+        return _serve_vendor(wanted)
+    from crs_cc.cli.export_run import recorded
     from crs_cc.cli.start_serve import start_serve
 
-    return start_serve(wanted)
+    with recorded(wanted) as run:
+        return start_serve(run)

@@ -7,14 +7,13 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import click
 
 from crs_cc.cli.exit_status import SYSTEM
-from crs_cc.cli.export_run import export_run, is_exported
+from crs_cc.cli.export_run import export_run, is_exported, recorded
 from crs_cc.cli.inputs import is_animation
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.kept_output import KeptOutput
@@ -76,20 +75,12 @@ def simulate(options: RunOptions) -> int:
 
 
 def _simulate(options: RunOptions) -> int:
-    if not is_exported(options) or options.record is not None:
-        return _run(options)
-    import tempfile
-
-    with tempfile.TemporaryDirectory(prefix="crs-run-") as folder:
-        return _run(replace(options, record=Path(folder, "run.mcap")))
-
-
-def _run(options: RunOptions) -> int:
     diagnostics = Diagnostics()
-    loaded = load(options, diagnostics)
-    if not options.quiet:
-        show_before_run(diagnostics.messages)
-    return run_loaded(loaded, options, diagnostics)
+    with recorded(options) as run:
+        loaded = load(run, diagnostics)
+        if not run.quiet:
+            show_before_run(diagnostics.messages)
+        return run_loaded(loaded, run, diagnostics)
 
 
 def run_loaded(
@@ -258,6 +249,8 @@ class Runner:
         """Make the changes that are due or come over the network, and record them."""
         if self._real_network is not None:
             self._real_network.exchange()
+        if self._elsewhere is not None:
+            self._elsewhere.hold(self._note)
         if self._changes is None:
             return
         before = len(self.session.fleet)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import re
@@ -18,6 +19,7 @@ import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
+from crs_cc.cli.main import main
 from crs_cc.recording.recording import Recording
 from tests.session.programs import ROAM
 
@@ -156,6 +158,38 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
     assert status == 0
     assert [others[0].returncode, others[3].returncode] == [0, 0]
     assert folder.joinpath("killed.mcap").read_bytes() == folder.joinpath("local.mcap").read_bytes()
+
+
+def test_robots_whose_host_is_lost_stand_still_where_the_run_goes_on_without_it(
+    folder: Path,
+) -> None:
+    options = "--max-time", "5", "--speed", "2", "--on-loss", "stop", "--csv", "tables"
+    with served(folder, *options) as environment:
+        at = environment.address
+        hosts = [join(folder, name, at, "roam.c") for name in ("left", "right")]
+        environment.wait_for("the run begins")
+        time.sleep(0.5)
+        hosts[1].kill()
+        environment.wait_for("right: the host is lost .* its programs and robots stop")
+        status = environment.finish()[0]
+        outputs(hosts)
+    assert status == 1, environment.text
+    assert hosts[0].returncode == 0
+    with (folder / "tables" / "poses.csv").open() as table:
+        rows = [row[1:5] for row in list(csv.reader(table))[1:] if float(row[0]) > 4.0]
+    moved = {
+        name: len({tuple(each) for each in rows if each[0] == name}) for name in ("left", "right")
+    }
+    assert moved["right"] == 1 < moved["left"]
+
+
+@pytest.mark.parametrize("option", [("--tls",), ("--tokens", "echo.c"), ("--resume", "local.mcap")])
+def test_options_for_hosts_are_refused_where_only_the_vendors_clients_come(
+    folder: Path, option: tuple[str, ...], capfd: pytest.CaptureFixture[str]
+) -> None:
+    words = [str(folder / word) if "." in word else word for word in option]
+    assert main(["serve", str(folder / "world.xml"), "--nserver", "0", *words]) == 2
+    assert f"{option[0]} is for programs that join" in capfd.readouterr().err
 
 
 def test_an_environment_that_was_killed_goes_on_with_the_same_hosts(folder: Path) -> None:
