@@ -42,6 +42,11 @@ int main(int argc, char **argv)
 MOST_S = 60.0
 
 
+def busy() -> float:
+    """Return how many times as long as alone a process takes here now, at least 1."""
+    return max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
+
+
 def command(*words: str) -> list[str]:
     return [sys.executable, "-m", "crs_cc", *words]
 
@@ -146,9 +151,9 @@ def test_a_host_that_is_killed_is_noticed_soon_and_another_goes_on(folder: Path)
             began_s = time.monotonic()
             count = environment.text.count("is lost")
             while environment.text.count("is lost") == count:
-                assert time.monotonic() - began_s < 10.0
+                assert time.monotonic() - began_s < MOST_S
                 time.sleep(0.01)
-            assert time.monotonic() - began_s < 2.5
+            assert time.monotonic() - began_s < 2.5 * busy()
             others.append(join(folder, "right", at, "roam.c"))
             environment.wait_for("(?s)" + ".*taken over" * (number + 1))
         status, _ = environment.finish()
