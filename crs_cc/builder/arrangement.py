@@ -11,6 +11,7 @@ from crs_cc.builder.addresses import address, fresh, ids, outermost
 from crs_cc.builder.changes import Plan, path_of, pins, schema_of
 from crs_cc.builder.document import Document
 from crs_cc.builder.motion import Motion, moved, position
+from crs_cc.builder.sensor_copies import is_sensor, sensor_copies
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import SIDES
 from crs_cc.core.suggest import unknown
@@ -65,6 +66,8 @@ def copies(document: Document, nodes: Sequence[Node], motions: Sequence[Motion])
     """
     whole = outermost(nodes)
     _demand_few(len(whole) * len(motions))
+    if all(map(is_sensor, whole)):
+        return sensor_copies(document, whole, motions)
     plan = Plan(pins(document, {node.tag for node in whole}))
     used: dict[int, set[str]] = {}
     for node in whole:

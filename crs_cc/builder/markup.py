@@ -151,10 +151,14 @@ def fragment(
     order: Sequence[str] = (),
 ) -> str:
     """Return an element as text without its indentation, with other attributes."""
+    return changed(document, node, set_attributes(document, node, values or {}, order))
+
+
+def changed(document: Document, node: Node, splices: Sequence[Splice]) -> str:
+    """Return an element as text without its indentation, after changes of it."""
     text = document.text[node.begin : node.end]
     changes = [
-        Splice(each.begin - node.begin, each.end - node.begin, each.text)
-        for each in set_attributes(document, node, values or {}, order)
+        Splice(each.begin - node.begin, each.end - node.begin, each.text) for each in splices
     ]
     lines = spliced(text, changes).decode(document.codec).replace("\r\n", "\n")
     return lines.replace("\n" + indent_of(document, node), "\n")

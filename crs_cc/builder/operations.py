@@ -14,6 +14,7 @@ from crs_cc.builder.mirroring import mirror
 from crs_cc.builder.motion import Motion, position, quantity
 from crs_cc.builder.mounting import is_mounted, mount
 from crs_cc.builder.scaling import scale
+from crs_cc.builder.sensor_copies import is_sensor
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import Values
 from crs_cc.core.quantity import ANGLE
@@ -111,6 +112,10 @@ def _array(builder: Workspace, nodes: Sequence[Node], values: Values, _: object)
 
 def _ring(builder: Workspace, nodes: Sequence[Node], values: Values, _: object) -> Plan:
     centre = values["x"], values["y"]
+    if all(map(is_sensor, nodes)):
+        centre = centre[0] or 0.0, centre[1] or 0.0
+    if None in centre:
+        raise ValueError("a ring needs the x and y of its centre")
     return arrangement.ring(builder.document, nodes, values["count"], centre)
 
 

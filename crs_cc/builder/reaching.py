@@ -1,4 +1,4 @@
-"""Goals that no robot can reach, because walls or fixed objects are in the way.
+"""Goals that nobody can meet, because walls or fixed objects are in the way.
 
 The floor is filled from the start of each robot, on a grid, as far as its body has room. What could
 just be passed counts as passable, and movable objects are in nobody's way: a warning is right, no
@@ -9,152 +9,120 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Final, TypeAlias
+from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from crs_cc.builder.addresses import ids
 from crs_cc.builder.document import Document
-from crs_cc.builder.extents import bounds_m
+from crs_cc.builder.floor_grid import DIAGONAL, Cells, FloorGrid, edge_of
 from crs_cc.core.source import Diagnostic, Location
-from crs_cc.sim.geometry.placement import distance_from_m
-from crs_cc.sim.model.goals import Approach, Goal, Place, Reach, Visit
-from crs_cc.sim.model.world import Robot, Solid, WorldModel, is_pushable
+from crs_cc.sim.engine.goal_floor import Floor
+from crs_cc.sim.model.goals import Approach, Bring, Cover, Follow, Goal, Reach, Visit
+from crs_cc.sim.model.world import Box, Cylinder, Robot, Thing, Wall, WorldModel, is_pushable
 
 MAX_CELLS: Final = 30_000
 """Cells of the grid; a floor for which they would be as large as robots is not examined."""
 
+MAX_EDGE: Final = 4000
+"""Cells at the edge of what is reached, for goals that compare distances from it."""
+
+_EXAMINED: Final = Reach | Visit | Approach | Bring | Follow | Cover
 _CELLS_PER_RADIUS: Final = 4.0
-_DIAGONAL: Final = math.sqrt(0.5)
-
-Cells: TypeAlias = NDArray[np.bool_]
 
 
-class _Floor:
-    """The floor as a grid, and where robots of each size can go on it."""
+class _Reached:
+    """What the robots and the movable objects of a world can reach."""
 
-    def __init__(self, world: WorldModel, cell_m: float) -> None:
-        area = world.area
-        self.cell_m = cell_m
-        self.left_m, self.bottom_m = area.x_min_m + cell_m / 2, area.y_min_m + cell_m / 2
-        columns = max(1, round(area.length_m / cell_m))
-        rows = max(1, round(area.width_m / cell_m))
-        xs = self.left_m + cell_m * np.arange(columns)
-        ys = self.bottom_m + cell_m * np.arange(rows)
-        self.x_m, self.y_m = np.meshgrid(xs, ys)
-        self._solids = [each for each in world.solids() if not is_pushable(each)]
-        self._free: dict[float, Cells] = {}
+    def __init__(self, world: WorldModel, floor: FloorGrid) -> None:
+        self.world = world
+        self.floor = floor
+        self._by_robot: dict[str, Cells] = {}
+        self._things = {each.id: each for each in world.solids() if not isinstance(each, Wall)}
 
-    def around(self, robot: Robot) -> Cells:
+    def by(self, robot: Robot) -> Cells:
         """Return where the centre of a robot can go."""
-        free = self._room(robot.model.radius_m)
-        column, row = self._cell(robot.start.x_m, robot.start.y_m)
-        return filled(free, row, column)
+        if robot.id not in self._by_robot:
+            start = robot.start
+            found = self.floor.around(start.x_m, start.y_m, robot.model.radius_m)
+            self._by_robot[robot.id] = found
+        return self._by_robot[robot.id]
 
-    def _room(self, radius_m: float) -> Cells:
-        """Return where there is room for a body, or nearly."""
-        if radius_m not in self._free:
-            free = np.ones(self.x_m.shape, dtype=np.bool_)
-            room_m = radius_m - self.cell_m * _DIAGONAL
-            for solid in self._solids:
-                where = self._window(solid, room_m)
-                distances_m = distance_from_m(solid, self.x_m[where], self.y_m[where])
-                free[where] &= distances_m >= room_m
-            self._free[radius_m] = free
-        return self._free[radius_m]
+    def of_thing(self, name: str) -> Cells | None:
+        """Return where the centre of a movable object can go; None if nothing is known of it."""
+        thing = self._things.get(name)
+        if thing is None or thing.part_of or not is_pushable(thing):
+            return None
+        return self.floor.around(thing.pose.x_m, thing.pose.y_m, _inner_radius_m(thing))
 
-    def _window(self, solid: Solid, margin_m: float) -> tuple[slice, slice]:
-        """Return the part of the grid within a distance of a solid."""
-        left_m, bottom_m, right_m, top_m = bounds_m(solid)
-        first = self._cell(left_m - margin_m, bottom_m - margin_m)
-        last = self._cell(right_m + margin_m, top_m + margin_m)
-        return slice(first[1], last[1] + 1), slice(first[0], last[0] + 1)
+    def may_be_touched(self, name: str) -> bool:
+        """Return whether robots can get at a movable object, or push others against it.
 
-    def _cell(self, x_m: float, y_m: float) -> tuple[int, int]:
-        rows, columns = self.x_m.shape
-        column = round((x_m - self.left_m) / self.cell_m)
-        row = round((y_m - self.bottom_m) / self.cell_m)
-        return min(max(column, 0), columns - 1), min(max(row, 0), rows - 1)
-
-    def in_place(self, place: Place) -> Cells:
-        """Return the cells that are in a place, or touch it."""
-        distances_m = np.hypot(self.x_m - place.x_m, self.y_m - place.y_m)
-        return np.asarray(distances_m <= place.radius_m + self.cell_m * _DIAGONAL)
-
-    def near(self, name: str, distance_m: float) -> Cells:
-        """Return the cells near the surface of a fixed object, or of one of its parts."""
-        reach_m = distance_m + self.cell_m * _DIAGONAL
-        found = np.zeros(self.x_m.shape, dtype=np.bool_)
-        for solid in self._solids:
-            if solid.id == name or solid.id.startswith(f"{name}."):
-                where = self._window(solid, reach_m)
-                distances_m = distance_from_m(solid, self.x_m[where], self.y_m[where])
-                found[where] |= distances_m <= reach_m
-        return found
+        Whatever gets there does not fit through a gap half as wide as the smallest body.
+        """
+        radii_m = [robot.model.radius_m for robot in self.world.robots]
+        radii_m += [_inner_radius_m(each) for each in self._things.values() if is_pushable(each)]
+        radius_m = min(radii_m) / 2
+        if radius_m < self.floor.cell_m:
+            return True  # it is not known
+        pose = self._things[name].pose
+        around = self.floor.around(pose.x_m, pose.y_m, radius_m)
+        return any((self.by(robot) & around).any() for robot in self.world.robots)
 
 
-def filled(free: Cells, row: int, column: int) -> Cells:
-    """Return the cells that are connected with one of them, which itself counts as free.
-
-    >>> filled(np.array([[True, True, False, True]]), 0, 0).tolist()
-    [[True, True, False, False]]
-    """
-    rows, columns = free.shape
-    open_cells = bytearray(free.tobytes())
-    start = row * columns + column
-    open_cells[start] = 0
-    found = bytearray(len(open_cells))
-    work = [start]
-    while work:
-        cell = work.pop()
-        found[cell] = 1
-        at = cell % columns
-        near = (cell - columns, cell + columns, cell - 1 if at else -1,
-                cell + 1 if at + 1 < columns else -1)  # fmt: skip
-        for other in near:
-            if 0 <= other < rows * columns and open_cells[other]:
-                open_cells[other] = 0
-                work.append(other)
-    return np.frombuffer(found, dtype=np.bool_).reshape(rows, columns)
+def _inner_radius_m(thing: Thing) -> float:
+    """Return the radius of a disc around the centre of an object that is inside of it."""
+    if isinstance(thing, Box):
+        return min(thing.length_m, thing.width_m) / 2
+    return thing.radius_m if isinstance(thing, Cylinder) else 0.0
 
 
 def unreachable(document: Document, world: WorldModel) -> list[Diagnostic]:
-    """Return warnings about goals whose places robots cannot reach.
+    """Return warnings about goals that nobody can meet.
 
     Args:
         document: the file, for the lines of its goals.
         world: what it describes.
     """
-    goals = [each for each in world.goals if isinstance(each.condition, Reach | Visit | Approach)]
+    goals = [each for each in world.goals if isinstance(each.condition, _EXAMINED)]
     floor = _floor(world) if goals and world.robots else None
     if floor is None:
         return []
-    reached: dict[str, Cells] = {}
+    reached = _Reached(world, floor)
     nodes, found = ids(document.root), list[Diagnostic]()
     for goal in goals:
-        robots = [each for each in world.robots if not goal.robots or each.id in goal.robots]
-        for robot in robots:
-            if robot.id not in reached:
-                reached[robot.id] = floor.around(robot)
-        text = _complaint(floor, goal, [(each.id, reached[each.id]) for each in robots])
+        text = _complaint(reached, goal)
         if text:
             line = nodes[goal.id].line if goal.id in nodes else 0
             hint = "a wall or a fixed object is in the way, or a passage is too narrow"
-            found.append(Diagnostic("warning", Location(document.file, line), text, hint=hint))
+            place = Location(document.file, line)
+            found.append(Diagnostic("warning", place, f"goal {goal.id!r}: {text}", hint=hint))
     return found
 
 
-def _floor(world: WorldModel) -> _Floor | None:
+def _floor(world: WorldModel) -> FloorGrid | None:
     area = world.area
     least_m = min(robot.model.radius_m for robot in world.robots)
     cell_m = max(least_m / _CELLS_PER_RADIUS, math.sqrt(area.length_m * area.width_m / MAX_CELLS))
     is_fine = cell_m < least_m and max(area.length_m, area.width_m) / cell_m < MAX_CELLS
-    return _Floor(world, cell_m) if is_fine else None
+    return FloorGrid(world, cell_m) if is_fine else None
 
 
-def _targets(floor: _Floor, goal: Goal) -> Iterator[Cells]:
-    """Yield the cells of each place that a goal is about; nothing for movable objects."""
+def _complaint(reached: _Reached, goal: Goal) -> str:
+    """Return what is wrong with a goal; empty if nothing is known to be."""
+    robots = [each for each in reached.world.robots if not goal.robots or each.id in goal.robots]
+    match goal.condition:
+        case Bring():
+            return _not_brought(reached, goal.condition)
+        case Cover():
+            return _not_covered(reached, goal.condition, robots)
+        case Follow():
+            return _not_followed(reached, goal, goal.condition, robots)
+    return _not_reached(reached, goal, robots)
+
+
+def _targets(floor: FloorGrid, goal: Goal) -> Iterator[Cells]:
+    """Yield the cells of each place that robots must get to; nothing for movable objects."""
     match goal.condition:
         case Reach(place):
             yield floor.in_place(place)
@@ -166,13 +134,74 @@ def _targets(floor: _Floor, goal: Goal) -> Iterator[Cells]:
                 yield cells
 
 
-def _complaint(floor: _Floor, goal: Goal, robots: Sequence[tuple[str, Cells]]) -> str:
-    """Return what is wrong with a goal; empty if nothing is known to be."""
+def _not_reached(reached: _Reached, goal: Goal, robots: Sequence[Robot]) -> str:
     needs_all = bool(goal.robots) and not isinstance(goal.condition, Visit)
-    for target in _targets(floor, goal):
-        lost = [name for name, cells in robots if not (cells & target).any()]
+    for target in _targets(reached.floor, goal):
+        lost = [each.id for each in robots if not (reached.by(each) & target).any()]
         if lost and needs_all:
-            return f"goal {goal.id!r}: robot {lost[0]!r} cannot get there"
+            return f"robot {lost[0]!r} cannot get there"
         if len(lost) == len(robots):
-            return f"goal {goal.id!r}: no robot can get there"
+            return "no robot can get there"
     return ""
+
+
+def _not_brought(reached: _Reached, goal: Bring) -> str:
+    """Return which object cannot be brought; those with parts are not examined."""
+    if any(robot.model.device("arm") for robot in reached.world.robots):
+        return ""  # it may lift them over what is in the way
+    target = reached.floor.in_place(goal.place)
+    for name in goal.things:
+        cells = reached.of_thing(name)
+        if cells is None:
+            continue
+        if not (cells & target).any():
+            return f"object {name!r} cannot get there"
+        if not reached.may_be_touched(name):
+            return f"no robot can get at object {name!r}"
+    return ""
+
+
+def _not_followed(reached: _Reached, goal: Goal, follow: Follow, robots: Sequence[Robot]) -> str:
+    """Return who never comes as near as a goal wants."""
+    target = next((each for each in reached.world.robots if each.id == follow.target), None)
+    cells = reached.of_thing(follow.target) if target is None else reached.by(target)
+    others = [each for each in robots if each is not target]
+    if cells is None or not follow.share:
+        return ""
+    most_m = follow.most_m + 2 * DIAGONAL * reached.floor.cell_m
+    lost = [each.id for each in others if _is_apart(reached, reached.by(each), cells, most_m)]
+    if lost and goal.robots:
+        return f"robot {lost[0]!r} cannot get near {follow.target!r}"
+    return f"no robot can get near {follow.target!r}" if lost and len(lost) == len(others) else ""
+
+
+def _is_apart(reached: _Reached, one: Cells, other: Cells, most_m: float) -> bool:
+    """Return whether some cells are farther than a distance from others, if that is known."""
+    if (one & other).any():
+        return False
+    edges = edge_of(one), edge_of(other)
+    if max(int(edge.sum()) for edge in edges) > MAX_EDGE:
+        return False
+    floor = reached.floor
+    x_m, y_m = floor.x_m[edges[1]], floor.y_m[edges[1]]
+    here = zip(floor.x_m[edges[0]].tolist(), floor.y_m[edges[0]].tolist(), strict=True)
+    return all(float(np.hypot(x_m - x, y_m - y).min()) > most_m for x, y in here)
+
+
+def _not_covered(reached: _Reached, goal: Cover, robots: Sequence[Robot]) -> str:
+    """Return how much of the floor robots can get to, if that is less than a goal wants."""
+    floor, cells = reached.floor, Floor(reached.world)
+    free = cells.free(goal.cell_m)
+    covered = np.zeros(free.shape, dtype=np.bool_)
+    for robot in robots:
+        edge = edge_of(reached.by(robot))
+        if int(edge.sum()) > MAX_EDGE:
+            return ""
+        covered |= floor.holds(reached.by(robot), *cells.centres_m(goal.cell_m))
+        margin_m = 2 * DIAGONAL * floor.cell_m
+        radii_m = np.full(int(edge.sum()), robot.model.radius_m + margin_m)
+        cells.cover(goal.cell_m, covered, floor.x_m[edge], floor.y_m[edge], radii_m)
+    share = float((covered & free).sum() / max(1, free.sum()))
+    if share >= goal.share:
+        return ""
+    return f"robots can get to {share:.0%} of the floor only, not {goal.share:.0%}"

@@ -165,8 +165,8 @@ ROWS: Final = (
     )),
     Operation("ring", "Copy elements around a point, evenly spaced.", "some", (
         Field("count", int, "How many there will be of each.", required=True),
-        Field("x", LENGTH, "The point's x.", required=True),
-        Field("y", LENGTH, "The point's y.", required=True),
+        Field("x", LENGTH, "The point's x. Default: of sonars, the robot's centre."),
+        Field("y", LENGTH, "The point's y. Default: of sonars, the robot's centre."),
     )),
     Operation("align", "Bring sides or centres of elements into line.", "some", (
         Field("side", SIDES, "Which.", required=True),

@@ -342,8 +342,13 @@ class WorldBuilder:
         values: dict[str, Value] = {"columns": columns, "rows": rows, "x": x, "y": y}
         return self.apply("array", _several(names), values)
 
-    def ring(self, names: str | Sequence[str], count: int, x: Value, y: Value) -> list[str]:
-        """Copy elements around a point; return the names of the copies."""
+    def ring(
+        self, names: str | Sequence[str], count: int, x: Value = None, y: Value = None
+    ) -> list[str]:
+        """Copy elements around a point; return the names of the copies.
+
+        Sonars of a robot definition by default go around its centre.
+        """
         return self.apply("ring", _several(names), {"count": count, "x": x, "y": y})
 
     def align(self, names: Sequence[str], side: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -91,3 +92,23 @@ def test_new_devices_and_sensors_stand_where_the_schema_wants_them() -> None:
     builder.add("sensor")
     tags = [node.tag for node in builder.document.root.children]
     assert tags[-2:] == ["sensor", "setup"]
+
+
+def test_sonars_go_around_the_robot_with_numbers_of_their_own() -> None:
+    builder = WorldBuilder(text=ROBOT)
+    assert builder.ring("sensor", 8) == [f"sensor[{number}]" for number in range(1, 8)]
+    assert not builder.problems()
+    assert builder.element("sonars").attributes["order"] == "0 1 2 3 4 5 6 7"
+    ids = [builder.element(f"sensor[{number}]/id").text for number in range(8)]
+    assert ids == [str(number) for number in range(8)]
+    poses = [shape[1] for name, shape in robot_shapes(builder.document).items() if "sensor" in name]
+    for number, pose in enumerate(poses):
+        angle = 0.5 + math.tau * number / 8
+        assert math.isclose(pose["x"], 0.1524 * math.cos(angle - 0.5), abs_tol=1e-5)
+        assert math.isclose(math.remainder(pose["heading"] - angle, math.tau), 0, abs_tol=1e-5)
+    with pytest.raises(ValueError, match=r"17 sonars are too many \(maximum: 16\)"):
+        builder.array("sensor[7]", columns=10, x="1cm")
+    builder.undo()
+    assert builder.text == ROBOT
+    with pytest.raises(ValueError, match="a ring needs the x and y of its centre"):
+        builder.ring("camera", 8)

@@ -46,6 +46,59 @@ def test_goals_behind_walls_are_warned_of(y2: str, goal: str, robots: str, wrong
     assert all(f"goal 'there': {wrong}" in row[2] for row in found)
 
 
+ROOMS = """<world version="1">
+  <area length="6m" width="4m"/>
+  <wall id="screen" x1="3m" y1="0" x2="3m" y2="{y2}"/>
+  <box id="crate" x="1m" y="3m" length="60cm" width="40cm" mass="2kg"/>
+  <robot id="near" x="1m" y="1m"/>
+  <robot id="far" x="5m" y="1m"/>
+  <goal id="there">{goal}</goal>
+</world>
+"""
+BRING = '<bring objects="crate" x="5m" y="3m" radius="20cm"/>'
+FOLLOW = '<follow target="far" most="{to}" share="0.50"/>'
+CRATE = '<follow target="crate" most="30cm" share="0.50"/>'
+
+
+@pytest.mark.parametrize(
+    ("y2", "goal", "robots", "wrong"),
+    [
+        ("4m", BRING, "", "object 'crate' cannot get there"),
+        ("3.3m", BRING, "", ""),
+        ("3.7m", BRING, "", "object 'crate' cannot get there"),
+        ("4m", BRING.replace("5m", "2m"), "", ""),
+        ("4m", FOLLOW.format(to="30cm"), "near", "robot 'near' cannot get near 'far'"),
+        ("4m", FOLLOW.format(to="30cm"), "", "no robot can get near 'far'"),
+        ("4m", FOLLOW.format(to="1m"), "near", ""),
+        ("3m", FOLLOW.format(to="30cm"), "near", ""),
+        ("4m", CRATE, "far", "robot 'far' cannot get near 'crate'"),
+        ("4m", CRATE, "", ""),
+        ("4m", '<cover share="0.90" cell="10cm"/>', "near", "robots can get to "),
+        ("4m", '<cover share="0.40" cell="10cm"/>', "near", ""),
+        ("4m", '<cover share="0.95" cell="10cm"/>', "", ""),
+        ("3m", '<cover share="0.95" cell="10cm"/>', "near", ""),
+    ],
+)
+def test_objects_that_cannot_be_brought_and_floors_that_cannot_be_covered(
+    y2: str, goal: str, robots: str, wrong: str
+) -> None:
+    builder = WorldBuilder(text=ROOMS.format(y2=y2, goal=goal))
+    if robots:
+        builder.set("there", robots=robots)
+    assert not builder.problems()
+    found = [each.text for each in builder.warnings()]
+    assert len(found) == bool(wrong), found
+    assert all(f"goal 'there': {wrong}" in text for text in found)
+
+
+def test_an_object_that_no_robot_can_get_at_is_named() -> None:
+    text = ROOMS.format(y2="4m", goal=BRING.replace("5m", "2m"))
+    builder = WorldBuilder(text=text)
+    builder.remove("near")
+    (found,) = builder.warnings()
+    assert found.text == "goal 'there': no robot can get at object 'crate'"
+
+
 def test_a_passage_that_is_wide_enough_is_passed_at_any_angle() -> None:
     for degrees in range(0, 90, 15):
         angle = math.radians(degrees)

@@ -36,6 +36,12 @@ class Floor:
             self._free[cell_m] = self._find_free(cell_m)
         return self._free[cell_m]
 
+    def centres_m(self, cell_m: float) -> tuple[FloatArray, FloatArray]:
+        """Return the x and y of the centres of all cells."""
+        columns, rows = self._size(cell_m)
+        x_m, y_m = np.meshgrid(*self._centres_m(cell_m, np.arange(columns), np.arange(rows)))
+        return x_m.ravel(), y_m.ravel()
+
     def cover(
         self,
         cell_m: float,
