@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, Protocol, TypeAlias
 
-from crs_cc.builder import arrangement, changes, clips, composition
+from crs_cc.builder import arrangement, changes, clips, composition, ground
 from crs_cc.builder.arrangement import Extents
 from crs_cc.builder.changes import Plan
 from crs_cc.builder.document import Document
@@ -18,6 +18,7 @@ from crs_cc.builder.sensor_copies import is_sensor
 from crs_cc.builder.spans import Node
 from crs_cc.builder.table import Values
 from crs_cc.core.quantity import ANGLE
+from crs_cc.sim.model.world import WorldModel
 
 Attributes: TypeAlias = Mapping[str, str | None]
 
@@ -35,6 +36,9 @@ class Workspace(Protocol):
 
     def library(self) -> list[Document]:
         """Return the included files."""
+
+    def visible(self) -> WorldModel | None:
+        """Return the world as far as it is known; None for what is none."""
 
 
 def _add(builder: Workspace, _: Sequence[Node], values: Values, attributes: Attributes) -> Plan:
@@ -136,6 +140,14 @@ def _ungroup(builder: Workspace, nodes: Sequence[Node], _: Values, __: object) -
     return composition.ungroup(builder.document, nodes[0])
 
 
+def _raise(builder: Workspace, _: Sequence[Node], values: Values, __: object) -> Plan:
+    world = builder.visible()
+    if world is None:
+        raise ValueError("there is no ground")
+    path = ground.stroke(values["path"])
+    return ground.raised(builder.document, world, path, values["radius"], values["rise"])
+
+
 def _paste(builder: Workspace, _: Sequence[Node], values: Values, __: object) -> Plan:
     motion = Motion.shift(values["x"], values["y"])
     return clips.paste(builder.document, values["clip"], motion, builder.library())
@@ -157,6 +169,7 @@ _MAKE: Final[Mapping[str, Callable[[Workspace, list[Node], Values, Attributes], 
     "distribute": _distribute,
     "group": _group,
     "ungroup": _ungroup,
+    "raise": _raise,
     "paste": _paste,
 }
 

@@ -180,6 +180,11 @@ ROWS: Final = (
         Field("id", str, "The id of the object. Default: the name.", ""),
     )),
     Operation("ungroup", "Put the parts of an object in its place.", "one"),
+    Operation("raise", "Raise the ground by a stroke of a brush.", "none", (
+        Field("path", str, "The points that it passes, such as 1m,2m 1.5m,2m.", required=True),
+        Field("radius", LENGTH, "What it reaches.", 0.5),
+        Field("rise", LENGTH, "By how much in its middle; negative to lower it.", 0.05),
+    )),
     Operation("paste", "Put in elements that were copied.", "none", (
         Field("clip", str, "What copy or cut has returned.", required=True), *_X_Y,
     )),

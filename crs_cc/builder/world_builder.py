@@ -25,7 +25,7 @@ import os
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Literal, Self
+from typing import Literal, Self, TypeAlias
 
 from crs_cc.builder import clips
 from crs_cc.builder.addresses import address, find
@@ -52,6 +52,9 @@ from crs_cc.sim.files.world_xml import Model, examine
 from crs_cc.sim.files.xml_document import read_file
 from crs_cc.sim.model.beacons import Light, Sound
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Robot, Wall, WorldModel
+
+Names: TypeAlias = str | Sequence[str]
+"""One element or several."""
 
 _BEHIND_UNIT = {LENGTH: "m", ANGLE: "deg"}
 _ROUNDING = 1e-9
@@ -294,7 +297,7 @@ class WorldBuilder:
         return name
 
     def set(
-        self, names: str | Sequence[str], attributes: Mapping[str, Value] | None = None,
+        self, names: Names, attributes: Mapping[str, Value] | None = None,
         **more: Value,
     ) -> None:  # fmt: skip
         """Set attributes of elements; None removes one. What refers to a new id follows."""
@@ -304,11 +307,11 @@ class WorldBuilder:
         """Set the text of an element, such as the position of a sensor."""
         self.apply("text", [name], {"text": text})
 
-    def remove(self, names: str | Sequence[str]) -> None:
+    def remove(self, names: Names) -> None:
         """Remove elements."""
         self.apply("remove", _several(names))
 
-    def move(self, names: str | Sequence[str], x: Value = 0.0, y: Value = 0.0) -> None:
+    def move(self, names: Names, x: Value = 0.0, y: Value = 0.0) -> None:
         """Move elements by a distance."""
         self.apply("move", _several(names), {"x": x, "y": y})
 
@@ -316,35 +319,27 @@ class WorldBuilder:
         """Put an element at a place."""
         self.apply("place", [name], {"x": x, "y": y, "heading": heading})
 
-    def turn(
-        self, names: str | Sequence[str], angle: Value, x: Value = None, y: Value = None
-    ) -> None:
+    def turn(self, names: Names, angle: Value, x: Value = None, y: Value = None) -> None:
         """Turn elements as one body, by default about their middle."""
         self.apply("turn", _several(names), {"angle": angle, "x": x, "y": y})
 
-    def mirror(
-        self, names: str | Sequence[str], axis: Literal["x", "y"] = "x", at: Value = None
-    ) -> None:
+    def mirror(self, names: Names, axis: Literal["x", "y"] = "x", at: Value = None) -> None:
         """Mirror elements: `x` exchanges left and right, `y` up and down."""
         self.apply("mirror", _several(names), {"axis": axis, "at": at})
 
-    def scale(
-        self, names: str | Sequence[str], factor: float, x: Value = None, y: Value = None
-    ) -> None:
+    def scale(self, names: Names, factor: float, x: Value = None, y: Value = None) -> None:
         """Scale elements from above, by default about their middle."""
         self.apply("scale", _several(names), {"factor": factor, "x": x, "y": y})
 
     def array(
-        self, names: str | Sequence[str], columns: int = 1, rows: int = 1,
+        self, names: Names, columns: int = 1, rows: int = 1,
         x: Value = 0.0, y: Value = 0.0,
     ) -> list[str]:  # fmt: skip
         """Copy elements into columns and rows; return the names of the copies."""
         values: dict[str, Value] = {"columns": columns, "rows": rows, "x": x, "y": y}
         return self.apply("array", _several(names), values)
 
-    def ring(
-        self, names: str | Sequence[str], count: int, x: Value = None, y: Value = None
-    ) -> list[str]:
+    def ring(self, names: Names, count: int, x: Value = None, y: Value = None) -> list[str]:
         """Copy elements around a point; return the names of the copies.
 
         Sonars of a robot definition by default go around its centre.
@@ -359,7 +354,7 @@ class WorldBuilder:
         """Space the centres of elements evenly; the outer two stay."""
         self.apply("distribute", names, {"axis": axis})
 
-    def group(self, names: str | Sequence[str], name: str, own_id: str = "") -> str:
+    def group(self, names: Names, name: str, own_id: str = "") -> str:
         """Make elements an object of a new definition; return the object's id."""
         return self.apply("group", _several(names), {"name": name, "id": own_id})[0]
 
@@ -367,16 +362,23 @@ class WorldBuilder:
         """Put the parts of an object in its place; return their names."""
         return self.apply("ungroup", [name])
 
-    def copy(self, names: str | Sequence[str]) -> str:
+    def copy(self, names: Names) -> str:
         """Return elements as a text that `paste` puts into any world, with their definitions."""
         nodes = [self.element(name) for name in _several(names)]
         return clips.clip(self.document, nodes, self.library())
 
-    def cut(self, names: str | Sequence[str]) -> str:
+    def cut(self, names: Names) -> str:
         """Remove elements, and return them as `copy` does."""
         found = self.copy(names)
         self.remove(names)
         return found
+
+    def raise_ground(
+        self, path: Sequence[tuple[float, float]], radius: Value = 0.5, rise: Value = 0.05
+    ) -> None:
+        """Raise the ground by a stroke of a brush through points [m]; by less than 0, lower it."""
+        points = " ".join(f"{x:.9g},{y:.9g}" for x, y in path)
+        self.apply("raise", (), {"path": points, "radius": radius, "rise": rise})
 
     def paste(self, clip: str, x: Value = 0.0, y: Value = 0.0) -> list[str]:
         """Put in what `copy` or `cut` has returned, moved; return the names of the elements."""
@@ -493,5 +495,5 @@ class WorldBuilder:
         return f"<{type(self).__name__} {self.document.file}: {count} elements>"
 
 
-def _several(names: str | Sequence[str]) -> Sequence[str]:
+def _several(names: Names) -> Sequence[str]:
     return [names] if isinstance(names, str) else names

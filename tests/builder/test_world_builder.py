@@ -6,6 +6,7 @@ import difflib
 import math
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -168,6 +169,47 @@ def test_arrays_rings_lines_and_groups() -> None:
     assert float(builder.get("cylinder0")["x"][:-1]) == pytest.approx(1.6)
     with pytest.raises(ValueError, match="must be 1 to 10000"):
         builder.array("crate", columns=99_999_999)
+
+
+def test_a_brush_changes_the_heights_that_it_reaches_and_no_others() -> None:
+    builder = WorldBuilder.new(2, 1)
+    builder.add("robot", x=1.7, y=0.5)
+    builder.raise_ground([(0.5, 0.5)], radius=0.2, rise="10cm")
+    made = builder.get("surface/heightmap")
+    assert (made["resolution"], made["columns"]) == ("0.05m", "40")
+    world = builder.world().surface.heightmap
+    assert world is not None
+    assert max(world.heights_m) == pytest.approx(0.1 * (1 - 2 * 0.025**2 / 0.2**2), abs=6e-4)
+    assert sum(height > 0 for height in world.heights_m) == 52  # pixels within 20 cm
+    builder.set("surface/heightmap", heights="10cm\t0 .2 0.1m  0 0", columns="3", resolution="1m")
+    text = builder.text
+    builder.raise_ground([(0.5, 0.5), (0.5, 0.6)], radius=0.3, rise=-2)
+    assert builder.text == text.replace("0.1m  0 0", "0  0 0")
+    builder.raise_ground([(2.5, 0.5)], radius=0.3, rise="1m")
+    assert builder.text == text.replace("0.1m  0 0", "0  0 1")
+    for wrong in ("1", "1,2 x,3", "", "1,2 " * 2001):
+        with pytest.raises(ValueError, match=r"point|number|length"):
+            builder.apply("raise", (), {"path": wrong})
+    with pytest.raises(ValueError, match="radius"):
+        builder.raise_ground([(0.5, 0.5)], radius=0)
+
+
+def test_a_map_from_a_picture_gets_numbers_when_it_is_changed(tmp_path: Path) -> None:
+    (tmp_path / "lib").mkdir()
+    shutil.copy(WORLDS / "lib/climber.xml", tmp_path / "lib")
+    shutil.copy(WORLDS / "hills.xml", tmp_path)
+    shutil.copy(WORLDS / "hills.png", tmp_path)
+    builder = WorldBuilder(tmp_path / "hills.xml")
+    before = builder.world().surface.heightmap
+    assert before is not None
+    middle = before.x_m + before.columns / 2 * before.pixel_m
+    builder.raise_ground([(middle, before.y_m + before.pixel_m)], radius=3 * before.pixel_m)
+    after = builder.world().surface.heightmap
+    assert after is not None
+    assert "image" not in builder.get("surface/heightmap")
+    changes = [new - old for new, old in zip(after.heights_m, before.heights_m, strict=True)]
+    assert 0.03 < max(changes) < 0.051
+    assert sum(abs(each) > 6e-4 for each in changes) < 40
 
 
 def test_what_is_referred_to_by_a_default_id_keeps_it() -> None:

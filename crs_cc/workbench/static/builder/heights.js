@@ -1,10 +1,11 @@
 /** The ground's map of heights: painted with a brush, or read from a picture. */
 
 import { gridStep } from "../units.js";
+import { distance } from "./drawing.js";
 import { paintShape } from "./paint.js";
 
 const MOST_CELLS = 64; // on a side of a new map
-const LONGEST = 60_000; // letters that a message may have
+const MOST_POINTS = 2000; // of one stroke
 const DIGITS = 1000; // heights are written in millimetres
 
 export class Brush {
@@ -27,39 +28,46 @@ export class Brush {
 
   begin(point, lowers) {
     const shape = this.map?.shape ?? flat(this.model.document.area);
-    this.stroke = { shape, before: shape.rows.map((row) => [...row]), reached: shape.rows.map((row) => row.map(() => 0)), sign: lowers ? -1 : 1 };
+    const before = shape.rows.map((row) => [...row]);
+    this.stroke = { shape, before, reached: before.map((row) => row.map(() => 0)), rise: (lowers ? -1 : 1) * this.rise, path: [] };
     this.paint(point);
   }
 
-  /** Raise the cells around a point, each at most once as far as the brush reaches. */
-  /** @param {number[]} at a place [m] */
-  paint([x, y]) {
+  /** Raise the cells around a point, each at most once as far as the brush reaches. @param {number[]} at a place [m] */
+  paint(at) {
     if (!this.stroke) return;
-    const { shape, before, reached, sign } = this.stroke;
+    const { shape, before, reached, rise, path } = this.stroke;
+    const last = path.at(-1);
+    if (path.length >= MOST_POINTS || (last && distance(last, at) < this.radius / 8)) return;
+    path.push(at);
+    const [x, y] = at;
     const [left, top] = shape.points[3];
-    shape.rows.forEach((row, r) => row.forEach((_, c) => {
-      const [dx, dy] = [left + (c + 0.5) * shape.pixel - x, top - (r + 0.5) * shape.pixel - y];
-      const share = Math.max(0, 1 - (dx * dx + dy * dy) / (this.radius * this.radius));
-      reached[r][c] = Math.max(reached[r][c], share);
-      row[c] = Math.max(0, Math.round((before[r][c] + sign * this.rise * reached[r][c]) * DIGITS) / DIGITS);
-    }));
+    const [first, end] = span(left, shape, x, this.radius, shape.rows[0].length);
+    const [above, below] = span(-top, shape, -y, this.radius, shape.rows.length);
+    for (let r = above; r < below; r++) {
+      for (let c = first; c < end; c++) {
+        const [dx, dy] = [left + (c + 0.5) * shape.pixel - x, top - (r + 0.5) * shape.pixel - y];
+        reached[r][c] = Math.max(reached[r][c], 1 - (dx * dx + dy * dy) / (this.radius * this.radius));
+        shape.rows[r][c] = Math.max(0, before[r][c] + rise * reached[r][c]);
+      }
+    }
     this.view.renew();
   }
 
+  /** Have the builder do what was shown. */
   async end() {
-    const { shape } = this.stroke ?? {};
+    const { path, rise } = this.stroke ?? { path: [] };
+    if (path.length) {
+      const text = path.map((point) => point.map((value) => +value.toFixed(4)).join(",")).join(" ");
+      await this.model.apply("raise", { names: [], values: { path: text, radius: this.radius, rise } });
+    }
     this.stroke = null;
-    if (shape) await this.store(shape);
+    this.view.draw();
   }
 
   /** Write a map into the world, in place of that which is there. */
   async store(shape) {
     const { map } = this;
-    if (shape.rows.flat().join(" ").length > LONGEST) {
-      this.model.say("the map of heights is too fine to be painted: at most 64 by 64 pixels", true);
-      await this.model.ask("again");
-      return;
-    }
     const table = { columns: shape.rows[0].length, heights: shape.rows.flat().join(" ") };
     if (map) await this.model.apply("set", { names: [map.name], attributes: { ...table, image: null, height: null } });
     else await this.model.apply("add", { names: [], values: { kind: "heightmap" }, attributes: { resolution: shape.pixel, x: shape.points[0][0], y: shape.points[0][1], ...table } });
@@ -94,6 +102,12 @@ export class Brush {
     if (old) await this.model.apply("remove", { names: [old.name] });
     await this.store(shape);
   }
+}
+
+/** The cells of a map, along one side, that a brush at a place reaches. */
+function span(start, { pixel }, at, radius, count) {
+  const [low, high] = [(at - radius - start) / pixel, (at + radius - start) / pixel];
+  return [Math.max(0, Math.floor(low)), Math.min(count, Math.ceil(high))];
 }
 
 /** A map without heights on all of an area. */

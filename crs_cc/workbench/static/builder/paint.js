@@ -123,7 +123,8 @@ function paintHeights(pen, view, shape, outline) {
   const [rows, columns] = [shape.rows.length, shape.rows[0].length];
   const most = Math.max(0.001, ...shape.rows.map((row) => Math.max(...row)));
   const image = new ImageData(columns, rows);
-  shape.rows.flat().forEach((height, index) => image.data.set([120, 90, 40, (200 * height) / most], index * 4));
+  const colours = new Uint32Array(image.data.buffer); // little-endian: alpha, blue, green, red
+  shape.rows.forEach((row, r) => row.forEach((height, c) => (colours[r * columns + c] = (((200 * height) / most) << 24) | 0x285a78)));
   const small = new OffscreenCanvas(columns, rows);
   small.getContext("2d")?.putImageData(image, 0, 0);
   const [x, y] = view.toScreen(shape.points[3]);
