@@ -50,13 +50,12 @@ class Cluster:
         Raises:
             ClusterError: it cannot be reached, or has no workers.
         """
-        from distributed import Client
+        import distributed
 
+        connect: Any = distributed.Client  # without types
         self._module, self._address = module, address
         try:
-            self._client: Any = Client(  # type: ignore[no-untyped-call]
-                address, timeout=_CONNECT_S, set_as_default=False
-            )
+            self._client = connect(address, timeout=_CONNECT_S, set_as_default=False)
         except (OSError, ValueError) as error:
             hint = "start one with 'dask scheduler', which prints its address"
             raise self._error(f"no Dask scheduler: {_first_line(error)}", hint) from None
@@ -117,7 +116,8 @@ class Cluster:
 
     def _room(self) -> int:
         """Return how many tasks the cluster has room for, with those that wait for a thread."""
-        return _AHEAD * max(1, sum(self._client.nthreads().values()))
+        threads: int = sum(self._client.nthreads().values())
+        return _AHEAD * max(1, threads)
 
     def _outcome(self, future: Future[Outcome], number: int) -> Outcome:
         from distributed import KilledWorker
