@@ -232,6 +232,10 @@ class Session(Edits):
         """X [m], y [m] and heading [rad] of all robots now, (robots, 3)."""
         return np.column_stack([self.positions_m, self.headings_rad])
 
+    def field(self, name: str) -> FloatArray:
+        """Return the amounts in a pheromone field, (rows, columns), from the smallest x and y."""
+        return self.inner.environment.field(name)
+
     @property
     def steered(self) -> tuple[str, ...]:
         """The names of the robots without a program, which Python steers."""

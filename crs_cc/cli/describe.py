@@ -14,6 +14,7 @@ from crs_cc.sim.devices.sonar.model import sonars_of
 from crs_cc.sim.files.world_xml import Definitions
 from crs_cc.sim.model.communication import PREDEFINED, Channel, Communication
 from crs_cc.sim.model.degradation import Degradation, described
+from crs_cc.sim.model.fields import MOST, Field
 from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.registry import device
 from crs_cc.sim.model.robot import RobotModel
@@ -88,6 +89,18 @@ def _things(world: WorldModel) -> Iterator[str]:
     counts = [counted(len(found), noun) for found, noun in more if found]
     if counts:
         yield ", ".join(counts)
+    for field in world.fields:
+        yield f"field '{field.name}': {', '.join(_field(field))}"
+
+
+def _field(field: Field) -> Iterator[str]:
+    yield f"cells of {100 * field.cell_m:g} cm"
+    if math.isfinite(field.evaporation_s):
+        yield f"evaporates in {field.evaporation_s:g} s"
+    if field.diffusion_m2ps:
+        yield f"diffuses by {1e4 * field.diffusion_m2ps:g} cm2/s"
+    if field.saturation < MOST:
+        yield f"saturated at {field.saturation:g}"
 
 
 def _communication(communication: Communication) -> Iterator[str]:

@@ -134,6 +134,11 @@ HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
 BRIGHTNESS: Final = Kind("a brightness", (("", 1.0),), "", "100", 1e6)
 LOUDNESS: Final = Kind("a level", (("", 1.0),), "", "100", 1e6)
 """Brightness and loudness of sources at a distance of 1 m, dimensionless."""
+AMOUNT: Final = Kind("an amount", (("", 1.0),), "", "100", 1e6)
+"""Amount of pheromone in a cell of a field, dimensionless."""
+DIFFUSIVITY: Final = Kind(
+    "a diffusion coefficient", (("m2/s", 1.0), ("cm2/s", 1e-4)), "m2/s", "2cm2/s", 1e3
+)
 
 
 def round_length(length_m: float) -> float:

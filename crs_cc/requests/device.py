@@ -106,5 +106,9 @@ DEVICE_REQUESTS: Final = (
         (*_NAMED, *fields(("number", "i[0]", "1", "its number, -1 for the sender's"))),
         results=_FOUND,
     ),
+    device_request(
+        "FIELD", 246, "int crs_find_field(const char *name)", "looks up a pheromone field",
+        (*_NAMED, *fields(("number", "i[0]", "1", "its number"))), results=_FOUND,
+    ),
 )  # fmt: skip
 """The requests to devices of `crs.h`, except those of the device registry."""

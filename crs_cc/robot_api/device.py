@@ -71,6 +71,11 @@ MESSAGES: Final = Group("Messages", (
         source=(OURS,),
     ),
     Function(
+        "int crs_find_field(const char *name)",
+        "returns the number of a pheromone field, -1 if there is none with that name",
+        posts=("FIELD",), source=(OURS,),
+    ),
+    Function(
         "int crs_my_number(void)", "returns the robot's own number; robots are numbered from 0",
         posts=("ROBOT",), source=(OURS,),
     ),

@@ -440,6 +440,13 @@ def sorts_cans(drive: Drive) -> None:
         assert (y_m > 1.0) if name.startswith("heavy") else (y_m < -1.0)
 
 
+def follows_trail(drive: Drive) -> None:
+    """Both followers come to the end of the scout's winding trail, and none touches another."""
+    touches_nothing(drive)
+    assert [robot.exit_status for robot in drive.robots] == [0, 0, 0]
+    assert [goal.status for goal in drive.goals] == ["met"]
+
+
 def puts_cans_into_a_row(drive: Drive) -> None:
     touches_nothing(drive)
     places_in = {name: (x_m / INCH_M, y_m / INCH_M) for name, (x_m, y_m, _) in drive.things.items()}

@@ -57,7 +57,7 @@ OF_ALL = {
     "PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX",
     "PREDICT", "MOTION_CHECK", "GET_CONF", "REAL_ROBOT", "SIMULATED_ROBOT", "DRAW", "REFRESH",
     "QUIT_SERVER", "CREATE", "SPECIAL", "SEND", "RECEIVE", "MESSAGE_COUNT", "GROUP", "CHANNEL",
-    "ROBOT",
+    "ROBOT", "FIELD",
 }  # fmt: skip
 """Requests that concern no single device."""
 
@@ -80,7 +80,9 @@ def driver(tmp_path_factory) -> Driver:
         f'<robot definition="{name}" x="{2 * place}m" y="0"/>' for place, name in enumerate(names)
     )
     area = '<area length="99m" width="99m" origin="centre"/>'
-    (folder / "world.xml").write_text(f'<world version="1">{area}{robots}</world>')
+    (folder / "world.xml").write_text(
+        f'<world version="1">{area}<field name="trail"/>{robots}</world>'
+    )
     return Driver.of(load_world(folder / "world.xml"))
 
 

@@ -10,6 +10,7 @@ from crs_cc.sim.comms import inbox, outages, outbox
 from crs_cc.sim.comms.channel_model import ChannelModel
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.inbox import Inboxes
+from crs_cc.sim.devices.name_lookup import look_up, numbers_of
 from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.model.communication import ANY
@@ -27,8 +28,8 @@ class Messenger:
         self._channel_model = ChannelModel(self._channels, seed)
         self._inboxes = Inboxes()
         self._robots = tuple(robot.id for robot in world.robots)
-        self._channel_numbers = _numbers(self._channels.names)
-        self._robot_numbers = _numbers(self._robots)
+        self._channel_numbers = numbers_of(self._channels.names)
+        self._robot_numbers = numbers_of(self._robots)
         self._posted: list[Records] = []  # in this cycle; for who looks on, no state
 
     # -- requests of programs ----------------------------------------------------------------------
@@ -91,11 +92,11 @@ class Messenger:
 
     def find_channel(self, context: RequestContext) -> BoolArray:
         """Answer CHANNEL: the number of a channel with a name, the name of one with a number."""
-        return _look_up(context, self._channel_numbers, np.full(len(context), ANY))
+        return look_up(context, self._channel_numbers, np.full(len(context), ANY))
 
     def find_robot(self, context: RequestContext) -> BoolArray:
         """Answer ROBOT: the number of a robot with a name, the name of one with a number."""
-        return _look_up(context, self._robot_numbers, context.rows)
+        return look_up(context, self._robot_numbers, context.rows)
 
     def is_idle(self, state: EnvState) -> bool:
         """Return whether no message is waiting to be sent, or on its way."""
@@ -152,27 +153,3 @@ def wait(context: RequestContext) -> None:
     wait_s = context["timeout_ms"] / 1000.0
     until_s = state.drive.clock_s[rows] + wait_s
     state.waits.until_s[rows] = np.where(wait_s < 0.0, np.inf, until_s)
-
-
-def _numbers(names: tuple[str, ...]) -> dict[str, int]:
-    return {name: number for number, name in enumerate(names)}
-
-
-def _look_up(context: RequestContext, numbers: dict[str, int], own: IndexArray) -> BoolArray:
-    """Look up a name, or without one a number, -1 for one's own; reply with both and the count."""
-    good = np.zeros(len(context), dtype=np.bool_)
-    names, sizes = list(numbers), context["size"].tolist()
-    asked = context["number"].tolist()
-    for row, mine in enumerate(own.tolist()):
-        size, number = sizes[row], asked[row]
-        if size:
-            wanted = context["name"][row, : max(0, size)].tobytes().decode("utf-8", "replace")
-            number = numbers.get(wanted, ANY)
-        elif number == ANY:
-            number = mine
-        good[row] = 0 <= number < len(names)
-        text = names[number].encode()[:DATA_SIZE] if good[row] else b""
-        context.put("number", number if good[row] else ANY, row)
-        context.put("count", len(names), row)
-        context.put_bytes(text, row)
-    return good

@@ -14,6 +14,8 @@ from crs_cc.core.arrays import FloatArray, IndexArray, any_of
 from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.bumper import Bumpers
+from crs_cc.sim.devices.fields import Fields
+from crs_cc.sim.devices.gland import Glands
 from crs_cc.sim.devices.handling import Handling
 from crs_cc.sim.devices.installed import Installed, Timed
 from crs_cc.sim.devices.sensor_board import SensorBoard
@@ -41,6 +43,7 @@ class DeviceBoard:
         sensor_board: the devices read by the vendor's sensor board.
         handling: the grippers and arms.
         messenger: the communication between robots.
+        fields: the pheromone fields.
         installed: the devices of the registry, by their names.
         timers: the timers of all sensors that can have one.
     """
@@ -49,12 +52,14 @@ class DeviceBoard:
         """Create the devices."""
         self.log = log
         self.messenger = Messenger(world, seed)
+        self.fields = Fields(world)
         self.installed: dict[str, Installed] = {
             row.name: row.install(row, world, seed, log) for row in _REGISTERED
         }
         self.sonars: SonarRing = self.installed["sonar"].device
         self.bumpers: Bumpers = self.installed["bumper"].device
         self.sensor_board = SensorBoard(world, self.installed)
+        self._glands: Glands = self.installed["gland"].device
         self.handling = Handling(self.installed["gripper"].device, self.installed["arm"].device)
         self.timers = Timers(self._timed())
 
@@ -134,3 +139,5 @@ class DeviceBoard:
             to_s: its end.
         """
         self.messenger.end_cycle(state, constants, self.log, from_s=from_s, to_s=to_s)
+        self._glands.end_cycle(state, constants, constants.last_instant_s(state.cycle))
+        self.fields.end_cycle(state)

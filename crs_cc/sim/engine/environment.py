@@ -348,6 +348,11 @@ class Environment:
         """Return the number of a robot's device among all of its kind; -1 without one."""
         return int(self._data.constants.numbers[name][robot])
 
+    def field(self, name: str) -> FloatArray:
+        """Return all amounts of a pheromone field, by rows from the smallest y, (rows, columns)."""
+        fields = self._data.devices.fields
+        return fields.picture(self.state, fields.number(name))
+
     def device_rows(self, number: int) -> list[tuple[str, str]]:
         """Return name and state of each device of a robot, for inspectors."""
         numbers = self._data.constants.numbers
@@ -434,6 +439,11 @@ class Environment:
     def warm(self, name: str, heat: float) -> None:
         """Set the heat of a robot or an object, 0 or more."""
         self._data.warm(name, heat)
+
+    def set_evaporation(self, field: str, evaporation_s: float) -> None:
+        """Set the evaporation time of a pheromone field, infinite for never."""
+        fields = self._data.devices.fields
+        fields.set_evaporation(self.state, fields.number(field), evaporation_s)
 
     # -- snapshots -----------------------------------------------------------------------------
 

@@ -137,6 +137,7 @@ def handlers_of(devices: DeviceBoard) -> Mapping[int, Handler]:
         "MESSAGE_COUNT": messages.count,
         "GROUP": messages.group,
         "CHANNEL": messages.find_channel,
+        "FIELD": devices.fields.find,
         "ROBOT": messages.find_robot,
     }
     for installed in devices.installed.values():

@@ -55,6 +55,7 @@ def catch_up(data: WorldData, cycles: int) -> None:
     data.devices.sonars.catch_up(state, constants, data.rays, present, until_s)
     state.drive.clock_s[present] = data.time_s
     data.physics.skip(state.bodies, cycles)
+    data.devices.fields.skip(state, cycles)
     data.goals.skip(state, cycles)
 
 

@@ -15,6 +15,7 @@ from crs_cc.sim.files.communication_elements import communication
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.degradation_elements import degradations
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
+from crs_cc.sim.files.field_elements import fields_of
 from crs_cc.sim.files.goal_elements import goals
 from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
@@ -118,6 +119,7 @@ def world_model(
         ),
         communication=communication(root, [robot.id for robot in robots], reader),
     )
+    world = replace(world, fields=fields_of(root, area, world.timestep_s, reader))
     world = _with(world, objects)
     world = replace(world, goals=goals(root, world, reader))
     _check(world, root, {solid.id: element for element, solid in objects}, reader)

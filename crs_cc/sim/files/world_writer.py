@@ -17,6 +17,7 @@ from typing import Final
 
 from crs_cc.core.quantity import BRIGHTNESS, DATA_RATE, LENGTH, LOUDNESS, RATIO, TIME
 from crs_cc.sim.files.document import Element
+from crs_cc.sim.files.field_elements import field_element
 from crs_cc.sim.files.goal_writer import goal_element
 from crs_cc.sim.files.known_robots import SCOUT, known_robots
 from crs_cc.sim.files.solid_writer import hot, pose, solid_elements, surface
@@ -77,6 +78,7 @@ def world_element(world: WorldModel, folder: Path | None = None) -> Element:
         *(_degradation(each, world) for each in world.degradations),
         *_communication(world),
         *map(goal_element, world.goals),
+        *map(field_element, world.fields),
     ]
     return Element("world", 0, attributes, children=children)
 

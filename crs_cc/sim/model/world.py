@@ -1,8 +1,8 @@
 """World models: the constant data of a world.
 
 A `WorldModel` has the initial state of everything: walls, boxes, cylinders, polygons, lights,
-sounds, and robots, each with its `RobotModel`; the ground, the communication channels, the
-degradations of devices, and the goals. `files.world_xml` reads it from a file; an
+sounds, and robots, each with its `RobotModel`; the ground, the pheromone fields, the communication
+channels, the degradations of devices, and the goals. `files.world_xml` reads it from a file; an
 `engine.environment.Environment` is made from it and never changes it. All of it is frozen, compares
 and hashes by content, and pickles.
 
@@ -36,6 +36,7 @@ from crs_cc.sim.kernels import exact
 from crs_cc.sim.model.beacons import Light, Sound
 from crs_cc.sim.model.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.model.degradation import Degradation
+from crs_cc.sim.model.fields import Field
 from crs_cc.sim.model.goals import Goal
 from crs_cc.sim.model.ground import FLAT, Ground
 from crs_cc.sim.model.polygon import area_m2, centroid_m
@@ -284,6 +285,7 @@ class WorldModel:
     degradations: tuple[Degradation, ...] = ()
     communication: Communication = PLAIN_COMMUNICATION
     goals: tuple[Goal, ...] = ()
+    fields: tuple[Field, ...] = ()
 
     def with_ideal_link(self) -> WorldModel:
         """Return a copy in which commands have no delay on the link to the robot."""

@@ -32,6 +32,7 @@ from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.devices import device_states
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
+from crs_cc.sim.state.fields import FieldState
 from crs_cc.sim.state.goals import GoalState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.link import LinkState
@@ -104,6 +105,7 @@ class EnvState(_InRows):
         collisions: number of contacts that began.
         commands: number of requests served.
         goals: how far the goals are met; None in a world without goals.
+        fields: what lies in the pheromone fields; the last, as its size changes most.
     """
 
     cycle: int
@@ -131,6 +133,7 @@ class EnvState(_InRows):
     collisions: Int64Array
     commands: Int64Array
     goals: GoalState | None
+    fields: FieldState
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -165,6 +168,7 @@ class EnvState(_InRows):
             collisions=_whole(count),
             commands=_whole(count),
             goals=GoalState.at_start(world),
+            fields=FieldState.at_start(world),
         )
 
     @property

@@ -1,4 +1,4 @@
-/* Numbers and names of robots and channels. */
+/* Numbers and names of robots, channels and fields. */
 #include <crs/device.h>
 #include <stddef.h>
 #include <string.h>
@@ -20,6 +20,11 @@ static int find(int code, const char *name)
 int crs_find_channel(const char *name)
 {
     return find(CRS_CHANNEL, name);
+}
+
+int crs_find_field(const char *name)
+{
+    return find(CRS_FIELD, name);
 }
 
 int crs_find_robot(const char *name)

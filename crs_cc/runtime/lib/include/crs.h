@@ -59,6 +59,7 @@ int crs_leave_group(int group);
 
 /* Numbers and names; -1 if the name is unknown. A name that does not fit is truncated. */
 int crs_find_channel(const char *name);
+int crs_find_field(const char *name);
 int crs_my_number(void);
 int crs_robot_count(void);
 int crs_find_robot(const char *name);

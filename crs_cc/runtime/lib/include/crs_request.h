@@ -109,6 +109,7 @@ struct __crs_message {
 #define CRS_GROUP 243
 #define CRS_CHANNEL 244
 #define CRS_ROBOT 245
+#define CRS_FIELD 246
 
 /* Post the message; return the result of the reply. */
 int __crs_request(int code, struct __crs_message *message);

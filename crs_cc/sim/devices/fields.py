@@ -1,0 +1,191 @@
+"""Pheromone fields: amounts on the floor that robots deposit and smell.
+
+    amount = sum over deposits of deposit * exp(-time since the deposit / evaporation)
+
+in each cell, at most the saturation. Time is counted in whole timesteps: deposits are added at the
+end of theirs, all at once, and what is smelled is what was there at the start of the timestep, so
+it depends neither on the order of robots nor on that of their requests. Then the field diffuses, by
+the explicit scheme for Fick's second law: from each cell
+
+    diffusion * timestep / cell^2 * difference
+
+flows to each of its four neighbours in the area, which is the scheme's limit of stability at 1/4.
+Walls and objects have no effect. The models were chosen by us.
+
+Amounts are kept as integers (`state.fields`), relative to a base time: the last multiple of four
+evaporation times, rounded up to whole timesteps. Evaporation is computed when an amount is read;
+only when the base changes, all integers are divided by the same factor, and tiles that hold nothing
+any more are dropped.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.core.suggest import unknown
+from crs_cc.sim.devices import field_tiles
+from crs_cc.sim.devices.name_lookup import look_up, numbers_of
+from crs_cc.sim.geometry.field_grid import NOWHERE, SIDE, FieldGrid
+from crs_cc.sim.kernels import exact
+from crs_cc.sim.state.fields import UNIT
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.fields import FieldState
+
+_REBASE: Final = 4.0  # evaporation times
+_NEVER: Final = 2**53  # cycles
+
+
+class Fields:
+    """The pheromone fields of a world.
+
+    Attributes:
+        names: their names.
+    """
+
+    def __init__(self, world: WorldModel) -> None:
+        self.names = tuple(field.name for field in world.fields)
+        self._timestep_s = world.timestep_s
+        self._saturation = np.array([field.saturation for field in world.fields])
+        self._shares = [field.share(world.timestep_s) for field in world.fields]
+        self._grid = FieldGrid(world.area, world.fields)
+
+    def number(self, name: str) -> int:
+        """Return the number of a field.
+
+        Raises:
+            ValueError: there is none with this name.
+        """
+        if name not in self.names:
+            raise ValueError(unknown("field", name, self.names))
+        return self.names.index(name)
+
+    def find(self, context: RequestContext) -> BoolArray:
+        """Answer FIELD: the number of a field with a name, the name of one with a number."""
+        return look_up(context, numbers_of(self.names), np.full(len(context), NOWHERE))
+
+    def deposit(
+        self,
+        state: EnvState,
+        field: IndexArray,
+        place_m: FloatArray,
+        amount: FloatArray,
+    ) -> None:
+        """Deposit amounts, which are smelled from the next timestep on.
+
+        Args:
+            state: changed in place.
+            field: the field of each deposit, (k,).
+            place_m: its place, nothing happens to those outside of the area, (k, 2).
+            amount: the amount, 0 or more, (k,).
+        """
+        cells = self._grid.cells(field, place_m[:, 0], place_m[:, 1])
+        there = cells >= 0
+        cells, field = cells[there], field[there]
+        amount = np.minimum(amount[there], self._saturation[field])
+        deposit = np.rint(amount / self._units(state.fields, state.cycle, 1)[field])
+        state.fields.deposit_cell = np.concatenate([state.fields.deposit_cell, cells])
+        state.fields.deposit = np.concatenate([
+            state.fields.deposit, deposit.astype(np.int64)
+        ])  # fmt: skip
+
+    def read(self, state: EnvState, field: int, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+        """Return the amounts in the cells at places, 0 outside of the area."""
+        found = field_tiles.read(state.fields, self._grid, self._grid.cells(_one(field), x_m, y_m))
+        return np.asarray(found * self._units(state.fields, state.cycle)[field])
+
+    def end_cycle(self, state: EnvState) -> None:
+        """Add the deposits of the cycle, let the fields diffuse, and rebase them."""
+        if not self.names:
+            return
+        self._add(state)
+        self._pass(state.fields, state.cycle)
+
+    def skip(self, state: EnvState, cycles: int) -> None:
+        """Execute cycles before the current one, in which nothing was deposited."""
+        end, begin = state.cycle, state.cycle - cycles
+        if any(self._shares):
+            works = np.arange(begin, end)
+        else:
+            every = self._cycles(state.fields)
+            first = begin + (-1 - begin) % every  # the first cycle at whose end there is a new base
+            works = np.unique(np.concatenate([
+                np.zeros(0, np.int64), *(map(np.arange, first, np.full_like(first, end), every)),
+            ]))  # fmt: skip
+        for cycle in works.tolist():
+            if state.fields.used == 1:
+                return
+            self._pass(state.fields, cycle)
+
+    def set_evaporation(self, state: EnvState, field: int, evaporation_s: float) -> None:
+        """Set the evaporation time of a field from the start of the current cycle on."""
+        before = self._units(state.fields, state.cycle)
+        state.fields.evaporation_s[field] = evaporation_s
+        after = self._units(state.fields, state.cycle)
+        field_tiles.scale(state.fields, self._grid, field, float(before[field] / after[field]))
+
+    def picture(self, state: EnvState, field: int) -> FloatArray:
+        """Return all amounts of a field at the start of the current cycle, (rows, columns).
+
+        The first row is the one with the smallest y.
+        """
+        fields, grid = state.fields, self._grid
+        rows, columns = int(grid.rows[field]), int(grid.columns[field])
+        up, across = -(-rows // SIDE), -(-columns // SIDE)
+        blocks = np.zeros((up, across, SIDE, SIDE))
+        slots = field_tiles.of(fields, grid, field)
+        row, column = grid.place(field, fields.tile[slots])
+        amounts = fields.amount[slots] * self._units(fields, state.cycle)[field]
+        blocks[row // SIDE, column // SIDE] = amounts.reshape(-1, SIDE, SIDE)
+        return blocks.swapaxes(1, 2).reshape(up * SIDE, across * SIDE)[:rows, :columns]
+
+    def _add(self, state: EnvState) -> None:
+        """Add the deposits of the cycle."""
+        fields = state.fields
+        if not len(fields.deposit):
+            return
+        order = np.argsort(fields.deposit_cell, kind="stable")
+        cells, deposit = fields.deposit_cell[order], fields.deposit[order]
+        fields.deposit_cell, fields.deposit = cells[:0].copy(), deposit[:0].copy()
+        first = np.flatnonzero(np.diff(cells, prepend=-1))
+        cells, deposit = cells[first], np.add.reduceat(deposit, first)
+        field = np.searchsorted(self._grid.first_tile, cells // SIDE**2, side="right") - 1
+        most = np.rint(self._saturation / self._units(fields, state.cycle, 1)).astype(np.int64)
+        field_tiles.add(fields, self._grid, cells, deposit, most[field])
+
+    def _pass(self, fields: FieldState, cycle: int) -> None:
+        """Let the fields diffuse at the end of a cycle, and rebase those whose time has come."""
+        for field, share in enumerate(self._shares):
+            if share > 0.0:
+                field_tiles.spread(fields, self._grid, field, share)
+        cycles = self._cycles(fields)
+        for field in np.flatnonzero((cycle + 1) % cycles == 0).tolist():
+            passed_s = cycles[field] * self._timestep_s
+            factor = exact.exp(-float(passed_s / fields.evaporation_s[field]))
+            field_tiles.scale(fields, self._grid, field, factor)
+
+    def _cycles(self, fields: FieldState) -> Int64Array:
+        """Return the number of cycles between two bases of each field."""
+        cycles = np.ceil(_REBASE * fields.evaporation_s / self._timestep_s)
+        return np.minimum(cycles, _NEVER).astype(np.int64)
+
+    def _units(self, fields: FieldState, cycle: int, later: int = 0) -> FloatArray:
+        """Return what an integer 1 in each field stands for at the start of a cycle, (fields,).
+
+        Args:
+            fields: the fields, which have the base of this cycle.
+            cycle: the cycle.
+            later: number of cycles from then on.
+        """
+        since = cycle % self._cycles(fields) + later
+        return UNIT * exact.exp(-(since * self._timestep_s / fields.evaporation_s))
+
+
+def _one(field: int) -> IndexArray:
+    return np.array([field])

@@ -1,0 +1,220 @@
+"""The gland, which deposits pheromone on the floor: at once, or as a trail.
+
+`crs_deposit` deposits an amount in the cell under the robot's centre. `crs_lay_trail` makes the
+robot deposit an amount per metre driven, evenly along the way of each timestep; a robot that stands
+deposits nothing, and one that is carried elsewhere leaves no trail between. A robot lays one trail
+at a time. `devices.fields` describes the fields.
+
+Degradation (`gland`) applies to the amount, or the amount per metre; if it is dropped or negative
+nothing is deposited. The model was chosen by us.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, any_of
+from crs_cc.core.quantity import AMOUNT
+from crs_cc.requests import device_request
+from crs_cc.requests.request import fields
+from crs_cc.robot_api.row import OURS, Function
+from crs_cc.sim.devices.fields import Fields
+from crs_cc.sim.devices.installed import Installed
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.kernels import exact
+from crs_cc.sim.model.attribute import attribute
+from crs_cc.sim.model.degradable import Degradable, elements_of
+from crs_cc.sim.model.device import Device
+from crs_cc.sim.model.robot import devices_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
+
+_PIECES: Final = 64  # of a timestep's trail, at most
+_SLACK_M: Final = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Gland:
+    """A gland."""
+
+    most: float = attribute(
+        "most", AMOUNT, "1000", "Largest amount of a deposit, and of a trail per metre.",
+        positive=True,
+    )  # fmt: skip
+
+
+@dataclass(slots=True)
+class GlandState:
+    """Glands; arrays have a row for each robot with one, n of them.
+
+    Attributes:
+        field: the field of its trail, (n,).
+        per_m: the amount that it deposits per metre, 0 for no trail, (n,).
+        from_m: the robot's position at the end of the last timestep, NaN before, (n, 2).
+        distance_m: the distance that it had moved by then, (n,).
+    """
+
+    field: Int64Array
+    per_m: FloatArray
+    from_m: FloatArray
+    distance_m: FloatArray
+
+    @classmethod
+    def at_start(cls, models: Sequence[Gland]) -> GlandState:
+        """Return glands that lay no trail."""
+        count = len(models)
+        return cls(
+            np.zeros(count, dtype=np.int64), np.zeros(count), np.full((count, 2), np.nan),
+            np.zeros(count),
+        )  # fmt: skip
+
+
+class Glands:
+    """The glands of all robots that have one."""
+
+    def __init__(self, row: Device, world: WorldModel) -> None:
+        self._name = row.name
+        self._fields = Fields(world)
+        self._cell_m = np.array([field.cell_m for field in world.fields])
+        found = devices_of([robot.model for robot in world.robots], row.name)
+        self._most = np.array([gland.most for gland in found if gland is not None])
+
+    def deposit(self, context: RequestContext) -> BoolArray:
+        """Answer DEPOSIT; refuse unknown fields and invalid amounts."""
+        good, numbers = self._asked(context)
+        rows, at_s, state = context.rows[good], context.at_s[good], context.state
+        if len(rows):
+            amount = np.minimum(context["amount"][good], self._most[numbers])
+            amount = self._altered(state, context.constants, rows, amount, at_s)
+            place_m = mount_poses(state, context.constants, rows)[:, :2]
+            field = context["field"][good].astype(np.intp)
+            self._fields.deposit(state, field, place_m, amount)
+        return good
+
+    def lay_trail(self, context: RequestContext) -> BoolArray:
+        """Answer LAY_TRAIL; refuse unknown fields and invalid amounts."""
+        good, numbers = self._asked(context)
+        glands = context.state.device(self._name, GlandState)
+        glands.field[numbers] = context["field"][good]
+        glands.per_m[numbers] = np.minimum(context["amount"][good], self._most[numbers])
+        return good
+
+    def end_cycle(self, state: EnvState, constants: RobotConstants, at_s: float) -> None:
+        """Deposit what robots laid in a cycle, whose bodies have moved.
+
+        Args:
+            state: changed in place.
+            constants: the robots' constants.
+            at_s: the last time in the cycle.
+        """
+        glands = state.device(self._name, GlandState)
+        if not len(glands.field):
+            return
+        rows = np.flatnonzero(constants.numbers[self._name] >= 0)
+        position_m, distance_m = state.bodies.position_m[rows], state.distance_m[rows]
+        way_m, moved_m = position_m - glands.from_m, distance_m - glands.distance_m
+        glands.from_m[:], glands.distance_m[:] = position_m, distance_m
+        lays = (glands.per_m > 0.0) & (moved_m > 0.0) & state.presence.present[rows]
+        if not (any_of(lays) and len(self._cell_m)):
+            return
+        straight_m = exact.hypot(way_m[:, 0], way_m[:, 1])
+        way_m[~(straight_m <= moved_m + _SLACK_M)] = 0.0  # carried, or new in the world
+        rows, position_m, way_m = rows[lays], position_m[lays], way_m[lays]
+        at = np.full(len(rows), at_s)
+        per_m = self._altered(state, constants, rows, glands.per_m[lays], at)
+        field = glands.field[lays]
+        length_m = np.where(way_m.any(axis=1), straight_m[lays], 0.0)
+        pieces = np.clip(np.ceil(length_m / self._cell_m[field]), 1, _PIECES).astype(np.intp)
+        piece = np.repeat(np.arange(len(rows)), pieces)
+        number = np.arange(len(piece)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+        back = 1.0 - (number + 0.5) / pieces[piece]
+        place_m = position_m[piece] - way_m[piece] * back[:, None]
+        amount = (per_m * moved_m[lays] / pieces)[piece]
+        self._fields.deposit(state, field[piece], place_m, amount)
+
+    def _asked(self, context: RequestContext) -> tuple[BoolArray, IndexArray]:
+        """Return which requests are good, (k,), and the numbers of their glands."""
+        numbers, field = context.constants.numbers[self._name][context.rows], context["field"]
+        good = (numbers >= 0) & (field >= 0) & (field < len(self._cell_m))
+        good &= context["amount"] >= 0.0  # not NaN
+        return good, numbers[good]
+
+    def _altered(
+        self,
+        state: EnvState,
+        constants: RobotConstants,
+        rows: IndexArray,
+        amount: FloatArray,
+        at_s: FloatArray,
+    ) -> FloatArray:
+        """Return amounts after degradation, (k,)."""
+        values = constants.degradations.alter(state, self._name, rows, amount[:, None], at_s)
+        return np.maximum(np.nan_to_num(values[:, 0], nan=0.0), 0.0)
+
+
+def install(row: Device, world: WorldModel, _seed: int, _log: EventLog) -> Installed:
+    """Return the glands of a world's robots."""
+    glands = Glands(row, world)
+    handlers = {"DEPOSIT": glands.deposit, "LAY_TRAIL": glands.lay_trail}
+    return Installed(handlers=handlers, device=glands)
+
+
+def _inspect(state: EnvState, number: int) -> str:
+    glands = state.device("gland", GlandState)
+    per_m, field = float(glands.per_m[number]), int(glands.field[number])
+    return f"trail of {per_m:g}/m in field {field}" if per_m else "no trail"
+
+
+_FIELD: Final = ("field", "i[0]", "1", "the number of the field")
+
+DEVICE = Device(
+    name="gland",
+    title="Gland",
+    element="gland",
+    summary="A gland for pheromone fields: crs_deposit() and crs_lay_trail() of crs.h.",
+    model=Gland,
+    state=GlandState.at_start,
+    install=install,
+    requests=(
+        device_request(
+            "DEPOSIT", 230, "int crs_deposit(int field, double amount)",
+            "deposits pheromone under the robot",
+            fields(_FIELD, ("amount", "f[0]", "1", "the amount")),
+        ),
+        device_request(
+            "LAY_TRAIL", 231, "int crs_lay_trail(int field, double amount)",
+            "deposits pheromone while the robot drives",
+            fields(_FIELD, ("amount", "f[0]", "1/m", "the amount per metre, 0 for no trail")),
+        ),
+    ),
+    functions=(
+        Function(
+            "int crs_deposit(int field, double amount)",
+            "deposits an amount in a pheromone field under the robot; FALSE, too, if there is no"
+            " such field, or the amount is negative", posts=("DEPOSIT",), source=(OURS,),
+        ),
+        Function(
+            "int crs_lay_trail(int field, double amount)",
+            "deposits an amount per metre that the robot drives from now on, in place of any other"
+            " trail; 0 for no trail", units="-, 1/m", posts=("LAY_TRAIL",), source=(OURS,),
+        ),
+    ),
+    degradables=(
+        Degradable(
+            "gland", "deposited amount", AMOUNT, elements_of("gland", lambda _model: ("0",)), 1,
+            "nothing is deposited", acts=True,
+        ),
+    ),
+    inspect=_inspect,
+    source=__file__,
+)  # fmt: skip
