@@ -5,6 +5,7 @@
 # make fuzz    compare random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
 # make fuzz-frontend  damage programs and nest all constructs: rejected or compiled, nothing else
 # make bench   run the benchmarks
+# make experiments  repeat the experiments with swarms, and renew their results for docs/swarms.md
 # make docs    write the generated pages of docs/ from docs/templates and the code
 # make site    write the documentation as a site with search to build/site; no broken links
 
@@ -33,7 +34,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check times fuzz fuzz-frontend bench docs site install install-dev clean
+.PHONY: demo test check times fuzz fuzz-frontend bench experiments docs site install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -62,8 +63,13 @@ fuzz-frontend: install-dev
 bench: install
 	@set -e; for script in bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
 			bench/fleet.py bench/messages.py bench/planted.py bench/python_env.py bench/quiet_time.py \
-			bench/ranges.py bench/record.py bench/requests.py bench/start.py bench/workbench.py; do \
+			bench/ranges.py bench/record.py bench/requests.py bench/start.py bench/sweep.py \
+			bench/workbench.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
+
+experiments:
+	$(call install,[analysis])
+	$(BIN)/python samples/swarm/renew.py
 
 docs: install
 	$(BIN)/python -m docs.generate

@@ -25,6 +25,7 @@ SMALLEST = {
     "quiet_time.py": ["--steps", "20", "--repeat", "1", "bits"],
     "requests.py": ["--steps", "3", "gs"],
     "start.py": ["--repeat", "1"],
+    "sweep.py": ["10"],
     "workbench.py": ["--no-browser", "--pages", "2", "--seconds", "0.1", "4"],
 }
 """Of each script, the arguments with which it measures least."""
@@ -44,6 +45,7 @@ MEASURED = {
     "quiet_time.py": ["\nas crs run ", "\nnothing skipped ", "\nbits ", "\nmean "],
     "requests.py": ["\ngs ", "aim: "],
     "start.py": ["python -c pass ", "crs --help ", "crs run, warm ", "crs run, empty cache "],
+    "sweep.py": ["\nlocal ", "\nworkers_killed ", "\nresumed "],
     "workbench.py": ["frame bytes", "server %", "\n       4 "],
 }
 """Of each script, words of what it prints."""

@@ -29,7 +29,13 @@ PAGES = {
         *("docs/workbench", "docs/debugger", "docs/editors", "docs/recordings"),
         *("docs/determinism", "docs/performance"),
     ),
-    "Python and teaching": ("docs/python", "docs/teaching", "docs/experiments", "docs/extending"),
+    "Python and teaching": (
+        "docs/python",
+        "docs/teaching",
+        "docs/experiments",
+        "docs/swarms",
+        "docs/extending",
+    ),
     "More": ("docs/*", "samples/**/README", "*", "docs/adr/README", "docs/adr/*"),
 }
 """The table of contents: what a pattern matches is listed where it is matched first."""

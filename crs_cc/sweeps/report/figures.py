@@ -34,6 +34,9 @@ _COLOURS: Final = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4
 """Distinguishable for the colour-blind (Okabe and Ito 2008, Color Universal Design)."""
 
 _JITTER: Final = 0x4A49
+_DECADES: Final = 50.0
+"""The ratio of the largest to the smallest value from which an axis is logarithmic."""
+
 MOST_GROUPS: Final = 24
 """Combinations in one figure; more cannot be told apart."""
 
@@ -55,6 +58,11 @@ def _svg(draw: Callable[[Axes], None]) -> str:
 def is_numeric(values: Sequence[Value]) -> bool:
     """Return whether all values are numbers, which have an axis."""
     return all(isinstance(each, int | float) and not isinstance(each, bool) for each in values)
+
+
+def _spans_decades(values: Sequence[float]) -> bool:
+    """Return whether values are so far apart that the small ones would not be told apart."""
+    return min(values) > 0.0 and max(values) >= _DECADES * min(values)
 
 
 def _levels(results: Results, name: str) -> list[Value]:
@@ -114,6 +122,8 @@ def curve(results: Results) -> str:
             axes.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
         if len(lines) > 1:
             axes.legend()
+        if _spans_decades([float(each) for each in _levels(results, name)]):
+            axes.set_xscale("log")
         axes.set_xlabel(name)
         axes.set_ylabel(f"median of {results.measure}")
         axes.set_ylim(bottom=0 if results.is_time else None)

@@ -1,0 +1,148 @@
+"""Runs a sweep in several ways, kills what can be killed, and compares the tables.
+
+Each run is two robots for 0.2 s; every tenth run fails. The ways: on this machine; again, with
+a worker killed now and then; killed by SIGKILL in the middle, and resumed; and with --dask on a
+cluster of three workers, one of which is killed. What is told is the time for each run, the most
+memory of the process that runs the sweep, and whether the table has the bytes of the first one.
+
+    python -P bench/sweep.py [--dask] [RUNS]    # -P: a script beside it is called distributed
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+from crs_cc.jobs.pool import Worker
+from crs_cc.sweeps.sweep import Progress, Sweep
+
+WORLD = """<world version="1" duration="0.2s"><area length="6m" width="4m"/>
+<robot id="a" x="1m" y="1m" setup="noisy"/><robot id="b" x="1m" y="3m" setup="noisy"/></world>
+"""
+PROGRAM = """#include <Nclient.h>
+int main(void)
+{
+    connect_robot(1);
+    vm(SPEED, SPEED, 0);
+    get_sn();
+    return SPEED == 10 ? 1 / (SPEED - 10) : 0;
+}
+"""
+SPEEDS = 10
+JOBS = 2
+
+
+def experiment(folder: Path, runs: int) -> Path:
+    """Write an experiment of so many runs; return its file."""
+    folder.mkdir()
+    (folder / "hall.xml").write_text(WORLD)
+    (folder / "drive.c").write_text(PROGRAM)
+    path = folder / "trial.toml"
+    speeds = [10 * number for number in range(1, SPEEDS + 1)]
+    path.write_text(
+        f'world = "hall.xml"\nprograms = ["drive.c"]\nseeds = {max(1, runs // SPEEDS)}\n'
+        f"[parameters]\ndefine.SPEED = {speeds}\n"
+    )
+    return path
+
+
+def local(path: Path, out: Path) -> None:
+    """Run on this machine."""
+    Sweep(path, out).run(JOBS)
+
+
+def workers_killed(path: Path, out: Path) -> None:
+    """Run on this machine, and kill a worker after one run of fifty."""
+    processes: list[subprocess.Popen[bytes]] = []
+    start, chance = Worker._start, random.Random(1)
+
+    def noting(worker: Worker) -> subprocess.Popen[bytes]:
+        processes.append(start(worker))
+        return processes[-1]
+
+    def kill(_progress: Progress) -> None:
+        if processes and chance.random() < 0.02:
+            with suppress(ProcessLookupError):
+                os.kill(processes[-1].pid, signal.SIGKILL)
+
+    Worker._start = noting  # type: ignore[method-assign]
+    try:
+        Sweep(path, out).run(JOBS, report=kill)
+    finally:
+        Worker._start = start  # type: ignore[method-assign]
+    print(f"  {len(processes) - JOBS} workers killed")
+
+
+def resumed(path: Path, out: Path) -> None:
+    """Run on this machine, kill it when it has a third of the rows, and go on."""
+    command = [sys.executable, "-m", "crs_cc", "sweep", str(path), "--out", str(out), "--jobs", "2"]
+    process = subprocess.Popen(command)
+    while _rows(out) < (_runs(path) + 2) // 3:
+        time.sleep(0.01)
+    process.kill()
+    process.wait()
+    print(f"  killed after {_rows(out)} rows")
+    Sweep(path, out).run(JOBS, resume=True)
+
+
+def on_dask(path: Path, out: Path) -> None:
+    """Run on a cluster of three workers, and kill one of them."""
+    from distributed import LocalCluster
+
+    with LocalCluster(  # type: ignore[no-untyped-call]
+        n_workers=3, threads_per_worker=1, dashboard_address=None
+    ) as cluster:
+        pid = cluster.workers[0].pid
+
+        def kill(progress: Progress) -> None:
+            if progress.done == progress.runs // 3:
+                os.kill(pid, signal.SIGKILL)
+
+        Sweep(path, out).run(1, dask=cluster.scheduler_address, report=kill)
+
+
+def _runs(path: Path) -> int:
+    return int(path.read_text().split("seeds = ")[1].split()[0]) * SPEEDS
+
+
+def _rows(out: Path) -> int:
+    path = out / "rows.jsonl"
+    return path.read_bytes().count(b"\n") if path.exists() else 0
+
+
+def main() -> None:
+    """Run in all ways, and compare."""
+    parser = argparse.ArgumentParser(description="Compare the tables of sweeps that are disturbed.")
+    parser.add_argument("runs", type=int, nargs="?", default=600)
+    parser.add_argument("--dask", action="store_true", help="also on a Dask cluster")
+    options = parser.parse_args()
+    ways: list[Callable[[Path, Path], None]] = [local, workers_killed, resumed]
+    if options.dask:
+        ways.append(on_dask)
+    print("way               ms a run   rows   memory MiB   same table")
+    tables = []
+    with tempfile.TemporaryDirectory() as folder:
+        for way in ways:
+            path = experiment(Path(folder, way.__name__), options.runs)
+            out = path.parent / "out"
+            started_s = time.monotonic()
+            way(path, out)
+            run_ms = 1e3 * (time.monotonic() - started_s) / _runs(path)
+            tables.append((out / "runs.csv").read_bytes())
+            memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+            same = "yes" if tables[-1] == tables[0] else "NO"
+            print(f"{way.__name__:16} {run_ms:9.1f} {_rows(out):6} {memory:12.0f}   {same}")
+
+
+if __name__ == "__main__":
+    main()

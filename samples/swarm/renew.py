@@ -1,0 +1,65 @@
+"""Run the experiments of this folder, and renew the tables and figures of docs/swarms.md.
+
+    python samples/swarm/renew.py            # all of them
+    python samples/swarm/renew.py heat       # one
+
+It goes on with runs that were interrupted, in build/swarm, and needs the extra 'analysis'.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import sys
+from pathlib import Path
+from typing import Final
+
+from crs_cc.sweeps.report.findings import medians
+from crs_cc.sweeps.report.page import drawn
+from crs_cc.sweeps.report.results import Group, results
+from crs_cc.sweeps.sweep import Sweep
+
+FOLDER: Final = Path(__file__).parent
+ROOT: Final = FOLDER.parents[1]
+RESULTS: Final = FOLDER / "results"
+FIGURES: Final = ROOT / "docs" / "images"
+RUNS: Final = ROOT / "build" / "swarm"
+
+SHOWN: Final = {
+    "heat": ("goal.cool.at_s", "survival"),
+}
+"""The measure of each experiment, and the figure that shows it."""
+
+_COLLISIONS: Final = "collisions_per_robot_min"
+
+
+def renew(name: str, runs: Path = RUNS) -> None:
+    """Run an experiment, and write its table and its figure.
+
+    Args:
+        name: its name.
+        runs: the folder of the results of all runs.
+    """
+    measure, figure = SHOWN[name]
+    sweep = Sweep(FOLDER / f"{name}.toml", runs / name)
+    sweep.run(os.cpu_count() or 1, resume=True)
+    found = results(list(sweep.rows.values()), measure)
+    table = medians(found)
+    RESULTS.mkdir(exist_ok=True)
+    with (RESULTS / f"{name}.csv").open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([*table.heading, "collisions per robot and minute"])
+        for cells, group in zip(table.rows, found.groups, strict=True):
+            writer.writerow([*cells, f"{collisions(group):.3f}"])
+    (FIGURES / f"swarm-{name}.svg").write_text(drawn(found)[figure], "utf-8")
+
+
+def collisions(group: Group) -> float:
+    """Return how many collisions robots began per minute, the mean of the runs."""
+    values = [row["measures"][_COLLISIONS] for row in group.rows]
+    return sum(values) / len(values)
+
+
+if __name__ == "__main__":
+    for each in sys.argv[1:] or SHOWN:
+        renew(each)
