@@ -91,6 +91,7 @@ def it_shows_the_world_and_runs(page: Any, screen: Screen) -> None:
     assert [row.inner_text() for row in page.locator(".robot b").all()] == ["ada", "bob"]
     page.click("button.start")
     wait(page, "crs.model.state.t > 1.2")
+    page.click("#tab-code")  # and Space does not press it again
     page.keyboard.press(" ")
     wait(page, "!crs.model.state.playing && crs.model.clock.shown === crs.model.state.t")
     wait(page, "Math.abs(crs.model.scene.time - crs.model.state.t) < 1e-6")

@@ -88,6 +88,11 @@ export function listenToKeys(page) {
     el("form", { method: "dialog" }, el("button", {}, "Close")));
   document.body.append(dialog);
   page.keys = () => (dialog.open ? dialog.close() : dialog.showModal());
+  // A click leaves the focus at its button, where Space would press that again rather than play.
+  addEventListener("click", (event) => {
+    const isByPointer = event.detail > 0;
+    if (isByPointer && event.target instanceof Element) event.target.closest("button")?.blur();
+  });
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = /** @type {HTMLElement} */ (event.target);
