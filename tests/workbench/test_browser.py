@@ -140,6 +140,34 @@ def a_robot_is_selected_in_the_view_and_commands_change_the_run(page: Any) -> No
     page.wait_for_selector(".log .error >> text='source' is not available in the browser")
 
 
+def two_fingers_enlarge_the_view_and_one_selects(page: Any) -> None:
+    camera = "[crs.views.active.camera.distance, crs.views.active.camera.azimuth]"
+    box = page.locator(".viewport").first.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    line = page.context.new_cdp_session(page)
+
+    def touch(kind: str, *places: tuple[float, float]) -> None:
+        points = [{"x": x, "y": y, "id": each} for each, (x, y) in enumerate(places)]
+        line.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
+
+    distance, azimuth = page.evaluate(camera)
+    for apart in (40, 60, 80):
+        touch("Start" if apart == 40 else "Move", (x - apart, y), (x + apart, y))
+    touch("End")
+    wait(page, f"Math.abs({camera}[0] - {distance / 2}) < 1e-6 && {camera}[1] === {azimuth}")
+    for apart in (80, 40):
+        touch("Start" if apart == 80 else "Move", (x - apart, y), (x + apart, y))
+    touch("End")
+    wait(page, f"Math.abs({camera}[0] - {distance}) < 1e-6")
+    page.evaluate("crs.model.select(0)")
+    wait(page, "crs.model.state.robot === 0")
+    place = page.evaluate(POINT)
+    touch("Start", place)
+    touch("Move", (place[0] + 3, place[1] + 3))
+    touch("End")
+    wait(page, "crs.model.state.robot === 1")
+
+
 def heat_is_a_colour_and_there_is_a_flat_map(page: Any) -> None:
     page.locator(".viewport").first.focus()
     page.keyboard.press("i")
@@ -181,5 +209,6 @@ def test_a_run_is_watched_moved_stepped_and_left(browser: Any, page: Any, screen
     the_time_line_goes_back_to_any_instant(page, screen)
     a_breakpoint_by_a_click_stops_there_and_steps_go_both_ways(page)
     a_robot_is_selected_in_the_view_and_commands_change_the_run(page)
+    two_fingers_enlarge_the_view_and_one_selects(page)
     heat_is_a_colour_and_there_is_a_flat_map(page)
     who_may_only_look_cannot_steer_and_hears_the_end(browser, page, screen)

@@ -60,9 +60,13 @@ export class Camera {
   }
 
   wheel(turn) {
-    const scale = Math.exp(Math.max(-150, Math.min(150, turn)) / 500);
-    this.distance = Math.min(50 * this.size, Math.max(0.4, this.distance * scale));
-    this.zoom = Math.min(300, Math.max(0.05, this.zoom / scale));
+    this.approach(Math.exp(-Math.max(-150, Math.min(150, turn)) / 500));
+  }
+
+  /** Show the world so many times as large. @param {number} scale */
+  approach(scale) {
+    this.distance = Math.min(50 * this.size, Math.max(0.4, this.distance / scale));
+    this.zoom = Math.min(300, Math.max(0.05, this.zoom * scale));
   }
 
   /** Go with a robot. @param {any} body @param {number} elapsed [s] */

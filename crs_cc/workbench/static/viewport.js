@@ -1,11 +1,11 @@
 /** One view of the world: its canvases, its camera, and what the pointer does there. */
 import { Camera } from "crs/camera.js";
 import { el } from "crs/dom.js";
+import { listenToHands } from "crs/gestures.js";
 import { Overlay } from "crs/overlay.js";
 import { View2D } from "crs/view2d.js";
 import { View3D } from "crs/view3d.js";
 
-const CLICK = 5; // pixels that a click may move
 const STILL = 0.3; // without movement before edges are smooth [s]
 const NEAR = 12; // pixels around a robot that still mean it
 
@@ -81,21 +81,11 @@ export class Viewport {
 
   listen() {
     const { element } = this;
-    let [moved, isDown] = [0, false];
-    element.addEventListener("pointerdown", (event) => {
-      element.setPointerCapture(event.pointerId);
-      [moved, isDown] = [0, true];
-      this.options.active(this);
-    });
-    element.addEventListener("pointermove", (event) => {
-      if (!isDown || !event.buttons) return;
-      moved += Math.abs(event.movementX) + Math.abs(event.movementY);
-      const moves = event.shiftKey || event.buttons > 1 || this.isFlat;
-      this.drag(event.movementX, event.movementY, moves);
-    });
-    element.addEventListener("pointerup", (event) => {
-      if (isDown && moved < CLICK && event.button === 0) this.click(event.offsetX, event.offsetY);
-      isDown = false;
+    listenToHands(element, {
+      begin: () => this.options.active(this),
+      drag: (dx, dy, moves) => this.drag(dx, dy, moves || this.isFlat),
+      pinch: (scale) => this.camera.approach(scale),
+      click: (x, y) => this.click(x, y),
     });
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("dblclick", () => this.camera.reset());
