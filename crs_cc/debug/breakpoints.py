@@ -14,7 +14,7 @@ from crs_cc.ir.names import plain_name
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.recorded_run import RecordedRun
     from crs_cc.debug.timeline.run_event import RunEvent, WatchHit
-    from crs_cc.debug.watch import WatchedObject
+    from crs_cc.debug.watch import Watched
     from crs_cc.debug.watchpoints import Watchpoint
 
 BreakpointKind = Literal["breakpoint", "watchpoint", "catchpoint"]
@@ -28,7 +28,7 @@ class Breakpoint:
         number: its number, from 1; all kinds share one sequence.
         text: the location, expression or event kind as the user wrote it.
         place: the location of a breakpoint; None for the other kinds.
-        watch: the object of a watchpoint; None for the other kinds.
+        watch: what a watchpoint watches; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
         ignore: how many hits are still ignored.
         hits: how often it was hit, ignored hits included.
@@ -116,8 +116,8 @@ class Breakpoints:
             for each in self._all.values()
         )
 
-    def watched(self, robot: int) -> tuple[WatchedObject, ...]:
-        """Return the watched objects in a robot's memory."""
+    def watched(self, robot: int) -> tuple[Watched, ...]:
+        """Return what is watched in a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         return tuple(each.watched for each in points if each)
 

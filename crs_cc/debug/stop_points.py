@@ -6,16 +6,23 @@ import contextlib
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any, Final
 
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.data.evaluate import Evaluator
+from crs_cc.debug.data.notation import slice_in
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
 from crs_cc.debug.view import View
 from crs_cc.debug.watch import KINDS, MAX, AccessKind
-from crs_cc.debug.watchpoints import change_text, same_activation, watchpoint
+from crs_cc.debug.watchpoints import (
+    change_text,
+    same_activation,
+    watched_expression,
+    watched_object,
+)
 from crs_cc.debug.world.events import check_event_kind
 from crs_cc.runtime.sites import StatementSite
 
@@ -79,20 +86,27 @@ class StopPoints:
         return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
-        self, expression: str, kind: AccessKind = "change", **options: Any
+        self,
+        expression: str,
+        kind: AccessKind = "change",
+        *,
+        location: bool = False,
+        **options: Any,
     ) -> Breakpoint:
-        """Add a watchpoint for an object in the memory of a robot.
+        """Add a watchpoint for an expression, or an object in the memory of a robot.
 
         Forward, the run stops before the next statement after an access; backward, before the
         statement that made it.
 
         Args:
-            expression: the object, in the scope of the selected frame.
+            expression: the expression, in the scope of the selected frame.
             kind: which accesses count: `write`, `read`, both (`access`), or those that `change` it.
+            location: whether to watch the object that it names now; otherwise it is evaluated
+                again whenever its value may have changed. A slice is an object.
             options: further attributes of the `Breakpoint`.
 
         Raises:
-            DebugError: it names no object, or too many are watched.
+            DebugError: it cannot be watched, or too many are watched.
         """
         robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
@@ -100,7 +114,12 @@ class StopPoints:
         active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
         if active is not None and options.get("condition"):
             evaluator.check(options["condition"], active.function, active.location)
-        made = watchpoint(self.breakpoints.next_number, expression, kind, evaluator, active)
+        number = self.breakpoints.next_number
+        if location or slice_in(expression):
+            made = watched_object(number, expression, kind, evaluator, active)
+        else:
+            again = partial(self._view.evaluator, robot)
+            made = watched_expression(number, expression, kind, again, active)
         self._make_room(robot)
         return self.breakpoints.add(
             lambda number: Breakpoint(

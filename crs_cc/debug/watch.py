@@ -1,4 +1,4 @@
-"""Watched objects in one robot's memory, and the accesses to them since the last stop.
+"""Watched objects and expressions in one robot's memory, and the accesses since the last stop.
 
 While something is watched, the robot's program runs in its watching build (`codegen.watchpoints`),
 else in the debug build; the frames are the same, and `WatchSet.arm` moves it from one to the other.
@@ -13,6 +13,10 @@ The program stops before the first statement that starts after the access. So th
 started last, one before, is the one to go back to; if it was the last one of a function whose
 value the access used, `MemoryAccess.location` is that of the access itself.
 
+An expression is watched as the set of objects that its evaluation reads. Once one of them has
+been written, the expression is evaluated again and the set is renewed, so `cur->next` follows
+`cur`. At no statement in between can its value have changed: it is a function of what it reads.
+
 A watch on a local variable lasts as long as the function's activation, which is identified by
 its frame and by how many statements had started when it was entered (`StackFrame.entered`). So it
 is active again when the run goes back into it, and inactive before it.
@@ -20,14 +24,16 @@ is active again when the run goes back into it, and inactive before it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Final, Literal, TypeAlias
 
 import numpy as np
 
 from crs_cc.core.arrays import Records
 from crs_cc.core.source import Location
+from crs_cc.debug.data.observation import UNREADABLE, Content, Observation, Span
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.instruction import plain_states
 from crs_cc.ir.names import in_library, plain_name
@@ -48,8 +54,12 @@ from crs_cc.runtime.watch_ranges import (
     offset,
 )
 
-MAX: Final = RANGES // 2
-"""Most objects of one robot that can be watched at once: each needs a range, some one more."""
+_MOST_READS: Final = 6
+"""So many ranges are watched of what an expression reads; nearby ones are joined into one."""
+MAX: Final = RANGES // (_MOST_READS + 2)
+"""Most objects and expressions of one robot that can be watched at once.
+
+Each needs ranges for what it reads, for the object that it names, and for a frame's header."""
 
 AccessKind = Literal["write", "read", "access", "change"]
 KINDS: Final[dict[AccessKind, int]] = {
@@ -59,8 +69,8 @@ KINDS: Final[dict[AccessKind, int]] = {
     "change": WRITE,
 }
 
-Content: TypeAlias = tuple[bytes, bytes]
-"""The bytes of an object, and their `ByteState`s (none in unchecked builds)."""
+Role: TypeAlias = Literal["object", "read", "frame"]
+"""What a range is watched for: the object itself, what its value depends on, a frame's header."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,12 +92,32 @@ class WatchedObject:
 
 
 @dataclass(frozen=True, slots=True)
-class MemoryAccess:
-    """An access to a watched object.
+class WatchedExpression:
+    """A watched expression.
 
     Attributes:
-        watched: the object.
-        what: whether it was written, or only read, or its function has returned.
+        kind: which accesses to the object that it names count; a `change` is one of its value.
+        observe: evaluates it in the stopped program; returns None if its function is not active.
+        frame: the activation whose variables it uses; None if it uses only static ones.
+    """
+
+    number: int
+    kind: AccessKind
+    observe: Callable[[], Observation | None]
+    frame: StackFrame | None = None
+
+
+Watched: TypeAlias = WatchedObject | WatchedExpression
+
+
+@dataclass(frozen=True, slots=True)
+class MemoryAccess:
+    """An access to a watched object, or a change of a watched expression.
+
+    Attributes:
+        watched: the object or expression.
+        what: whether it was written or only read, or its value was changed by a write to
+            something else that it depends on, or its function has returned.
         old: the bytes before.
         new: the bytes now.
         location: the location in the user's files, of the call if the library did it, or None.
@@ -95,8 +125,8 @@ class MemoryAccess:
         library: the C name of the library function that was called there, or empty.
     """
 
-    watched: WatchedObject
-    what: Literal["write", "read", "return"]
+    watched: Watched
+    what: Literal["write", "read", "change", "return"]
     old: Content
     new: Content
     location: Location | None = None
@@ -105,7 +135,7 @@ class MemoryAccess:
 
 
 class WatchSet:
-    """The watched objects in one robot's memory."""
+    """The watched objects and expressions of one robot's program."""
 
     def __init__(
         self, fleet: Fleet, robot: int, watching: Callable[[Executable], Executable]
@@ -115,23 +145,21 @@ class WatchSet:
         self._robot = robot
         self._plain = fleet.executable(robot)
         self._watching = watching
-        self._wanted: tuple[WatchedObject, ...] = ()
+        self._wanted: tuple[Watched, ...] = ()
         self._over: set[int] = set()
-        self._before: dict[int, Content] = {}
-        self._rows: dict[
-            tuple[int, bool], int
-        ] = {}  # by number, and whether of a header: its range
+        self._seen: dict[int, Observation] = {}
+        self._rows: list[tuple[int, Role]] = []  # of each range: whose it is, and what for
         self._places: list[tuple[Location, str]] = []
 
     def is_of(self, executable: Executable) -> bool:
         """Return whether this is the robot's program, in its plain build."""
         return self._plain is executable
 
-    def arm(self, wanted: Sequence[WatchedObject]) -> None:
-        """Set the watched objects; accesses to unchanged ones are kept.
+    def arm(self, wanted: Sequence[Watched]) -> None:
+        """Set what is watched; accesses to what stays watched are kept.
 
         Raises:
-            DebugError: there are too many, or memory is exhausted.
+            DebugError: there is too much, or memory is exhausted.
         """
         if len(wanted) > MAX:
             raise DebugError(f"at most {MAX} objects of a robot's program can be watched at once")
@@ -151,7 +179,7 @@ class WatchSet:
         if not self._wanted:
             return
         self._over = self._ended()
-        self._before = {each.number: self._content(each) for each in self._wanted}
+        self._seen = {each.number: self._look(each) for each in self._wanted}
         self._enter()
 
     def is_pending(self) -> bool:
@@ -162,14 +190,16 @@ class WatchSet:
         """Return the accesses since the last call."""
         if not self.is_pending():
             return []
-        found = [self._access(each) for each in self._wanted if each.number not in self._over]
+        before = dict(self._seen)
+        active = [each for each in self._wanted if each.number not in self._over]
+        found = [access for each in active for access in self._accesses(each)]
         self._fleet.watched[self._robot]["pending"] = 0
         self._ranges()["hits"] = 0
-        gone = {each.watched.number for each in found if each and each.what == "return"}
-        if gone:
-            self._over |= gone
+        gone = {each.watched.number for each in found if each.what == "return"}
+        self._over |= gone
+        if gone or any(_moved(before[number], now) for number, now in self._seen.items()):
             self._enter()
-        return [each for each in found if each is not None]
+        return found
 
     # -- the ranges ----------------------------------------------------------------------------
 
@@ -179,27 +209,33 @@ class WatchSet:
 
     def _enter(self) -> None:
         """Write the watched ranges to where the program reads them."""
-        rows: list[tuple[int, int, int, int]] = []
-        self._rows = {}
+        rows: list[tuple[Span, int, int]] = []
+        self._rows = []
         for each in self._wanted:
             if each.number in self._over:
                 continue
             since = 0 if each.frame is None else each.frame.entered
-            self._rows[each.number, False] = len(rows)
-            rows.append((each.address, each.size, KINDS[each.kind], since))
+            seen = self._seen[each.number]
+            parts: list[tuple[Role, Span, int]] = [
+                ("read", span, WRITE) for span in joined(seen.reads, _MOST_READS)
+            ]
+            if seen.place is not None:
+                parts.insert(0, ("object", seen.place, KINDS[each.kind]))
             if each.frame is not None:
-                self._rows[each.number, True] = len(rows)
-                rows.append((each.frame.fp, 1, ENTER | RETURN, since))
+                parts.append(("frame", (each.frame.fp, 1), ENTER | RETURN))
+            self._rows += [(each.number, role) for role, _, _ in parts]
+            rows += [(span, kinds, since) for _, span, kinds in parts]
         watched = self._fleet.watched[self._robot]
         watched["pending"] = 0
         watched["end"] = offset("ranges") + len(rows) * RANGE.itemsize
         ranges = self._ranges()
         ranges["hits"] = 0
-        for row, (first, size, kinds, since) in zip(ranges, rows, strict=True):
-            row["first"], row["size"], row["kinds"], row["since"] = first, size, kinds, since
-        self._bound([each[:2] for each in rows])
+        for row, (span, kinds, since) in zip(ranges, rows, strict=True):
+            row["first"], row["size"] = span
+            row["kinds"], row["since"] = kinds, since
+        self._bound([span for span, _, _ in rows])
 
-    def _bound(self, parts: Sequence[tuple[int, int]]) -> None:
+    def _bound(self, parts: Sequence[Span]) -> None:
         """Write the bounds of all ranges, each given by first address and size."""
         watched = self._fleet.watched[self._robot]
         for field in ("first", "span", "lowest", "highest", "grains"):
@@ -215,33 +251,40 @@ class WatchSet:
             watched["lowest"] = min(first for first, _ in on_stack)
             watched["highest"] = max(first + size for first, size in on_stack)
 
-    def _hits(self, number: int, *, header: bool) -> Records | None:
-        """Return the range of an object, or of its frame's header, if it was hit."""
-        at = self._rows.get((number, header))
-        row: Records | None = None if at is None else self._ranges()[at]
-        return row if row is not None and row["hits"] else None
+    def _hits(self, number: int) -> dict[Role, Records]:
+        """Return the first range that was hit of each role."""
+        found: dict[Role, Records] = {}
+        for (owner, role), row in zip(self._rows, self._ranges(), strict=True):
+            if owner == number and row["hits"]:
+                found.setdefault(role, row)
+        return found
 
     # -- what happened -------------------------------------------------------------------------
 
-    def _access(self, watched: WatchedObject) -> MemoryAccess | None:
-        """Return the access to an object, None if none counts."""
-        number, frame = watched.number, watched.frame
-        old, new = self._before[number], self._content(watched)
-        if frame is not None:
-            if self._begun() <= frame.entered:  # no statement of the function has started yet
-                self._before[number] = new
-                return None
-            header = self._hits(number, header=True)
-            if header is not None and int(header["hits"]) & RETURN:
-                return MemoryAccess(watched, "return", old, new, *self._place(header))
-        row = self._hits(number, header=False)
+    def _accesses(self, watched: Watched) -> Iterator[MemoryAccess]:
+        """Return the accesses that count."""
+        number, frame, hits = watched.number, watched.frame, self._hits(watched.number)
+        old, touched = self._seen[number], hits.get("object")
+        if frame is not None and self._begun() <= frame.entered:
+            self._seen[number] = self._look(watched)  # no statement of the function has started yet
+            return
+        header = hits.get("frame")
+        if header is not None and int(header["hits"]) & RETURN:
+            # What it has written is gone, but what it has read is what was there before.
+            if touched is not None and int(touched["hits"]) == READ:
+                yield MemoryAccess(watched, "read", old.content, old.content, *self._place(touched))
+            yield MemoryAccess(watched, "return", old.content, old.content, *self._place(header))
+            return
+        row = touched if touched is not None else hits.get("read")
         if row is None:
-            return None
-        self._before[number] = new
-        if watched.kind == "change" and old == new:
-            return None
-        what: Literal["write", "read"] = "write" if int(row["hits"]) & WRITE else "read"
-        return MemoryAccess(watched, what, old, new, *self._place(row))
+            return
+        new = self._seen[number] = self._look(watched)
+        if (old.content == new.content) if watched.kind == "change" else (touched is None):
+            return
+        what: Literal["write", "read", "change"] = "change"
+        if touched is not None and old.place == new.place:
+            what = "write" if int(touched["hits"]) & WRITE else "read"
+        yield MemoryAccess(watched, what, old.content, new.content, *self._place(row))
 
     def _place(self, row: Records) -> tuple[Location | None, str, str]:
         """Return where an access was made: location, function, and library function."""
@@ -266,11 +309,14 @@ class WatchSet:
     def _begun(self) -> int:
         return int(self._fleet.slots["statements"][self._robot])
 
-    def _content(self, watched: WatchedObject) -> Content:
+    def _look(self, watched: Watched) -> Observation:
+        """Return the value now, and what it depends on."""
+        if isinstance(watched, WatchedExpression):
+            return watched.observe() or UNREADABLE
         part = slice(watched.address, watched.address + watched.size)
-        robot = self._robot
-        states = self._fleet.shadow(robot)[part].tobytes()
-        return self._fleet.memory(robot)[part].tobytes(), plain_states(states)
+        states = plain_states(self._fleet.shadow(self._robot)[part].tobytes())
+        content = self._fleet.memory(self._robot)[part].tobytes()
+        return Observation((content, states), (watched.address, watched.size))
 
     def _ended(self) -> set[int]:
         """Return the numbers of the variables whose functions have returned."""
@@ -287,3 +333,35 @@ class WatchSet:
             and each.frame.entered < begun
             and (each.frame.fp, each.frame.function, each.frame.entered) not in active
         }
+
+
+def _moved(before: Observation, now: Observation) -> bool:
+    """Return whether another set of objects is to be watched."""
+    return (before.place, before.reads) != (now.place, now.reads)
+
+
+def joined(spans: Iterable[Span], most: int) -> list[Span]:
+    """Return at most so many ranges that cover some others, at least one on each side of the stack.
+
+    >>> joined([(0x900000, 4), (0x900008, 4), (0x900004, 4), (0x900100, 1)], 6)
+    [(9437184, 12), (9437440, 1)]
+    >>> joined([(0x900000, 4), (0x900100, 4), (0x900110, 4)], 2)
+    [(9437184, 4), (9437440, 20)]
+    """
+    found: list[tuple[int, int]] = []  # first address and end
+    for first, size in sorted(spans):
+        if found and first <= found[-1][1]:
+            found[-1] = found[-1][0], max(found[-1][1], first + size)
+        else:
+            found.append((first, first + size))
+    while len(found) > most:
+        gaps = {
+            after[0] - before[1]: number
+            for number, (before, after) in reversed(list(enumerate(pairwise(found))))
+            if (before[1] <= STACK_TOP) == (after[0] < STACK_TOP)
+        }
+        if not gaps:
+            break
+        at = gaps[min(gaps)]
+        found[at : at + 2] = [(found[at][0], found[at + 1][1])]
+    return [(first, end - first) for first, end in found]

@@ -1,21 +1,30 @@
-"""Watchpoints: objects given by an expression, and reports of accesses to them.
+"""Watchpoints: what is watched, given by an expression, and reports of accesses to it.
 
-The expression is evaluated once: `*p` is what `p` points to now. An object on the stack is watched
-as long as its function is active.
+An expression is watched by its value, evaluated anew whenever something that it depends on has
+been written: `*p` is what `p` points to by then. By its location it is evaluated once: `*p` is what
+`p` points to now. Either lasts as long as the function whose variables are concerned is active.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
 
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.memory_inspection import MemoryInspector
+from crs_cc.debug.data.observation import UNREADABLE, Content, Observation
 from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import AccessKind, Content, MemoryAccess, WatchedObject
+from crs_cc.debug.watch import (
+    AccessKind,
+    MemoryAccess,
+    Watched,
+    WatchedExpression,
+    WatchedObject,
+)
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.types import CType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
@@ -23,20 +32,26 @@ from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
 _MAX_DEPTH: Final = 20
+_UNREADABLE: Final = "unreadable"
 
 
 @dataclass(frozen=True, slots=True)
 class Watchpoint:
-    """The object of a watchpoint.
+    """What a watchpoint watches.
 
     Attributes:
         text: the expression.
-        watched: its bytes in memory.
+        watched: its bytes in memory, or the expression.
     """
 
     text: str
     type: CType
-    watched: WatchedObject
+    watched: Watched
+
+    @property
+    def is_location(self) -> bool:
+        """Return whether one object is watched, whatever the expression will mean later."""
+        return isinstance(self.watched, WatchedObject)
 
     @property
     def note(self) -> str:
@@ -45,10 +60,10 @@ class Watchpoint:
         return f"lasts until '{plain_name(frame.function)}' returns" if frame else ""
 
 
-def watchpoint(
+def watched_object(
     number: int, text: str, kind: AccessKind, evaluator: Evaluator, frame: StackFrame | None
 ) -> Watchpoint:
-    """Resolve the object that an expression names.
+    """Resolve the object that an expression names now.
 
     Raises:
         DebugError: it names no existing object.
@@ -63,6 +78,59 @@ def watchpoint(
     return Watchpoint(
         text, place.type, WatchedObject(number, kind, place.address, place.size, owner)
     )
+
+
+def watched_expression(
+    number: int,
+    text: str,
+    kind: AccessKind,
+    evaluator: Callable[[], Evaluator],
+    frame: StackFrame | None,
+) -> Watchpoint:
+    """Resolve an expression that is to be evaluated again and again.
+
+    Args:
+        number: the number of the watchpoint.
+        text: the expression.
+        kind: which accesses count.
+        evaluator: returns the evaluator of the robot's program, wherever the run is then.
+        frame: the frame whose scope applies.
+
+    Raises:
+        DebugError: it is invalid, is constant, has side effects or, for other kinds than `change`,
+            names no object.
+    """
+    now = evaluator()
+    scope = now.scope_of(text, frame)
+    if kind != "change" and not scope.is_place:
+        raise DebugError(f"'{text}' is a value, not an object in memory")
+    ctype = now.type_of(text, frame)
+    if not ctype.size:
+        raise DebugError(f"'{text}' has size 0 and cannot be watched")
+    if now.has_effects(text, frame):
+        raise DebugError(f"'{text}' would change the program")
+
+    def observe() -> Observation | None:
+        current = evaluator()
+        stack = current.inspector().stopped.stack
+        active = [_again(stack, each) for each in (scope.frame, scope.innermost) if each]
+        if None in active:
+            return None
+        return current.observe(text, scope.names, active[0] if active else None)
+
+    found = observe() or UNREADABLE
+    if not found.reads:
+        if found.place is None:
+            raise DebugError(f"'{text}' is constant and cannot be watched")
+        inspector = now.inspector()
+        if not inspector.is_accessible(*found.place):
+            raise DebugError(inspector.explain(*found.place, False))
+    return Watchpoint(text, ctype, WatchedExpression(number, kind, observe, scope.innermost))
+
+
+def _again(stack: Sequence[StackFrame], frame: StackFrame) -> StackFrame | None:
+    """Return the frame of an activation where it is now; None if it is not active."""
+    return next((each for each in stack if same_activation(each, frame)), None)
 
 
 def _owner(stopped: Stopped, address: int) -> StackFrame | None:
@@ -90,18 +158,27 @@ def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryI
         function = plain_name(watchpoint.watched.frame.function) if watchpoint.watched.frame else ""
         return f"{watchpoint.text} went out of scope: '{function}' has returned{where}"
     old, new = (_value(inspector, watchpoint, each) for each in (access.old, access.new))
+    if old is None or new is None:
+        texts = [each.text if each else _UNREADABLE for each in (old, new)]
+        return f"{watchpoint.text}: {' -> '.join(texts)}, changed{by}{where}"
     if access.what == "read":
         return f"{watchpoint.text} = {new.text}, read{by}{where}"
     if access.old == access.new:
         return f"{watchpoint.text} = {new.text} (unchanged), written{by}{where}"
     name, old, new = _narrowed(watchpoint.text, old, new)
-    return f"{name}: {old.text} -> {new.text}, written{by}{where}"
+    how = "changed" if access.what == "change" else "written"
+    return f"{name}: {old.text} -> {new.text}, {how}{by}{where}"
 
 
-def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value:
+def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value | None:
+    """Return a value; None if it could not be read."""
     there, states = content
+    if not there:
+        return None
     known = states if states.strip(GONE) else b""  # registers have no states
-    return Value(inspector, watchpoint.type, there, known, watchpoint.watched.address)
+    watched = watchpoint.watched
+    address = watched.address if isinstance(watched, WatchedObject) else None
+    return Value(inspector, watchpoint.type, there, known, address)
 
 
 def _narrowed(name: str, old: Value, new: Value) -> tuple[str, Value, Value]:

@@ -9,7 +9,7 @@ concerned; and by a bitmap of the grains that they touch, modulo 64 (a Bloom fil
 All this belongs to the debugger and is not state of the program: no snapshot includes it.
 
 >>> WATCHED.itemsize
-1056
+4128
 >>> hex(grains(0x1008, 4)), hex(grains(0x1010, 16)), hex(grains(0, 4096))
 ('0x1', '0x3', '0xffffffffffffffff')
 """
@@ -20,7 +20,7 @@ from typing import Final
 
 import numpy as np
 
-RANGES: Final = 16
+RANGES: Final = 64
 CALLERS: Final = 8
 READ, WRITE, ENTER, RETURN = 1, 2, 4, 8
 """Kinds of access; the last two are function entry and exit, as accesses to the first byte

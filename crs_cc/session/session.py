@@ -387,7 +387,7 @@ class Session:
         state = self.state
         if self._is_quiet:
             self._skip(1)
-            self._begin_cycle()
+            self.network.begin_cycle(state.clock_s, state.alive)
             return self._can_continue
         step = self.environment.step(tells_slices=self._trace is not None)
         if len(step.robots):
@@ -396,18 +396,12 @@ class Session:
         state.timesteps += 1
         state.rounds = 0
         state.update_presence()
-        self._begin_cycle()
+        self.network.begin_cycle(state.clock_s, state.alive)
         if self._trace is not None:
             self._trace.step(step)
         if self._observer is not None:
             self._observer.step(step)
         return self._can_continue
-
-    def _begin_cycle(self) -> None:
-        """Deliver what comes over the network; programs that were put to sleep sleep on."""
-        state = self.state
-        self.network.begin_cycle(state.clock_s, state.alive)
-        np.maximum(state.clock_s, state.asleep_until_s, out=state.clock_s)
 
     @property
     def _is_quiet(self) -> bool:

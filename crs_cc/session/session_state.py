@@ -48,7 +48,6 @@ _INITIAL: Final[dict[str, float]] = {
     "due_s": NEVER_S,
     "ended_s": 0.0,
     "called_s": -math.inf,
-    "asleep_until_s": -math.inf,
     "pending": 0,
 }
 """The arrays over robots, and their values for a robot whose program has not started."""
@@ -71,8 +70,6 @@ class SessionState:
         due_s: when the request of each program arrives over the link [s]; infinite for none.
         ended_s: each program's clock when it ended [s].
         called_s: time of each program's last reply from its robot [s].
-        asleep_until_s: no program's clock is before this [s], even if what it waits for has
-            happened; in the past for programs that were not put to sleep.
         pending: fuel that each program was given for the round in which a program with a debug
             build has stopped; 0 outside a round.
         speed_hz: the speed of each robot's host [instructions/s].
@@ -113,7 +110,6 @@ class SessionState:
         self.unconnected_calls: list[ActiveCall | None] = [None] * count
         self.ended_s = np.zeros(0)
         self.called_s = np.zeros(0)
-        self.asleep_until_s = np.zeros(0)
         self._add_rows(0)
         self.rounds = 0
         self.halted: int | None = None
@@ -267,9 +263,8 @@ class SessionState:
             for piece in disk.state():
                 digest.update(piece)
         digest.update(self.network.hashed())
-        for name in _INITIAL:
-            if name != "asleep_until_s" or np.isfinite(self.asleep_until_s).any():
-                digest.update(getattr(self, name).tobytes())
+        for array in self._arrays():
+            digest.update(array.tobytes())
         digest.update(repr(self.host.exit_status).encode())
         return digest.hexdigest()
 
@@ -325,7 +320,6 @@ class SessionState:
         """End programs at their current clocks."""
         self.alive[robots] = False
         self.ended_s[robots] = self.clock_s[robots]
-        self.asleep_until_s[robots] = -math.inf
 
     def _set_added(self, added: Sequence[Added]) -> None:
         """Make these the added programs, keeping those that are the same."""

@@ -81,7 +81,7 @@ def test_both_directions_find_the_same(loop: Debugger) -> None:
         loop.stop_points.add_watchpoint(what, kind)  # type: ignore[arg-type]
     forward = texts(loop)
     assert forward[:4] == [
-        "i: 0 -> 1, written at a.c:14",
+        "i: uninitialised -> 1, written at a.c:14",
         "total: 0 -> 2, written at a.c:15",
         "goal.order[1]: 0 -> 1, written at a.c:16",
         "i: 1 -> 2, written at a.c:14",
@@ -185,9 +185,14 @@ def test_an_assignment_by_the_user_is_not_an_access(loop: Debugger) -> None:
 
 def test_invalid_watchpoints_are_refused(loop: Debugger) -> None:
     go(loop, "18")
-    for wrong in ("total + 1", "*p", "nothing", "", "1", "twice", "main", "goal.order[4]"):
+    for wrong in ("nothing", "", "1", "twice", "main", "goal.order[4]", "total = 3", "i++"):
         with pytest.raises(DebugError):
             loop.stop_points.add_watchpoint(wrong)
+    for wrong in ("total + 1", "*p", "-total"):
+        with pytest.raises(DebugError):
+            loop.stop_points.add_watchpoint(wrong, location=True)
+    with pytest.raises(DebugError, match="is a value, not an object"):
+        loop.stop_points.add_watchpoint("total + 1", "write")
     with pytest.raises(DebugError, match="access kind"):
         loop.stop_points.add_watchpoint("total", "look")  # type: ignore[arg-type]
     for _ in range(MAX):

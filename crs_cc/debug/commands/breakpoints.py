@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 _CONVERSION: Final = re.compile(
     r"%(?:%|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|L|z|t|j)?([diouxXcsfFeEgGap]))"
 )
+_LOCATION: Final = re.compile(r"-l(?:oc(?:ation)?)?(?:\s+|$)")
 _MAX_FUNCTIONS: Final = 200
 _ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
@@ -112,9 +113,15 @@ def _here(context: CommandContext) -> str:
 
 
 def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
-    where = parse_breakpoint_arguments(require_argument(text, "an expression such as speed or *p"))
+    where = parse_breakpoint_arguments(text)
+    is_location = _LOCATION.match(where.place)
+    expression = where.place[is_location.end() :] if is_location else where.place
     made = context.debugger.stop_points.add_watchpoint(
-        where.place, kind, condition=where.condition, robot=_robot(context, where.robot)
+        require_argument(expression, "an expression such as speed or *p"),
+        kind,
+        location=bool(is_location),
+        condition=where.condition,
+        robot=_robot(context, where.robot),
     )
     return _made(context, made)
 
@@ -280,24 +287,26 @@ BREAKPOINTS: Final = Group(
             text="REGEX is a regular expression; it may match any part of a name.",
         ),
         Command(
-            "watch", "EXPRESSION [if CONDITION]", "Stop when the value of an expression changes.",
-            partial(_watch, kind="change"),
-            text="EXPRESSION names an object: a variable, an element, *p. Stops after the"
-            " statement that wrote it (in reverse: before it). A local variable is watched"
-            " until its function returns.",
+            "watch", "[-location] EXPRESSION [if CONDITION]",
+            "Stop when the value of an expression changes.", partial(_watch, kind="change"),
+            text="Stops after the statement that changed it (in reverse: before it). EXPRESSION is"
+            " evaluated anew each time: a[i] is another element when i has changed. With -location"
+            " (-l), it names an object, which is watched whatever EXPRESSION means later. A local"
+            " variable is watched until its function returns.",
             completes="expression",
         ),
         Command(
-            "wwatch", "EXPRESSION [if CONDITION]",
+            "wwatch", "[-location] EXPRESSION [if CONDITION]",
             "Stop when an object is written, changed or not.",
             partial(_watch, kind="write"), completes="expression",
         ),
         Command(
-            "rwatch", "EXPRESSION [if CONDITION]", "Stop when an object is read.",
+            "rwatch", "[-location] EXPRESSION [if CONDITION]", "Stop when an object is read.",
             partial(_watch, kind="read"), completes="expression",
         ),
         Command(
-            "awatch", "EXPRESSION [if CONDITION]", "Stop when an object is read or written.",
+            "awatch", "[-location] EXPRESSION [if CONDITION]",
+            "Stop when an object is read or written.",
             partial(_watch, kind="access"), completes="expression",
         ),
         Command(

@@ -81,7 +81,8 @@ def _command(context: CommandContext, one: Breakpoint) -> str:
     if one.log:
         return f"log {one.text} {one.log}"
     if one.watch is not None:
-        return f"{_WATCHES[one.watch.watched.kind]} {one.text}{robot}"
+        location = "-location " * one.watch.is_location
+        return f"{_WATCHES[one.watch.watched.kind]} {location}{one.text}{robot}"
     word = "catch" if one.kind == "catchpoint" else "tbreak" if one.temporary else "break"
     return f"{word} {one.text}{robot}"
 

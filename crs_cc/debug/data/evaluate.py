@@ -12,10 +12,11 @@ from __future__ import annotations
 import contextlib
 import struct
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 from crs_cc.core.source import Location
+from crs_cc.debug.data.evaluation import Evaluation, ExpressionScope, ObjectLocation
 from crs_cc.debug.data.expression_compiler import (
     ExpressionCompiler,
     ExpressionContext,
@@ -26,69 +27,40 @@ from crs_cc.debug.data.expression_compiler import (
 )
 from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.interpret import SCRATCH, Interpreter
-from crs_cc.debug.data.memory import SavedRegister, StoppedMemory
+from crs_cc.debug.data.memory import MemoryReads, SavedRegister, StoppedMemory
 from crs_cc.debug.data.memory_inspection import MemoryInspector
 from crs_cc.debug.data.notation import Slice, convenience_assignment, slice_in
+from crs_cc.debug.data.observation import UNREADABLE, Observation, Span
 from crs_cc.debug.data.operators import unsigned
 from crs_cc.debug.data.scope import FrameAddresses, Scopes, Storage
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.timeline.change import MemoryPatch
 from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
+from crs_cc.ir.instruction import ByteState
 from crs_cc.ir.names import LIBRARY, in_library, plain_name
 from crs_cc.ir.program import Data, Function
 from crs_cc.ir.types import (
+    LONG,
     ArrayType,
     CType,
     FloatType,
     FunctionType,
     PointerType,
+    RecordType,
     VoidType,
     is_complete,
 )
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 from crs_cc.session.library import library
 
 MAX_ELEMENTS: Final = 100_000
 """Longer slices are refused."""
+_WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
 """The parts of the library that programs need not have linked for expressions to use them."""
-
-
-@dataclass(frozen=True, slots=True)
-class Evaluation:
-    """The result of an evaluation.
-
-    Attributes:
-        patches: what has changed in the program's memory; empty if nothing has.
-    """
-
-    value: Value
-    patches: tuple[MemoryPatch, ...] = ()
-
-    @property
-    def changed(self) -> bool:
-        """Return whether the program's memory has changed."""
-        return bool(self.patches)
-
-
-@dataclass(frozen=True, slots=True)
-class ObjectLocation:
-    """The object that an expression names.
-
-    Attributes:
-        address: its first byte.
-        size: its size [bytes].
-        frame: the frame whose variables the expression uses, and with which the object ends;
-            None if it uses only globals.
-    """
-
-    address: int
-    size: int
-    type: CType
-    frame: StackFrame | None
 
 
 class Evaluator:
@@ -178,6 +150,12 @@ class Evaluator:
         self._memory.undo()
         return bool(result)
 
+    def has_effects(self, text: str, frame: StackFrame | None = None) -> bool:
+        """Return whether an expression would change the program, as far as it can be evaluated."""
+        with contextlib.suppress(DebugError):
+            return self.evaluate(text, frame).changed
+        return False
+
     def check(self, text: str, function: str, place: Location) -> None:
         """Check that an expression is valid at a location; raise DebugError if it is not."""
         with contextlib.suppress(UnknownSizeError):
@@ -203,6 +181,84 @@ class Evaluator:
             return self._slice(wanted, frame).type
         standing = self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
         return self._preparation.of(text, standing).compiled.type
+
+    def scope_of(self, text: str, frame: StackFrame | None = None) -> ExpressionScope:
+        """Return where the names of an expression have their meaning.
+
+        Raises:
+            DebugError: it is invalid here, or its meaning would change with time.
+        """
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        names = self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
+        prepared = self._preparation.of(text, names)
+        if any(isinstance(each, bytes) for each in prepared.uses):
+            raise DebugError(f"'{text}' uses values of the debugger's")
+        uses = [each for each in prepared.uses if isinstance(each, Use)]
+        is_local = any(each.storage.in_frame and not each.inside for each in uses)
+        inside = [_active_call(each.inside, stopped, frame) for each in uses if each.inside]
+        if is_local and any(frame and each.fp < frame.fp for each in inside):
+            raise DebugError(f"'{text}' uses variables of an inner call: select its frame")
+        frames = [*inside, *([frame] if is_local and frame else [])]
+        innermost = min(frames, key=lambda each: each.fp, default=None)
+        own = frame if is_local else innermost
+        return ExpressionScope(replace(names, sizes={}), own, innermost, prepared.compiled.is_place)
+
+    def observe(
+        self, text: str, scope: ExpressionContext, frame: StackFrame | None = None
+    ) -> Observation:
+        """Return the value of an expression with all memory that it depends on.
+
+        It is a function of this memory: other than for `evaluate`, uninitialised and freed objects
+        have the values that are there.
+
+        Args:
+            text: the expression; its side effects are undone.
+            scope: the function and location that give its names their meaning.
+            frame: the frame of that function; its own location does not matter.
+
+        Raises:
+            DebugError: it is invalid there.
+        """
+        stopped = self._stopped()
+        known = replace(FrameAddresses.of(stopped, frame), place=None)
+        has_sizes = frame is not None and frame.function == scope.function
+        extents = self._scopes.extents(scope.function) if has_sizes else ()
+        sizes = known.sizes(extents, stopped.memory)
+        self._memory.reads = reads = MemoryReads()
+        reads.spans |= {(known.address(each), LONG.size) for each in extents}
+        try:
+            prepared = self._preparation.of(text, replace(scope, sizes=sizes))
+            result = self._result(prepared, known, frame)
+            return self._observed(prepared.compiled, result)
+        except (EvaluationError, DebugError, RecursionError) as wrong:
+            if isinstance(wrong, DebugError) and not reads.spans:
+                raise
+            return Observation(UNREADABLE.content, None, _in_program(reads))
+        finally:
+            self._memory.undo()
+            self._memory.reads = None
+
+    def _observed(self, compiled: CompiledExpression, result: Any) -> Observation:
+        """Return an observed value; raise EvaluationError if it cannot be read."""
+        reads, ctype = self._memory.reads, compiled.type
+        assert reads is not None
+        if not compiled.is_place:
+            content = _bytes(ctype, result)
+        elif (address := unsigned(result, 32)) >= SCRATCH:
+            content = self._interpreter.scratch(address, ctype.size)
+        else:
+            return self._observed_object(address, ctype, reads)
+        states = _WITHOUT * len(content) if reads.is_unset else b""
+        return Observation((content, states), None, _in_program(reads))
+
+    def _observed_object(self, address: int, ctype: CType, reads: MemoryReads) -> Observation:
+        spans, is_whole = _in_program(reads), not isinstance(ctype, ArrayType | RecordType)
+        content = self._memory.read(address, ctype.size, judged=is_whole)
+        states = b"" if is_whole else self._memory.states(address, ctype.size)
+        if reads.is_unset:
+            states = _WITHOUT * ctype.size
+        return Observation((content, states), (address, ctype.size), spans)
 
     def place(self, text: str, frame: StackFrame | None = None) -> ObjectLocation:
         """Return the location of the object that an expression names.
@@ -272,13 +328,36 @@ class Evaluator:
         """Evaluate an expression; return it compiled, and its value or address."""
         known = FrameAddresses.of(stopped, frame)
         prepared = self._preparation.of(text, self._standing(stopped, frame, known))
+        try:
+            return prepared, self._result(prepared, known, frame)
+        except EvaluationError as wrong:
+            self._memory.undo()
+            raise DebugError(str(wrong)) from None
+        except RecursionError:
+            self._memory.undo()
+            raise DebugError("too many nested calls") from None
+
+    def _result(
+        self, prepared: PreparedExpression, known: FrameAddresses, frame: StackFrame | None
+    ) -> Any:
+        """Evaluate a compiled expression; return its value or address.
+
+        Raises:
+            DebugError: a variable does not exist now.
+            EvaluationError: it cannot be evaluated.
+        """
+        stopped = self._stopped()
         arguments: list[int | bytes] = []
         saved: list[SavedRegister] = []
         for use in prepared.uses:
             if isinstance(use, bytes):
                 arguments.append(use)
                 continue
-            where = known if not use.inside else _frame_of(use.inside, stopped, frame)
+            where = (
+                known
+                if not use.inside
+                else FrameAddresses.of(stopped, _active_call(use.inside, stopped, frame))
+            )
             own = where.saved(use.storage)
             if own is not None:
                 saved.append(own)
@@ -286,19 +365,13 @@ class Evaluator:
             if use.storage.variable.is_indirect:
                 arguments[-1] = self._pointer(use, own, arguments[-1])
         self._memory.begin(saved)
-        try:
-            value = self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
-        except EvaluationError as wrong:
-            self._memory.undo()
-            raise DebugError(str(wrong)) from None
-        except RecursionError:
-            self._memory.undo()
-            raise DebugError("too many nested calls") from None
-        return prepared, value
+        return self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
 
     def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:
         """Return the address of an array that is held by a hidden pointer."""
         assert isinstance(address, int)
+        if self._memory.reads is not None:
+            self._memory.reads.spans.add((address, PointerType.size))
         memory = self._stopped().memory
         if saved is not None and not saved.has_value(memory):
             raise DebugError(f"'{use.storage.variable.name}' does not exist yet")
@@ -361,6 +434,12 @@ class Evaluator:
         return self.inspector().explain(address, size, reading)
 
 
+def _in_program(reads: MemoryReads) -> tuple[Span, ...]:
+    """Return what has been read of the program's memory, in the order of addresses."""
+    inside = (each for each in reads.spans if each[0] >= NULL_SIZE and sum(each) <= MEMORY_BYTES)
+    return tuple(sorted(inside))
+
+
 def _lend(name: str) -> Function | Data | None:
     """Return a function or object of the library, if it does not need the simulated world."""
     found = library().find(name)
@@ -371,13 +450,13 @@ def _innermost(stopped: Stopped) -> StackFrame | None:
     return next((each for each in stopped.stack if not in_library(each.location)), None)
 
 
-def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> FrameAddresses:
+def _active_call(function: str, stopped: Stopped, frame: StackFrame | None) -> StackFrame:
     """Return the frame of a function: the nearest outer one, or else the innermost."""
     active = [each for each in stopped.stack if each.function == function]
     if not active:
         raise DebugError(f"'{plain_name(function)}' is not active: it has no variables")
     outside = [each for each in active if frame is None or each.fp >= frame.fp]
-    return FrameAddresses.of(stopped, (outside or active)[0])
+    return (outside or active)[0]
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:

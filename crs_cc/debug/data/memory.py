@@ -8,7 +8,7 @@ reach these bytes, so the variables that an expression names are passed as `Save
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
@@ -67,15 +67,31 @@ class SavedRegister:
         return value.to_bytes(size, "little", signed=signed)
 
 
+@dataclass(slots=True)
+class MemoryReads:
+    """What an evaluation reads of a program's memory.
+
+    Attributes:
+        spans: first address and size of each part.
+        is_unset: whether a part without a value was used.
+    """
+
+    spans: set[tuple[int, int]] = field(default_factory=set)
+    is_unset: bool = False
+
+
 class StoppedMemory:
     """The memory of a stopped program; stays valid when the program resumes.
 
     Attributes:
         trusting: whether inaccessible bytes may be accessed, as by the allocator.
+        reads: records what is read, if set. Then all memory may be read, whether or not it has a
+            value, so that an evaluation depends on nothing but the bytes recorded.
     """
 
     def __init__(self, stopped: Stopped, explain: Explain) -> None:
         self.trusting = False
+        self.reads: MemoryReads | None = None
         self._memory, self._shadow = stopped.memory, stopped.shadow
         self._explain = explain
         self._saved: dict[int, SavedRegister] = {}
@@ -126,7 +142,9 @@ class StoppedMemory:
         """
         content = self._memory[address : address + size].tobytes()
         saved = self._saved_at(address, size)
-        if saved is not None:
+        if self.reads is not None:
+            self._record(address, size, judged=judged)
+        elif saved is not None:
             if judged and not saved.has_value(self._memory):
                 raise EvaluationError(f"'{saved.name}' is uninitialised")
         else:
@@ -134,6 +152,21 @@ class StoppedMemory:
             if states != _VALUED * size and not self.trusting:
                 self._refuse(address, size, states, judged=judged)
         return content
+
+    def _record(self, address: int, size: int, *, judged: bool) -> None:
+        assert self.reads is not None
+        self.reads.spans.add((address, size))
+        if address < NULL_SIZE or address + size > len(self._memory):
+            raise EvaluationError(self._explain(address, size, True))
+        if judged and not self.has_value(address, size):
+            self.reads.is_unset = True
+
+    def has_value(self, address: int, size: int) -> bool:
+        """Return whether bytes are initialised."""
+        saved = self._saved_at(address, size)
+        if saved is not None:
+            return saved.has_value(self._memory)
+        return self.states(address, size) == _VALUED * size
 
     def _refuse(self, address: int, size: int, states: bytes, *, judged: bool) -> None:
         is_there = len(states) == size and ByteState.INACCESSIBLE not in states

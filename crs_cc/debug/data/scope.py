@@ -168,12 +168,13 @@ class FrameAddresses:
 
     Attributes:
         sp: its lower end.
-        place: the current location: variables that are declared later are uninitialised.
+        place: the current location: variables that are declared later are uninitialised. None if
+            it does not matter.
         unset: the registers that surely have none either.
     """
 
     sp: int
-    place: Location
+    place: Location | None
     unset: frozenset[Register] = frozenset()
 
     @classmethod
@@ -212,7 +213,8 @@ class FrameAddresses:
             return None
         flag = None if storage.flag is None else self.sp + storage.flag
         variable = storage.variable
-        is_unset = storage.register in self.unset or not storage.is_visible(self.place)
+        is_later = self.place is not None and not storage.is_visible(self.place)
+        is_unset = storage.register in self.unset or is_later
         return SavedRegister(variable.name, variable.ctype, self.address(storage), flag, is_unset)
 
     def sizes(self, extents: Iterable[Storage], memory: ByteArray) -> dict[Location, int]:

@@ -8,7 +8,7 @@ from typing import Literal
 
 from crs_cc.core.arrays import Records
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.watch import MemoryAccess, WatchedObject
+from crs_cc.debug.watch import MemoryAccess, Watched
 from crs_cc.sim.engine.step import Step
 
 
@@ -20,7 +20,7 @@ class StopRequest:
         statements: by robot, the numbers of statements before which it stops.
         all: the robots that stop before every statement.
         since: by robot, how many statements must have started before it stops at all.
-        watched: by robot, the watched objects: it stops after accesses to them.
+        watched: by robot, what is watched: it stops after accesses to that.
         at_once: whether accesses are reported at the end of the round, and not only where the
             program has stopped for them: for backward searches.
     """
@@ -28,7 +28,7 @@ class StopRequest:
     statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
     all: frozenset[int] = frozenset()
     since: Mapping[int, int] = field(default_factory=dict)
-    watched: Mapping[int, Sequence[WatchedObject]] = field(default_factory=dict)
+    watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
     at_once: bool = False
 
     def enter(self, slots: Records) -> None:
@@ -67,7 +67,7 @@ class RunEvent:
             timestep.
         step: the result of the timestep.
         over: whether no program is left.
-        accesses: the accesses to watched objects.
+        accesses: the accesses to what is watched.
     """
 
     kind: Literal["statement", "round", "timestep", "limit"]

@@ -95,11 +95,7 @@ def _pause(session: Session, robot: int) -> str:
     clock_s = float(session.state.clock_s[robot])
     if math.isfinite(clock_s) and clock_s > session.time_s + session.environment.timestep_s:
         return f"sleeps until {instant(clock_s)}"
-    waits = _waits(session.environment, robot)
-    asleep_until_s = float(session.state.asleep_until_s[robot])
-    if waits and asleep_until_s > session.time_s:
-        return f"{waits}, and sleeps until {instant(asleep_until_s)}"
-    return waits
+    return _waits(session.environment, robot)
 
 
 def _motion(environment: Environment, robot: int) -> str:

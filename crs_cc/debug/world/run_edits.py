@@ -78,11 +78,10 @@ def _sleep(session: Session, _programs: Sequence[Executable], words: Words) -> s
     if for_s <= 0.0:
         raise ValueError("a time to sleep must be above 0")
     state, until_s = session.state, session.time_s + for_s
-    if math.isfinite(state.due_s[number]):
-        state.due_s[number] = max(float(state.due_s[number]), until_s)
-    else:
-        state.asleep_until_s[number] = max(float(state.asleep_until_s[number]), until_s)
-        state.clock_s[number] = max(float(state.clock_s[number]), until_s)
+    if math.isinf(state.clock_s[number]) and math.isinf(state.due_s[number]):
+        raise ValueError(f"{words[0]}'s program waits for its robot: put it to sleep after that")
+    on_link = state.due_s if math.isfinite(state.due_s[number]) else state.clock_s
+    on_link[number] = max(float(on_link[number]), until_s)
     return f"{words[0]}'s program sleeps until {instant(until_s)}"
 
 
@@ -90,7 +89,6 @@ def _wake(session: Session, _programs: Sequence[Executable], words: Words) -> st
     if len(words) != 1:
         raise ValueError("expected: wake ROBOT")
     number, state = _running(session, words[0]), session.state
-    state.asleep_until_s[number] = -math.inf
     for clocks in (state.due_s, state.clock_s):
         if math.isfinite(clocks[number]):
             clocks[number] = min(float(clocks[number]), session.time_s)
@@ -143,8 +141,7 @@ RUN_EDITS: Final = {
     "sleep": RunEdit(
         _SLEEP,
         "Put a robot's program to sleep for a time.",
-        "Its motors go on as they were told, and its processor stands still, even when what it "
-        "waits for happens meanwhile.",
+        "Its motors go on as they were told, and its processor stands still.",
         _sleep,
     ),
     "network": RunEdit(*NETWORK_HELP, change_network),

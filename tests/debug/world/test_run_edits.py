@@ -10,7 +10,6 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.change import Change
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.world.robot_rows import activity
 from tests.debug.debuggers import debugger_at
 
 PROGRAM = """\
@@ -131,29 +130,6 @@ def test_a_program_sleeps_and_wakes(debugger: Debugger) -> None:
     assert len(state(debugger, 40)[1]) > len(before)
     with pytest.raises(DebugError):
         debugger.edit_world("sleep robot0 0s")
-
-
-def test_a_program_that_waits_for_its_robot_sleeps_on_when_that_has_come(tmp_path: Path) -> None:
-    path = tmp_path / "wait.c"
-    path.write_text(
-        "#include <Nclient.h>\n#include <stdio.h>\n"
-        'int main(void) { connect_robot(1); pr(50, 50, 0); ws(1, 1, 0, 60); puts("there"); }\n'
-    )
-    debugger = debugger_at([path], "wall.xml")
-    assert b"there" in state(debugger, 60)[1]
-    debugger.goto_timestep(10)
-    timestep_s = debugger.session.environment.timestep_s
-    debugger.edit_world(f"sleep robot0 {90 * timestep_s}s")
-    status = activity(debugger.session, 0)
-    assert "waits until right and left stand" in status
-    assert status.endswith(f"and sleeps until {100 * timestep_s:.3f} s")
-    assert b"there" not in state(debugger, 99)[1]
-    slept = state(debugger, 105)
-    assert b"there" in slept[1]
-    assert (state(debugger, 60), state(debugger, 105))[1] == slept
-    debugger.goto_timestep(60)
-    debugger.edit_world("wake robot0")
-    assert b"there" in state(debugger, 65)[1]
 
 
 def test_a_robot_is_driven_and_held(debugger: Debugger) -> None:

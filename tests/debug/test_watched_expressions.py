@@ -1,0 +1,146 @@
+"""Watched expressions are evaluated anew: what they name may change, as it does in gdb."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.errors import DebugError
+from tests.debug.debuggers import debugger_of
+from tests.debug.test_watchpoints import go, texts
+
+LIST = """\
+#include <stdlib.h>
+struct node { int v; struct node *next; };
+struct node *cur, *head;
+int tab[4], a, b, i;
+struct { unsigned low : 3, high : 5; } bits;
+static int sum(int n)
+{
+    int s;
+    s = n;
+    if (n > 0)
+        s += sum(n - 1);
+    return s;
+}
+int main(void)
+{
+    int k, local;
+    for (i = 0; i < 4; i++) {
+        cur = malloc(sizeof *cur);
+        cur->v = 10 * i;
+        cur->next = head;
+        head = cur;
+    }
+    for (i = 3; i > 0; i--)
+        tab[i] = i + 4;
+    for (cur = head; cur; cur = cur->next)
+        a += cur->v;
+    b = a;
+    a = 1;
+    bits.high = 3;
+    bits.low = 2;
+    local = sum(2);
+    for (k = 0; k < 3; k++)
+        b += tab[k];
+    return local;
+}
+"""
+WATCHED = {
+    "cur->v": ("25", 4),
+    "tab[i]": ("24", 6),
+    "a + b": ("25", 7),
+    "head->next->v": ("17", 3),
+    "tab[1] > 2 ? a : b": ("17", 4),
+    "bits.low * 10": ("17", 1),
+    "tab": ("17", 3),
+}
+"""Expressions, where they are set, and how often they change from there on, as gdb 13 counts."""
+
+
+def debugger_at_line(folder: Path, place: str) -> Debugger:
+    debugger = debugger_of(LIST, folder=folder)
+    go(debugger, place)
+    return debugger
+
+
+@pytest.mark.parametrize("expression", WATCHED)
+def test_both_directions_stop_wherever_the_value_changes(expression: str, tmp_path: Path) -> None:
+    place, count = WATCHED[expression]
+    debugger = debugger_at_line(tmp_path, place)
+    debugger.stop_points.add_watchpoint(expression)
+    forward = texts(debugger)
+    assert len(forward) == count, forward
+    back = texts(debugger, backward=True)
+    assert back[:count] == forward[::-1]
+    assert texts(debugger) == back[::-1]
+
+
+def test_a_watched_member_follows_the_pointer(tmp_path: Path) -> None:
+    """It was watched in the first object for ever."""
+    debugger = debugger_at_line(tmp_path, "25")
+    debugger.stop_points.add_watchpoint("cur->v")
+    assert texts(debugger) == [
+        "cur->v: 30 -> 20, changed at a.c:25",
+        "cur->v: 20 -> 10, changed at a.c:25",
+        "cur->v: 10 -> 0, changed at a.c:25",
+        "cur->v: 0 -> unreadable, changed at a.c:25",
+    ]
+
+
+def test_a_location_is_watched_for_ever(tmp_path: Path) -> None:
+    debugger = debugger_at_line(tmp_path, "25")
+    point = debugger.stop_points.add_watchpoint("cur->v", location=True)
+    assert point.watch
+    assert point.watch.is_location
+    assert texts(debugger) == []
+
+
+def test_an_element_is_written_wherever_the_index_is_by_then(tmp_path: Path) -> None:
+    debugger = debugger_at_line(tmp_path, "24")
+    debugger.stop_points.add_watchpoint("tab[i]", "write")
+    assert texts(debugger) == [f"tab[i]: 0 -> {value}, written at a.c:24" for value in (7, 6, 5)]
+
+
+def test_a_local_expression_lasts_as_long_as_its_function(tmp_path: Path) -> None:
+    debugger = debugger_at_line(tmp_path, "9")
+    point = debugger.stop_points.add_watchpoint("s * 2 + n")
+    assert point.watch
+    assert point.watch.note == "lasts until 'sum' returns"
+    forward = texts(debugger)
+    assert forward == [
+        "s * 2 + n: uninitialised -> 6, changed at a.c:9",
+        "s * 2 + n: 6 -> 8, changed at a.c:11",
+        "s * 2 + n went out of scope: 'sum' has returned at a.c:12",
+    ]
+    assert texts(debugger, backward=True)[:3] == forward[::-1]
+    assert texts(debugger) == forward
+
+
+def test_a_read_in_the_last_statement_of_a_function_is_reported(tmp_path: Path) -> None:
+    """It was reported only as the end of the function."""
+    debugger = debugger_at_line(tmp_path, "9")
+    debugger.stop_points.add_watchpoint("s", "read")
+    forward = texts(debugger)
+    assert (
+        forward
+        == [
+            "s = 2, read at a.c:11",
+            "s = 3, read at a.c:12; s went out of scope: 'sum' has returned at a.c:12",
+        ]
+        or forward
+    )
+
+
+def test_variables_of_two_calls(tmp_path: Path) -> None:
+    debugger = debugger_at_line(tmp_path, "9")
+    debugger.stop_points.add_watchpoint("main::local + s")
+    assert "went out of scope: 'sum'" in texts(debugger)[-1]
+    debugger = debugger_at_line(tmp_path, "9")
+    debugger.view.select_frame(1)
+    debugger.stop_points.add_watchpoint("sum::s")
+    assert "went out of scope: 'sum'" in texts(debugger)[-1]
+    with pytest.raises(DebugError):
+        debugger.stop_points.add_watchpoint("sum::s")
