@@ -26,6 +26,7 @@ FIGURES: Final = ROOT / "docs" / "images"
 RUNS: Final = ROOT / "build" / "swarm"
 
 SHOWN: Final = {
+    "foraging": ("items_per_min", "curve"),
     "heat": ("goal.cool.at_s", "survival"),
 }
 """The measure of each experiment, and the figure that shows it."""

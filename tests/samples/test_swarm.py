@@ -31,3 +31,12 @@ def test_several_robots_cool_everything_before_one_does(tmp_path: Path) -> None:
     one, several = rows_of("heat", tmp_path, [1, 4], "60s")
     assert one["goals"]["cool"]["status"] == "open"
     assert several["goals"]["cool"]["status"] == "met"
+
+
+def test_too_many_foragers_bring_less(tmp_path: Path) -> None:
+    few, some, too_many = (
+        row["measures"]["items_per_min"]
+        for row in rows_of("foraging", tmp_path, [2, 20, 200], "40s")
+    )
+    assert few < some
+    assert too_many < some
