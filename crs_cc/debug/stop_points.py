@@ -12,7 +12,9 @@ from typing import Any, Final
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.data.evaluate import Evaluator
+from crs_cc.debug.data.expression_compiler import NOWHERE
 from crs_cc.debug.data.notation import slice_in
+from crs_cc.debug.data.scope import is_own
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import BreakpointLocation, find_location
 from crs_cc.debug.view import View
@@ -24,6 +26,7 @@ from crs_cc.debug.watchpoints import (
     watched_object,
 )
 from crs_cc.debug.world.events import check_event_kind
+from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.sites import StatementSite
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
@@ -70,7 +73,7 @@ class StopPoints:
             text = f"{where.file}:{where.line}" if where and each.text.isdecimal() else each.text
             with contextlib.suppress(DebugError):
                 place = find_location(text, self._run.programs, robots, "")
-                self._check(place, each.condition)
+                self._check(each.condition, place)
                 known = {**each.place.statements, **place.statements}
                 each.place = replace(each.place, statements=known)
 
@@ -112,14 +115,13 @@ class StopPoints:
         if kind not in KINDS:
             raise DebugError(unknown("access kind", kind, list(KINDS)))
         active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
-        if active is not None and options.get("condition"):
-            evaluator.check(options["condition"], active.function, active.location)
         number = self.breakpoints.next_number
         if location or slice_in(expression):
             made = watched_object(number, expression, kind, evaluator, active)
         else:
             again = partial(self._view.evaluator, robot)
             made = watched_expression(number, expression, kind, again, active)
+        self._check(options.get("condition", ""), None, robot, made.watched.frame)
         self._make_room(robot)
         return self.breakpoints.add(
             lambda number: Breakpoint(
@@ -143,7 +145,7 @@ class StopPoints:
         place: BreakpointLocation | None,
         options: Mapping[str, Any],
     ) -> Breakpoint:
-        self._check(place, options.get("condition", ""))
+        self._check(options.get("condition", ""), place, options.get("robot"))
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
@@ -168,15 +170,53 @@ class StopPoints:
             DebugError: there is no such breakpoint, or the condition is invalid there.
         """
         own = self.breakpoints.get(number)
-        self._check(own.place, condition)
+        frame = own.watch.watched.frame if own.watch else None
+        self._check(condition, own.place, own.robot, frame)
         own.condition = condition
 
-    def _check(self, place: BreakpointLocation | None, condition: str) -> None:
-        """Check that a condition is valid where it will be evaluated."""
-        if not condition or place is None:
+    def _check(
+        self,
+        condition: str,
+        place: BreakpointLocation | None = None,
+        robot: int | None = None,
+        frame: StackFrame | None = None,
+    ) -> None:
+        """Check that a condition is valid where it will be evaluated.
+
+        Args:
+            condition: the condition; empty for none.
+            place: the location of a breakpoint.
+            robot: the only robot concerned; None for all of them.
+            frame: the frame in whose scope a watchpoint lasts.
+        """
+        if not condition:
             return
-        for evaluator, site in self._sites(place):
-            evaluator.check(condition, site.function, site.location)
+        if frame is not None and robot is not None:
+            self._view.evaluator(robot).check(condition, frame.function, frame.location)
+        elif place is not None and not place.codes:
+            for evaluator, site in self._sites(place):
+                evaluator.check(condition, site.function, site.location)
+        else:
+            self._check_anywhere(condition, robot)
+
+    def _check_anywhere(self, condition: str, robot: int | None) -> None:
+        """Check that a condition is valid at any statement, as events may happen at each."""
+        robots = range(len(self._run.programs)) if robot is None else [robot]
+        by_program = {id(self._run.programs[each]): each for each in reversed(robots)}
+        wrong: DebugError | None = None
+        for each in by_program.values():
+            evaluator = self._view.evaluator(each)
+            sites = self._run.programs[each].executable.detail().compiled.statements
+            own = ((site.function, site.location) for site in sites if is_own(site.location))
+            for function, location in (("", NOWHERE), *own):
+                try:
+                    evaluator.check(condition, function, location)
+                except DebugError as error:
+                    wrong = wrong or error
+                else:
+                    return
+        if wrong is not None:
+            raise wrong
 
     def _sites(self, place: BreakpointLocation) -> Iterator[tuple[Evaluator, StatementSite]]:
         for robot, numbers in place.statements.items():

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.engine import Debugger
+from crs_cc.debug.errors import DebugError
 from tests.debug.debuggers import debugger_of
 
 LOOP = """\
@@ -46,3 +47,38 @@ def test_a_breakpoint_of_one_robot_stops_no_other(debugger: Debugger) -> None:
     debugger.edit_world("join two like robot0 to 2 2")
     assert debugger.resume().robot == 0
     assert debugger.resume().reason == "end"
+
+
+def test_conditions_of_requests_events_and_watchpoints_are_checked_when_given(
+    debugger: Debugger,
+) -> None:
+    """They were refused only at the first hit, and stopped the run there."""
+    points = debugger.stop_points
+    for wrong in ("nothing > 3", "i ==", "i == 3)"):
+        with pytest.raises(DebugError):
+            points.add_breakpoint("get_rc", condition=wrong)
+        with pytest.raises(DebugError):
+            points.add_catchpoint("collision", condition=wrong)
+        with pytest.raises(DebugError):
+            points.add_watchpoint("State[0]", condition=wrong)
+    assert not list(points.breakpoints)
+    made = [
+        points.add_breakpoint("get_rc", condition="i == 3"),
+        points.add_catchpoint("collision", condition="State[0] > 1"),
+        points.add_watchpoint("State[0]", condition="i == 3 || State[1]"),
+    ]
+    for each in made:
+        with pytest.raises(DebugError):
+            points.set_condition(each.number, "nothing")
+        assert each.condition
+    points.remove(made[2].number)
+    assert debugger.resume().breakpoints == (made[0].number,)
+    assert debugger.evaluate("i").text == "3"
+
+
+def test_the_condition_of_a_local_watchpoint_belongs_to_its_function(debugger: Debugger) -> None:
+    debugger.start()
+    debugger.stop_points.add_watchpoint("i", condition="i == 5")
+    with pytest.raises(DebugError):
+        debugger.stop_points.add_watchpoint("i", condition="other == 5")
+    assert debugger.resume().text == "i: 4 -> 5, written at a.c:6"
