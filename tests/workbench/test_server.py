@@ -7,7 +7,9 @@ import json
 import os
 import time
 from collections.abc import Iterator
+from contextlib import ExitStack
 from itertools import islice
+from socket import SHUT_RDWR
 from typing import Any
 
 import numpy as np
@@ -19,7 +21,7 @@ from crs_cc.core import host_system
 from crs_cc.recording.frames import FrameDecoder
 from crs_cc.workbench.clients import Client
 from crs_cc.workbench.messages import MAX_BYTES, answer
-from crs_cc.workbench.server import Server
+from crs_cc.workbench.server import MAX_CLIENTS, Server
 from tests.workbench.channel_frames import frame_in
 
 
@@ -169,6 +171,24 @@ def test_messages_arrive_in_order_written_at_once_or_after_what_waits(server: Se
             server.broadcast(text)
         texts = (each for each in page if isinstance(each, str))  # besides the last frame
         assert list(islice(texts, len(sent))) == sent
+
+
+def test_a_hundred_pages_hear_the_run_and_one_that_is_killed_makes_room() -> None:
+    server = Server(Echo())
+    with ExitStack() as stack:
+        pages = [stack.enter_context(opened(server)) for _ in range(MAX_CLIENTS)]
+        with pytest.raises(InvalidStatus) as refused, opened(server):
+            pass
+        assert refused.value.response.status_code == 503
+        pages.pop().socket.shutdown(SHUT_RDWR)  # without a word, as a browser that is killed
+        while server.count == MAX_CLIENTS:
+            time.sleep(0.001)
+        pages.append(stack.enter_context(opened(server)))
+        server.broadcast("to all")
+        assert {tuple(page.recv(5) for _ in range(2)) for page in pages} == {
+            ("hello control", "to all")
+        }
+        server.close()
 
 
 def test_a_port_in_use_is_an_error(server: Server) -> None:
