@@ -80,6 +80,15 @@ int srand48_r(long seed, struct drand48_data *data);
 int seed48_r(unsigned short seed[3], struct drand48_data *data);
 int lcong48_r(unsigned short parameters[7], struct drand48_data *data);
 
+struct random_data {
+    int *fptr, *rptr, *state, rand_type, rand_deg, rand_sep, *end_ptr;
+};
+
+int random_r(struct random_data *data, int *result);
+int srandom_r(unsigned int seed, struct random_data *data);
+int initstate_r(unsigned int seed, char *memory, size_t size, struct random_data *data);
+int setstate_r(char *memory, struct random_data *data);
+
 void qsort(void *items, size_t count, size_t size,
            int (*compare)(const void *left, const void *right));
 void *bsearch(const void *key, const void *items, size_t count, size_t size,

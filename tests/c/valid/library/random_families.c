@@ -3,6 +3,29 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+static void reentrant(void)
+{
+    static const int sizes[] = {8, 32, 200, 256};
+    static char states[4][256];
+    struct random_data data = {0};
+    int i, k, number;
+
+    for (i = 0; i < 4; i++) {
+        initstate_r(i, states[i], sizes[i], &data);
+        for (k = 0; k < 70; k++)
+            random_r(&data, &number);
+        printf("%d ", number);
+    }
+    for (i = 0; i < 4; i++) {
+        setstate_r(states[i], &data);
+        random_r(&data, &number);
+        printf("%d ", number);
+    }
+    srandom_r(9, &data);
+    random_r(&data, &number);
+    printf("%d %d\n", number, initstate_r(1, states[0], 4, &data));
+}
+
 int main(void)
 {
     unsigned int seed = 5;
@@ -40,5 +63,6 @@ int main(void)
     printf("%ld\n", random());
     srandom(0);
     printf("%ld\n", random());
+    reentrant();
     return 0;
 }
